@@ -6,7 +6,6 @@
 #![allow(clippy::print_stdout)] // a benchmark prints
 
 use etalon::campaign::Campaign;
-use etalon::formats::table;
 use etalon::identify::{Settings, identify};
 use etalon::run::walk::{Observed as Walked, observed};
 use etalon::stages::evaluate::sets::split;
@@ -34,11 +33,7 @@ fn main() {
     let sets = split(&observed, &observed.poses(), &selections);
     let folder = tempfile::tempdir().expect("folder");
     let csv = folder.path().join("observations.csv");
-    std::fs::write(
-        &csv,
-        table::to_csv(&joined.observations.swap_remove(0).1.into_table().expect("table")).expect("csv"),
-    )
-    .expect("csv");
+    std::fs::write(&csv, joined.observations.swap_remove(0).1.into_table().to_csv().expect("csv")).expect("csv");
 
     for (what, extra) in [("45 parameters", 6), ("39 parameters", 0)] {
         let mut settings: Settings = campaign.settings(stated);

@@ -70,9 +70,10 @@ fn read(path: &Path) {
     let before = Instant::now();
     let cloud = cloud(path, &Format::default(), Unit::Millimetre).expect("readable").expect("plain");
     let seconds = before.elapsed().as_secs_f64();
-    let sum = |name: &str| etalon::formats::table::numbers(&cloud.table, name).expect("numbers").iter().sum::<f64>();
     let peak = peak_mb();
-    let rows = cloud.table.height();
+    let columns = etalon::formats::parquet::table(&cloud.table).expect("numbers");
+    let sum = |name: &str| columns.numbers(name).expect("numbers").iter().sum::<f64>();
+    let rows = columns.height();
     println!(
         "{seconds:6.2} s, {:5.1} million rows/s, peak {peak} MB, {} labels, sums {:.6} {:.6} {:.6}",
         rows as f64 / seconds / 1e6,

@@ -8,7 +8,6 @@
 use etalon::campaign::{Campaign, read_robot};
 use etalon::cli::in_memory::{self, Inputs, Table};
 use etalon::fit::{Element, FitSettings, element};
-use etalon::formats::table;
 use etalon::run::walk::{Observed, observed};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Write};
@@ -62,8 +61,8 @@ fn identification(python: &mut Child, sample: &Path, folder: &Path) {
         return;
     }
     let Observed { mut joined, .. } = observed(&campaign).expect("observed");
-    let observations = joined.observations.swap_remove(0).1.into_table().expect("table");
-    let csv = String::from_utf8(table::to_csv(&observations).expect("csv")).expect("UTF-8");
+    let observations = joined.observations.swap_remove(0).1.into_table();
+    let csv = String::from_utf8(observations.to_csv().expect("csv")).expect("UTF-8");
     std::fs::write(folder.join("observations.csv"), &csv).expect("observations");
     let robot = read_robot(&sample.join("robot.toml")).expect("robot");
     let toml = std::fs::read_to_string(sample.join("robot.toml")).expect("robot");

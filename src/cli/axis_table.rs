@@ -12,7 +12,7 @@ use etalon_base::pose::Pose;
 use etalon_base::{error, phrase, warning};
 use etalon_controllers::axis_tables::{self, Deviation, MachineAxes, Plane, Sign};
 use etalon_documents::{CampaignSummary, GeometricDocument, LeadResult};
-use etalon_formats::table::{self, QUATERNION, XYZ};
+use etalon_formats::table::{QUATERNION, XYZ};
 use etalon_robots::{Calibrated, Kinematics, Quantity};
 use std::cmp::Ordering;
 use std::path::{Path, PathBuf};
@@ -362,14 +362,14 @@ impl AxisTable {
 
     /// Measured errors of a table, whose positions become those of the base axes.
     fn table_deviations<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
-        let both = BOTH.iter().any(|name| file.table.column(name).is_ok()) && file.table.column(DEVIATION).is_err();
+        let both = BOTH.iter().any(|name| file.table.has(name)) && !file.table.has(DEVIATION);
         let errors = if both { &BOTH[..] } else { &[DEVIATION] };
         let errors = errors.iter().map(|name| (*name).to_owned());
         let names: Vec<String> = self.axes.iter().map(|axis| axis.name.clone()).chain(errors).collect();
         let directions = names.last().is_some_and(|name| *name == BOTH[1]);
         let columns = || -> Result<Vec<Vec<f64>>> {
-            table::require(&file.table, &names)?;
-            names.iter().map(|name| table::numbers(&file.table, name)).collect()
+            file.table.require(&names)?;
+            names.iter().map(|name| file.table.numbers(name)).collect()
         };
         let mut columns = columns().map_err(|problems| file.place(problems))?;
         if columns.iter().flatten().any(|v| !v.is_finite()) {

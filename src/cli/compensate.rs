@@ -19,7 +19,7 @@ use etalon_controllers::commands::{
     self, Command, CommandLanguage, Configuration, DECIMALS, Freedoms, Galil, Program, ProgramTarget,
 };
 use etalon_documents::{CompensatedTarget, CompensationDocument, ParametersDocument, UnreachableTarget, to_json};
-use etalon_formats::table::{self, QUATERNION, XYZ};
+use etalon_formats::table::{QUATERNION, XYZ};
 use etalon_identify::UncertaintyBound;
 use etalon_robots::{Calibrated, Correction, Kinematics};
 use std::path::PathBuf;
@@ -313,10 +313,10 @@ impl Compensate {
     fn read_table(&self, robot: &Calibrated) -> Result<Source> {
         let file = TableFile::read(&self.targets)?;
         let read = || -> Result<Vec<Target>> {
-            let names = table::poses(&file.table)?;
+            let names = file.table.poses()?;
             let near = starts(robot.arm, &file)?;
-            let stated = match (&near, file.table.column(XYZ[0])) {
-                (Some(joints), Err(_)) => joints.iter().map(|q| self.nominal_pose(robot, q)).collect::<Result<_>>()?,
+            let stated = match (&near, file.table.has(XYZ[0])) {
+                (Some(joints), false) => joints.iter().map(|q| self.nominal_pose(robot, q)).collect::<Result<_>>()?,
                 _ => poses(robot.arm, &file)?,
             };
             let near = near.map_or_else(|| vec![None; names.len()], |all| all.into_iter().map(Some).collect());

@@ -200,7 +200,7 @@ impl IdentifyCommand {
             excluded.iter().for_each(|row| left_out[*row as usize - 1] = true);
             messages.push(warning!("excluded-rows", count = excluded.len(), rows = rows.to_string(), reason));
         }
-        observed.leave_out(&left_out)?;
+        observed.leave_out(&left_out);
         Ok(messages)
     }
 }
@@ -244,8 +244,8 @@ pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<
 
 /// Warning about unused columns.
 pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
-    let joints = observed.table.get_column_names().into_iter().map(|name| name.as_str());
-    let joints = joints.filter(|name| {
+    let stated = stated_columns(robot);
+    let joints = observed.table.names().filter(|name| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || *name == joint.direction_column())
     });
     let known = ["pose", "cycle", "target", ASSEMBLY, TIME]
@@ -253,7 +253,6 @@ pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message>
         .chain(UNCERTAINTIES)
         .chain(COVARIANCES)
         .chain(kinds::columns());
-    let stated = stated_columns(robot);
     let known = known.chain(stated.iter().map(String::as_str));
-    observed.named().unread(&known.chain(joints).collect::<Vec<_>>())
+    observed.table.unread(&known.chain(joints).collect::<Vec<_>>())
 }

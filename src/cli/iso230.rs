@@ -6,7 +6,6 @@ use etalon_base::message::Result;
 use etalon_base::{error, phrase};
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::{AxisDocument, AxisPositioning, to_json};
-use etalon_formats::table;
 use etalon_standards::iso230::{Approach, AxisPosition};
 use std::path::PathBuf;
 
@@ -81,8 +80,8 @@ pub(super) fn evaluate(file: &TableFile) -> Result<(AxisDocument, Vec<Deviation>
 
 /// Positions in ascending order, each with its runs in both directions.
 fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
-    table::require(&file.table, &["position_mm", "measured_mm", "direction"].map(str::to_owned))?;
-    let column = |name: &str| table::numbers(&file.table, name);
+    file.table.require(["position_mm", "measured_mm", "direction"])?;
+    let column = |name: &str| file.table.numbers(name);
     let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
     if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
         return Err(error!("iso230-row-incomplete").into());

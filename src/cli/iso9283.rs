@@ -297,7 +297,7 @@ impl Iso9283 {
 
 /// Evaluates static compliance from a table of loads.
 fn compliance(table: TableFile, json: bool) -> anyhow::Result<Verdict> {
-    let document = load::evaluate(table.named()).map_err(|p| table.place(p))?;
+    let document = load::evaluate(&table.table).map_err(|p| table.place(p))?;
     remark(&document.messages);
     let json = json.then(|| to_json(&document)).transpose()?;
     answer(&Renderer::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)

@@ -12,7 +12,7 @@ use etalon_base::pose::Pose;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
-use etalon_formats::table::{self, ASSEMBLY, QUATERNION, XYZ};
+use etalon_formats::table::{ASSEMBLY, QUATERNION, XYZ};
 use etalon_formats::tables::joints::{joint_column, stated_modes};
 use etalon_robots::{Kinematics, Robot, Role};
 use std::path::{Path, PathBuf};
@@ -100,8 +100,8 @@ impl KinematicsCommand {
         }
         let starts = starts(arm, file)?;
         let mut last = vec![0.0; arm.joints().len()];
-        for (row, pose) in poses(arm, file)?.into_iter().enumerate() {
-            let name = table::poses(&file.table)?[row];
+        let all = poses(arm, file)?;
+        for (row, (pose, name)) in all.into_iter().zip(file.table.poses()?).enumerate() {
             let near = starts.as_ref().map_or(&last, |starts| &starts[row]);
             let found = match self.nearest {
                 true => arm.nearest_joints(&nominal, &pose, near).map(|q| vec![q]),
@@ -152,15 +152,15 @@ pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path:
 pub(super) fn joint_values(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         arm.joints().iter().map(|joint| joint_column(joint, &file.table)).collect::<Result<_>>()?;
-    table::require(&file.table, &columns.iter().map(|c| c.0.clone()).collect::<Vec<_>>())?;
+    file.table.require(columns.iter().map(|(name, _)| name))?;
     let mut rows = vec![Vec::new(); file.table.height()];
     for (column, factor) in columns {
-        for (row, value) in rows.iter_mut().zip(table::numbers(&file.table, &column)?) {
+        for (row, value) in rows.iter_mut().zip(file.table.numbers(&column)?) {
             row.push(factor * value);
         }
     }
     if arm.has_assembly_modes() {
-        table::require(&file.table, &[ASSEMBLY.to_owned()])?;
+        file.table.require([ASSEMBLY])?;
         for (row, mode) in rows.iter_mut().zip(stated_modes(arm, &file.table)?) {
             row.push(mode.unwrap_or(f64::NAN));
         }
@@ -172,59 +172,50 @@ pub(super) fn joint_values(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec
 
 /// Checks that all values are finite.
 fn complete(file: &TableFile, rows: &[Vec<f64>]) -> Result<()> {
-    let lines = table::integers(&file.table, "line")?;
-    let odd = rows.iter().zip(lines).filter(|(row, _)| row.iter().any(|v| !v.is_finite()));
-    let message = |(_, line): (&Vec<f64>, i64)| {
-        let place = Place { line: Some(line as usize), ..Place::default() };
-        error!("table-value-missing").at(place)
-    };
-    Problems(odd.map(message).collect()).check().map(|_| ())
+    let odd = rows.iter().enumerate().filter(|(_, row)| row.iter().any(|v| !v.is_finite()));
+    let message = |(i, _)| error!("table-value-missing").at(file.table.place(i));
+    Problems(odd.map(message).collect()).check().map(drop)
 }
 
 /// Starting points of the search for solutions: the joints of the table, if any.
 pub(super) fn starts(arm: &dyn Kinematics, file: &TableFile) -> Result<Option<Vec<Vec<f64>>>> {
-    let has =
-        arm.joints().iter().any(|joint| file.table.get_column_names().iter().any(|name| joint.factor(name).is_some()));
+    let has = arm.joints().iter().any(|joint| file.table.names().any(|name| joint.factor(name).is_some()));
     has.then(|| joint_values(arm, file)).transpose()
 }
 
 /// Poses of a table.
 pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>> {
     let planar = arm.dimension() == 2;
-    let has = |name: &str| file.table.column(name).is_ok();
     let needed: &[&str] = if planar { &XYZ[..2] } else { &XYZ };
-    let turned = QUATERNION.iter().any(|name| has(name)) || arm.platform().is_some() || !planar;
+    let turned = QUATERNION.iter().any(|name| file.table.has(name)) || arm.platform().is_some() || !planar;
     let quaternion: &[&str] = if turned { &QUATERNION } else { &[] };
-    let needed: Vec<String> = needed.iter().chain(quaternion).map(|name| (*name).to_owned()).collect();
-    table::require(&file.table, &needed)?;
-    let xyz = table::coordinates(&file.table)?;
+    file.table.require(needed.iter().chain(quaternion))?;
+    let xyz = file.table.positions()?;
     let mut columns = Vec::new();
     for name in quaternion {
-        columns.push(table::numbers(&file.table, name)?);
+        columns.push(file.table.numbers(name)?);
     }
     let number = |(i, at): (usize, &[f64; 3])| {
         at.iter().copied().chain(columns.iter().map(|column| column[i])).collect::<Vec<f64>>()
     };
     let rows: Vec<Vec<f64>> = xyz.iter().enumerate().map(number).collect();
     complete(file, &rows)?;
-    let lines = table::integers(&file.table, "line")?;
     let mut problems = Problems::default();
-    let pose = |(row, line): (&Vec<f64>, i64)| {
+    let pose = |(i, row): (usize, &Vec<f64>)| {
         let q = [3, 4, 5, 6].map(|i| row.get(i).copied().unwrap_or(if i == 3 { 1.0 } else { 0.0 }));
         let length = q.iter().map(|v| v * v).sum::<f64>().sqrt();
         if (length - 1.0).abs() > LENGTH_ONE {
-            let place = Place { line: Some(line as usize), ..Place::default() };
-            problems.0.push(error!("table-quaternion-length", length).at(place));
+            problems.0.push(error!("table-quaternion-length", length).at(file.table.place(i)));
         }
         Pose { translation_mm: [row[0], row[1], row[2]], ..Pose::from_quaternion(q) }
     };
-    let poses = rows.iter().zip(lines).map(pose).collect();
+    let poses = rows.iter().enumerate().map(pose).collect();
     problems.check().map(|_| poses)
 }
 
 fn direct(arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
     let nominal = arm.nominal();
-    let names = table::poses(&file.table)?;
+    let names = file.table.poses()?;
     for (pose, joints) in names.into_iter().zip(joint_values(arm, file)?) {
         match arm.tool_pose(&nominal, &joints) {
             Some(at) => {

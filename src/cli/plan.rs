@@ -290,7 +290,7 @@ impl PlanCommand {
 /// Reads a table of candidates: its robot with the named targets, and its configurations.
 pub(super) fn read_candidates(robot_file: &RobotFile, file: &TableFile) -> Result<(Box<dyn Robot>, Candidates)> {
     let here = |problems: Problems| file.place(problems);
-    let targets = if file.table.column("target").is_ok() { file.targets()? } else { Vec::new() };
+    let targets = if file.table.has("target") { file.targets()? } else { Vec::new() };
     let robot = robot_file.build(&targets).map_err(here)?;
     joint_range::check_table(robot.as_ref(), &file.table, &[], Joints::Proposed).map_err(here)?;
     let mut found = configurations(robot.as_ref(), &file.table).map_err(here)?;

@@ -115,7 +115,7 @@ impl TextForm {
             let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
             let layout = TableLayout { columns, constants: BTreeMap::new(), ..reading.layout.clone() };
             let read = table(path, &TableReading { layout, ..reading.clone() });
-            read.is_ok_and(|read| read.table.column(name).is_ok())
+            read.is_ok_and(|read| read.table.has(name))
         };
         let mut columns = BTreeMap::new();
         for (name, sources) in all {

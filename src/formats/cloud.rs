@@ -176,7 +176,7 @@ fn together(mut parts: Vec<Part>) -> Result<Cloud> {
     let columns: Vec<Column> = columns.into_iter().flatten().collect();
     let height = columns.first().map_or(0, Column::len);
     let labels = known.all.iter().map(|label| String::from_utf8_lossy(label).into_owned()).collect();
-    Ok(Cloud { labels, table: crate::table::frame(height, columns)? })
+    Ok(Cloud { labels, table: crate::parquet::frame(height, columns)? })
 }
 
 /// First byte to read for the block from `start`: the byte before the block shows whether a line
@@ -348,7 +348,7 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 mod tests {
     use super::*;
     use crate::dialect::{ColumnRole, Dialect};
-    use crate::table;
+    use crate::parquet::table;
     use etalon_tables::{Delimiter, Form};
 
     type Rows = Option<Vec<(String, [u64; 3])>>;
@@ -359,8 +359,9 @@ mod tests {
         std::fs::write(file.path(), text).unwrap();
         let bits = |xyz: [f64; 3]| xyz.map(f64::to_bits);
         let fast = cloud(file.path(), format, unit).unwrap().map(|cloud| {
-            let labels = table::integers(&cloud.table, "label").unwrap();
-            let xyz = ["x_mm", "y_mm", "z_mm"].map(|name| table::numbers(&cloud.table, name).unwrap());
+            let rows = table(&cloud.table).unwrap();
+            let labels = rows.integers("label").unwrap();
+            let xyz = ["x_mm", "y_mm", "z_mm"].map(|name| rows.numbers(name).unwrap());
             let label = |i: usize| cloud.labels.get(labels[i] as usize).cloned().unwrap_or_default();
             (0..labels.len()).map(|i| (label(i), bits([xyz[0][i], xyz[1][i], xyz[2][i]]))).collect()
         });

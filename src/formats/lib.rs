@@ -13,6 +13,7 @@ mod input;
 mod log_text;
 mod logs;
 mod magic;
+pub mod parquet;
 mod points;
 mod propose;
 pub(crate) mod ros_bag;
@@ -34,7 +35,7 @@ pub use exports::{Format, qif};
 pub use input::{file_text, into_text, read_bytes, read_text};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
-pub use points::{Line, Names, Point, SharedText, Stated, table, to_parquet};
+pub use points::{Line, Names, Point, SharedText, Stated, to_parquet};
 pub use propose::{
     FilesProposal, JOINTS_REMARK, TargetFit, fit_targets, heading_without_unit, label_form, propose, propose_file,
     propose_file_for, propose_files,
@@ -48,8 +49,8 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::{error, warning};
 use etalon_tables::Encoding;
-use polars::prelude::DataFrame;
 use std::path::Path;
+use table::{TIME, Table, Values, XYZ};
 
 /// Reads a file in a format, without a campaign; rows that were not measured are `refused`.
 ///
@@ -105,16 +106,21 @@ pub fn text_in(path: &Path, format: &Format) -> Result<String> {
     }
 }
 
-/// Returns the samples of a recording as a table `line time_s x_mm y_mm z_mm`.
+/// Returns the samples of a recording as a table `time_s x_mm y_mm z_mm`.
 ///
 /// # Errors
 /// Reports all rows that cannot be read or were not measured.
-pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<DataFrame> {
+pub fn recorded_points(file: &str, text: &str, format: &Format, unit: Unit) -> Result<Table> {
     let (points, mut problems) = format.read(file, &text.into(), unit);
     let refused =
         points.iter().filter(|point| !point.is_left_out).filter_map(|point| Some((point, point.refused.as_ref()?)));
     problems.0.extend(refused.map(|(point, reason)| error!("row-without-point", reason).at(point.place_in(file))));
     problems.check()?;
-    let points: Vec<Point> = points.into_iter().filter(|point| point.refused.is_none()).collect();
-    points::table(&points)
+    let samples: Vec<&Point> = points.iter().filter(|point| point.refused.is_none()).collect();
+    let mut table = Table::from_file(file, samples.iter().map(|point| point.line as usize));
+    table.set(TIME, Values::Numbers(samples.iter().map(|point| point.time_s).collect()));
+    for (axis, name) in XYZ.into_iter().enumerate() {
+        table.set(name, Values::Numbers(samples.iter().map(|point| Some(point.xyz_mm[axis])).collect()));
+    }
+    Ok(table)
 }

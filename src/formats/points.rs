@@ -1,7 +1,7 @@
 //! Points of exports.
 
 use crate::dialect::Unit;
-use crate::table::{RowGroups, frame, pose_column_as};
+use crate::parquet::{RowGroups, frame, pose_column};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Place, Result};
 use etalon_base::pose::Vector;
@@ -265,20 +265,15 @@ impl Names {
     }
 }
 
-/// Returns points as a table `export row line label target pose cycle time_s x_mm y_mm z_mm`, with
-/// uncertainties and directions if a point has them.
-pub fn table(points: &[Point]) -> Result<DataFrame> {
-    OptionalColumns::new(points).table(points)
-}
-
 /// Number of rows that are written at a time.
 const PIECE: usize = 100_000;
 /// Number of rows whose memory is released together: blocks of this size (36 MB) go back to the
 /// system at once.
 const RELEASED: usize = 5 * PIECE;
 
-/// Returns the table of points as Parquet. It is written piece by piece, and the memory of each
-/// piece is released: exports have millions of rows.
+/// Returns points as the Parquet table `export row line label target pose cycle time_s x_mm y_mm
+/// z_mm`, with uncertainties and directions if a point has them. It is written piece by piece, and
+/// the memory of each piece is released: exports have millions of rows.
 pub fn to_parquet(mut points: Vec<Point>) -> Result<Vec<u8>> {
     let (stated, mut bytes) = (OptionalColumns::new(&points), Vec::new());
     let mut pieces = Vec::new();
@@ -328,7 +323,7 @@ impl OptionalColumns {
             whole("line", &|p| Some(i64::from(p.line))),
             strings("label", &|p| Some(&p.label)),
             strings("target", &|p| p.target.as_deref()),
-            pose_column_as("pose", &p.iter().map(|p| p.pose).collect::<Vec<_>>(), self.numbered_poses),
+            pose_column("pose", &p.iter().map(|p| p.pose).collect::<Vec<_>>(), self.numbered_poses),
             whole("cycle", &|p| p.cycle),
             real("time_s", &|p| p.time_s),
             real("x_mm", &|p| Some(p.xyz_mm[0])),

@@ -1,14 +1,13 @@
-//! Tables of points, joints and observations (polars), and the names of their columns.
+//! Tables with typed columns, and the names of their columns: observations, poses, loads and joints
+//! between their file and their use.
 
 use etalon_base::cell::cell;
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
-use polars::prelude::*;
-use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use serde::Serialize;
-use std::io::{Cursor, Write};
+use std::borrow::Cow;
 
 /// Columns of the coordinates (mm).
 pub const XYZ: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
@@ -44,159 +43,356 @@ pub const ANGLE_ORDER: &str = "orientation";
 /// Column of the assembly mode, +1 or -1, for robots with several modes.
 pub const ASSEMBLY: &str = "assembly";
 
+/// Column of the names of poses.
+const POSE: &str = "pose";
+/// Column of the line of each row, in a table that is written.
+const LINE: &str = "line";
+/// Offset of the line numbers of each further file, in a table that is written.
+const FILE_LINES: usize = 1_000_000_000;
+
 /// Returns the error that a table cannot be built.
 pub fn failed(error: impl std::fmt::Display) -> Problems {
     error!("table-failed", reason = error.to_string()).into()
 }
 
-/// Builds a table of `height` rows.
-pub fn frame(height: usize, columns: Vec<Column>) -> Result<DataFrame> {
-    DataFrame::new(height, columns).map_err(failed)
+/// Source of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RowSource {
+    /// Index of the file among the files of the table.
+    pub file: usize,
+    /// Line of the file, from 1.
+    pub line: usize,
 }
 
-/// Returns a column as numbers; missing values are NaN.
-pub fn numbers(table: &DataFrame, name: &str) -> Result<Vec<f64>> {
-    let column = column(table, name)?.cast(&DataType::Float64).map_err(failed)?;
-    Ok(column.f64().map_err(failed)?.iter().map(|v| v.unwrap_or(f64::NAN)).collect())
+/// Values of a column; `None` for empty cells.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Numbers.
+    Numbers(Vec<Option<f64>>),
+    /// Whole numbers.
+    Whole(Vec<Option<i64>>),
+    /// Names of poses.
+    Poses(Vec<Option<PoseName>>),
+    /// Texts.
+    Texts(Vec<Option<String>>),
 }
 
-/// Returns a column of whole numbers without gaps.
-pub fn integers(table: &DataFrame, name: &str) -> Result<Vec<i64>> {
-    let wrong = |value: String| error!("not-whole-number", value, column = name);
-    let column = column(table, name)?;
-    // a cast would cut 1.5 and 1e300
-    let cut = |v: &f64| v.is_finite() && v.fract() != 0.0 || v.abs() > 9e15;
-    if column.dtype().is_float()
-        && let Some(value) = numbers(table, name)?.into_iter().find(cut)
-    {
-        return Err(wrong(value.to_string()).into());
-    }
-    let Ok(column) = column.strict_cast(&DataType::Int64) else {
-        let other = texts(table, name)?.into_iter().find(|text| text.parse::<i64>().is_err());
-        return Err(wrong(other.unwrap_or_default()).into());
-    };
-    let whole = |v: Option<i64>| v.ok_or_else(|| error!("cell-empty", column = name).into());
-    column.i64().map_err(failed)?.iter().map(whole).collect()
-}
-
-/// Offset of the line numbers of each further file of a table.
-pub const FILE_LINES: usize = 1_000_000_000;
-
-/// Returns the line of a row in its file; `None` if the table does not state it.
-pub fn lines(table: &DataFrame) -> Result<impl Fn(usize) -> Option<usize> + use<>> {
-    let lines = if table.column("line").is_ok() { integers(table, "line")? } else { Vec::new() };
-    Ok(move |row| lines.get(row).map(|line| *line as usize))
-}
-
-/// Returns the names of poses in the column `pose`, without gaps.
-pub fn poses(table: &DataFrame) -> Result<Vec<PoseName>> {
-    if !column(table, "pose")?.dtype().is_string() {
-        return Ok(integers(table, "pose")?.into_iter().map(PoseName::from).collect());
-    }
-    let name = |name: String| PoseName::new(&name).map_err(Problems::from);
-    texts(table, "pose")?.into_iter().map(name).collect()
-}
-
-/// Builds a column of names of poses: whole numbers, or texts if one of them is a text.
-pub fn pose_column(name: &str, poses: &[Option<PoseName>]) -> Column {
-    pose_column_as(name, poses, !poses.iter().flatten().any(|pose| pose.number().is_none()))
-}
-
-/// Builds a column of names of poses, as whole numbers or as texts.
-pub fn pose_column_as(name: &str, poses: &[Option<PoseName>], numbers: bool) -> Column {
-    match numbers {
-        true => Column::new(name.into(), poses.iter().map(|pose| (*pose)?.number()).collect::<Vec<_>>()),
-        false => {
-            Column::new(name.into(), poses.iter().map(|pose| Some(pose.as_ref()?.to_string())).collect::<Vec<_>>())
+impl Values {
+    /// Number of rows.
+    fn len(&self) -> usize {
+        match self {
+            Self::Numbers(all) => all.len(),
+            Self::Whole(all) => all.len(),
+            Self::Poses(all) => all.len(),
+            Self::Texts(all) => all.len(),
         }
     }
-}
 
-/// Returns a column of whole numbers; `None` for missing values.
-pub fn optional_integers(table: &DataFrame, name: &str) -> Result<Vec<Option<i64>>> {
-    let column = column(table, name)?.cast(&DataType::Int64).map_err(failed)?;
-    Ok(column.i64().map_err(failed)?.iter().collect())
-}
-
-/// Returns a column as text; missing values are empty.
-pub fn texts(table: &DataFrame, name: &str) -> Result<Vec<String>> {
-    let column = column(table, name)?.cast(&DataType::String).map_err(failed)?;
-    Ok(column.str().map_err(failed)?.iter().map(|v| v.unwrap_or_default().to_owned()).collect())
-}
-
-/// Appends the rows of a second table; cells of columns that a table lacks are missing.
-pub fn stacked(above: &DataFrame, below: &DataFrame) -> Result<DataFrame> {
-    let mut names: Vec<&str> = Vec::new();
-    for name in above.get_column_names().into_iter().chain(below.get_column_names()) {
-        if !names.contains(&name.as_str()) {
-            names.push(name);
-        }
-    }
-    let both = [above, below];
-    let column = |name: &&str| -> Result<Column> {
-        let parts: Vec<Option<&Column>> = both.iter().map(|table| table.column(name).ok()).collect();
-        if *name == "pose" {
-            let of = |table: &DataFrame| -> Result<Vec<Option<PoseName>>> {
-                if table.column("pose").is_err() {
-                    return Ok(vec![None; table.height()]);
-                }
-                let named = |text: String| if text.is_empty() { Ok(None) } else { PoseName::new(&text).map(Some) };
-                Ok(texts(table, "pose")?.into_iter().map(named).collect::<std::result::Result<_, _>>()?)
-            };
-            return Ok(pose_column("pose", &[of(above)?, of(below)?].concat()));
-        }
-        let text = parts.iter().flatten().any(|column| column.dtype().is_string());
-        let whole = parts.iter().flatten().all(|column| column.dtype().is_integer());
-        let dtype = if text {
-            DataType::String
-        } else if whole {
-            DataType::Int64
-        } else {
-            DataType::Float64
+    /// Number in a row; NaN for an empty cell or a text.
+    pub fn number(&self, row: usize) -> f64 {
+        let number = match self {
+            Self::Numbers(all) => all[row],
+            Self::Whole(all) => all[row].map(|whole| whole as f64),
+            Self::Poses(all) => all[row].and_then(PoseName::number).map(|whole| whole as f64),
+            Self::Texts(all) => all[row].as_ref().and_then(|text| text.parse().ok()),
         };
-        let mut all: Option<Column> = None;
-        for (part, table) in parts.into_iter().zip(both) {
-            let part = match part {
-                Some(part) => part.cast(&dtype).map_err(failed)?,
-                None => Column::full_null((*name).into(), table.height(), &dtype),
-            };
-            match &mut all {
-                Some(all) => drop(all.append(&part).map_err(failed)?),
-                None => all = Some(part),
+        number.unwrap_or(f64::NAN)
+    }
+
+    /// Text in a row; empty for an empty cell.
+    fn text(&self, row: usize) -> Cow<'_, str> {
+        let text = match self {
+            Self::Numbers(all) => all[row].map(|number| number.to_string()),
+            Self::Whole(all) => all[row].map(|whole| whole.to_string()),
+            Self::Poses(all) => all[row].map(|pose| pose.to_string()),
+            Self::Texts(all) => return all[row].as_deref().unwrap_or_default().into(),
+        };
+        text.unwrap_or_default().into()
+    }
+
+    /// Cell of a row as CSV; formulas are escaped.
+    fn cell(&self, row: usize) -> Cell {
+        let cell = match self {
+            Self::Numbers(all) => all[row].map(Cell::Real),
+            Self::Whole(all) => all[row].map(Cell::Whole),
+            Self::Poses(all) => all[row].map(|pose| Cell::Text(cell(&pose.to_string()))),
+            Self::Texts(all) => all[row].as_deref().map(|text| Cell::Text(cell(text))),
+        };
+        cell.unwrap_or(Cell::Missing(()))
+    }
+
+    /// The values of some rows; empty cells for `None`.
+    fn rows(&self, rows: &[Option<usize>]) -> Self {
+        fn picked<T: Clone>(all: &[Option<T>], rows: &[Option<usize>]) -> Vec<Option<T>> {
+            rows.iter().map(|row| all[(*row)?].clone()).collect()
+        }
+        match self {
+            Self::Numbers(all) => Self::Numbers(picked(all, rows)),
+            Self::Whole(all) => Self::Whole(picked(all, rows)),
+            Self::Poses(all) => Self::Poses(picked(all, rows)),
+            Self::Texts(all) => Self::Texts(picked(all, rows)),
+        }
+    }
+
+    /// These values, followed by others; numbers and texts become texts.
+    fn followed_by(&self, below: &Self) -> Self {
+        let cells = || [self, below].into_iter().flat_map(|values| (0..values.len()).map(move |row| (values, row)));
+        match (self, below) {
+            (Self::Whole(a), Self::Whole(b)) => Self::Whole([&a[..], b].concat()),
+            (Self::Poses(a), Self::Poses(b)) => Self::Poses([&a[..], b].concat()),
+            (Self::Numbers(_) | Self::Whole(_), Self::Numbers(_) | Self::Whole(_)) => {
+                Self::Numbers(cells().map(|(values, row)| Some(values.number(row)).filter(|v| !v.is_nan())).collect())
+            }
+            (Self::Texts(a), Self::Texts(b)) => Self::Texts([&a[..], b].concat()),
+            _ => Self::Texts(cells().map(|(values, row)| Some(values.text(row).into_owned())).collect()),
+        }
+    }
+}
+
+/// Named columns with a value for each row, and the sources of the rows.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    columns: Vec<(String, Values)>,
+    /// Source of each row; empty for rows of no file.
+    sources: Vec<RowSource>,
+    /// Names of the files, for messages.
+    files: Vec<String>,
+}
+
+impl Table {
+    /// Table without columns, whose rows are lines of a file.
+    pub fn from_file(file: &str, lines: impl Iterator<Item = usize>) -> Self {
+        let sources = lines.map(|line| RowSource { file: 0, line }).collect();
+        Self { columns: Vec::new(), sources, files: vec![file.to_owned()] }
+    }
+
+    /// Sets the values of a column; a new column is the last one.
+    pub fn set(&mut self, name: impl Into<String>, values: Values) {
+        let name = name.into();
+        match self.columns.iter_mut().find(|(other, _)| *other == name) {
+            Some((_, old)) => *old = values,
+            None => self.columns.push((name, values)),
+        }
+    }
+
+    /// Names the file of a table of one file, for messages.
+    pub fn name_file(&mut self, name: &str) {
+        self.files = vec![name.to_owned()];
+    }
+
+    /// Number of rows.
+    pub fn height(&self) -> usize {
+        self.columns.first().map_or(self.sources.len(), |(_, values)| values.len())
+    }
+
+    /// Names of the columns.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// `true` if there is a column of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.values(name).is_some()
+    }
+
+    /// Values of a column, if there is one.
+    pub fn values(&self, name: &str) -> Option<&Values> {
+        self.columns.iter().find(|(other, _)| other == name).map(|(_, values)| values)
+    }
+
+    /// Columns in their order.
+    pub fn into_columns(self) -> Vec<(String, Values)> {
+        self.columns
+    }
+
+    /// Text of a cell, if it is not empty.
+    pub fn text(&self, row: usize, name: &str) -> Option<&str> {
+        match self.values(name)? {
+            Values::Texts(all) => all[row].as_deref().filter(|text| !text.is_empty()),
+            _ => None,
+        }
+    }
+
+    /// Line of a row in its file, if it has one.
+    pub fn line(&self, row: usize) -> Option<usize> {
+        self.sources.get(row).map(|source| source.line)
+    }
+
+    /// `true` if a row is a line of the first file.
+    pub fn is_in_first_file(&self, row: usize) -> bool {
+        self.sources.get(row).is_some_and(|source| source.file == 0)
+    }
+
+    /// Name of the first file; empty for rows of no file.
+    pub fn file(&self) -> &str {
+        self.files.first().map_or("", String::as_str)
+    }
+
+    /// File and line of a row.
+    pub fn place(&self, row: usize) -> Place {
+        let Some(source) = self.sources.get(row) else { return Place::default() };
+        Place { line: Some(source.line), ..Place::file(self.files[source.file].as_str()) }
+    }
+
+    /// First line of the first file.
+    pub fn header(&self) -> Place {
+        Place { line: Some(1), ..Place::file(self.file()) }
+    }
+
+    /// First line of the file of a row.
+    pub fn header_above(&self, row: usize) -> Place {
+        Place { line: Some(1), ..self.place(row) }
+    }
+
+    /// Returns a column as numbers; missing values are NaN.
+    pub fn numbers(&self, name: &str) -> Result<Vec<f64>> {
+        let values = self.column(name)?;
+        Ok((0..values.len()).map(|row| values.number(row)).collect())
+    }
+
+    /// Returns a column of whole numbers; `None` for missing values.
+    pub fn optional_integers(&self, name: &str) -> Result<Vec<Option<i64>>> {
+        let wrong = |value: String| Problems::from(error!("not-whole-number", value, column = name));
+        match self.column(name)? {
+            Values::Whole(all) => Ok(all.clone()),
+            Values::Numbers(all) => {
+                let whole = |v: &f64| v.fract() == 0.0 && v.abs() <= 9e15;
+                match all.iter().flatten().find(|v| !whole(v)) {
+                    Some(other) => Err(wrong(other.to_string())),
+                    None => Ok(all.iter().map(|v| Some((*v)? as i64)).collect()),
+                }
+            }
+            other => {
+                let whole = |text: Cow<str>| match &*text {
+                    "" => Ok(None),
+                    text => text.parse().map(Some).map_err(|_| wrong(text.to_owned())),
+                };
+                (0..other.len()).map(|row| whole(other.text(row))).collect()
             }
         }
-        all.ok_or_else(|| failed("no column"))
-    };
-    let columns = names.iter().map(column).collect::<Result<Vec<Column>>>()?;
-    frame(above.height() + below.height(), columns)
-}
-
-/// Returns the coordinates (mm); without `z_mm`, or if the column is empty, z = 0.
-pub fn coordinates(table: &DataFrame) -> Result<Vec<Vector>> {
-    let (x, y) = (numbers(table, XYZ[0])?, numbers(table, XYZ[1])?);
-    let mut z = if table.column(XYZ[2]).is_ok() { numbers(table, XYZ[2])? } else { vec![0.0; x.len()] };
-    if z.iter().all(|z| z.is_nan()) {
-        z.fill(0.0);
     }
-    Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
-}
 
-/// Checks that the table has these columns.
-///
-/// # Errors
-/// Reports each missing column, at line 1 of the file.
-pub fn require(table: &DataFrame, names: &[String]) -> Result<()> {
-    let header = Place { line: Some(1), ..Place::default() };
-    let missing = names.iter().filter_map(|name| column(table, name).err());
-    Problems(missing.flat_map(|problems| problems.at(&header).0).collect()).check().map(|_| ())
-}
+    /// Returns a column of whole numbers without gaps.
+    pub fn integers(&self, name: &str) -> Result<Vec<i64>> {
+        let whole = |v: Option<i64>| v.ok_or_else(|| error!("cell-empty", column = name).into());
+        self.optional_integers(name)?.into_iter().map(whole).collect()
+    }
 
-fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
-    table.column(name).map_err(|_| {
-        // the program adds these columns
-        let added = |name: &&str| ["line", "cycle"].contains(name);
-        let names = table.get_column_names().into_iter().map(PlSmallStr::as_str).filter(|name| !added(name));
-        let names: Vec<&str> = names.collect();
+    /// Returns the names of poses in the column `pose`; `None` for rows without a pose.
+    pub fn optional_poses(&self) -> Result<Vec<Option<PoseName>>> {
+        match self.column(POSE)? {
+            Values::Poses(all) => Ok(all.clone()),
+            Values::Texts(all) => {
+                let name = |text: &Option<String>| text.as_deref().map(PoseName::new).transpose();
+                Ok(all.iter().map(name).collect::<std::result::Result<_, _>>()?)
+            }
+            _ => Ok(self.optional_integers(POSE)?.into_iter().map(|whole| whole.map(PoseName::from)).collect()),
+        }
+    }
+
+    /// Returns the names of poses in the column `pose`, without gaps.
+    pub fn poses(&self) -> Result<Vec<PoseName>> {
+        let poses = self.optional_poses()?;
+        let are_numbers = poses.iter().flatten().all(|pose| pose.number().is_some());
+        let name = |pose: &Option<PoseName>| -> Result<PoseName> {
+            match pose {
+                Some(pose) => Ok(*pose),
+                None if are_numbers => Err(error!("cell-empty", column = POSE).into()),
+                None => Ok(PoseName::new("")?),
+            }
+        };
+        poses.iter().map(name).collect()
+    }
+
+    /// Returns a column as text; missing values are empty.
+    pub fn texts(&self, name: &str) -> Result<Vec<Cow<'_, str>>> {
+        let values = self.column(name)?;
+        Ok((0..values.len()).map(|row| values.text(row)).collect())
+    }
+
+    /// Returns the coordinates (mm); without `z_mm`, or if the column is empty, z = 0.
+    pub fn positions(&self) -> Result<Vec<Vector>> {
+        let (x, y) = (self.numbers(XYZ[0])?, self.numbers(XYZ[1])?);
+        let mut z = if self.has(XYZ[2]) { self.numbers(XYZ[2])? } else { vec![0.0; x.len()] };
+        if z.iter().all(|z| z.is_nan()) {
+            z.fill(0.0);
+        }
+        Ok(x.into_iter().zip(y).zip(z).map(|((x, y), z)| [x, y, z]).collect())
+    }
+
+    /// Checks that the table has these columns.
+    ///
+    /// # Errors
+    /// Reports each missing column, at line 1 of the file.
+    pub fn require<S: AsRef<str>>(&self, names: impl IntoIterator<Item = S>) -> Result<()> {
+        let missing = names.into_iter().filter_map(|name| self.column(name.as_ref()).err());
+        Problems(missing.flat_map(|problems| problems.at(&self.header()).0).collect()).check().map(drop)
+    }
+
+    /// The rows for which `is_kept` is true.
+    pub fn rows(&self, is_kept: impl Fn(usize) -> bool) -> Self {
+        let rows: Vec<Option<usize>> = (0..self.height()).filter(|&row| is_kept(row)).map(Some).collect();
+        let columns = self.columns.iter().map(|(name, values)| (name.clone(), values.rows(&rows)));
+        let sources = rows.iter().filter_map(|row| self.sources.get((*row)?).copied());
+        Self { columns: columns.collect(), sources: sources.collect(), files: self.files.clone() }
+    }
+
+    /// The columns whose names begin with `prefix`, without it.
+    pub fn without_prefix(&self, prefix: &str) -> Self {
+        let columns = self.columns.iter();
+        let columns =
+            columns.filter_map(|(name, values)| Some((name.strip_prefix(prefix)?.to_owned(), values.clone())));
+        Self { columns: columns.collect(), sources: self.sources.clone(), files: self.files.clone() }
+    }
+
+    /// This table, followed by the rows of another one; cells of columns that a table lacks are
+    /// empty.
+    pub fn followed_by(mut self, below: Self) -> Self {
+        let [above, other] = [self.height(), below.height()].map(|height| vec![None; height]);
+        for (name, values) in &mut self.columns {
+            let more = below.values(name).cloned().unwrap_or_else(|| values.rows(&other));
+            *values = values.followed_by(&more);
+        }
+        for (name, values) in below.columns {
+            if !self.has(&name) {
+                self.set(name, values.rows(&above).followed_by(&values));
+            }
+        }
+        let files = self.files.len();
+        self.sources.extend(below.sources.into_iter().map(|source| RowSource { file: files + source.file, ..source }));
+        self.files.extend(below.files);
+        self
+    }
+
+    /// The table as it is written: with the lines of its rows as the column `line`.
+    pub fn with_lines(mut self) -> Self {
+        if !self.sources.is_empty() {
+            let line = |source: RowSource| Some((source.file * FILE_LINES + source.line) as i64);
+            let lines = Values::Whole(std::mem::take(&mut self.sources).into_iter().map(line).collect());
+            self.columns.insert(0, (LINE.to_owned(), lines));
+        }
+        self
+    }
+
+    /// Returns the table as CSV; missing values are empty, formulas are escaped.
+    pub fn to_csv(&self) -> Result<Vec<u8>> {
+        let mut writer = ::csv::Writer::from_writer(Vec::new());
+        writer.write_record(self.names().map(cell)).map_err(failed)?;
+        for row in 0..self.height() {
+            let cells: Vec<Cell> = self.columns.iter().map(|(_, values)| values.cell(row)).collect();
+            writer.serialize(cells).map_err(failed)?;
+        }
+        writer.into_inner().map_err(failed)
+    }
+
+    fn column(&self, name: &str) -> Result<&Values> {
+        self.values(name).ok_or_else(|| self.missing(name))
+    }
+
+    /// Error about a column that the table lacks, with the column that may be meant.
+    fn missing(&self, name: &str) -> Problems {
+        // the program adds this column
+        let names: Vec<&str> = self.names().filter(|name| *name != "cycle").collect();
         let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_native_column(name)).collect();
         let message = error!("column-unknown", column = name);
         // a pose or a label is not the column that is missing
@@ -207,31 +403,33 @@ fn column<'a>(table: &'a DataFrame, name: &str) -> Result<&'a Column> {
         let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
         match foreign[..] {
             _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
-            _ if name == "pose" => message.hint(phrase!("state-column-or-pose", heading)).into(),
+            _ if name == POSE => message.hint(phrase!("state-column-or-pose", heading)).into(),
             [heading]
                 if !heading.contains('"')
                     && stem(heading).is_none_or(|s| stem(name) != Some(s))
-                    && may_be(table, name, heading) =>
+                    && self.may_be(name, heading) =>
             {
                 message.hint(phrase!("state-column", column = name, heading)).into()
             }
             _ => message.hint_names(name, names).into(),
         }
-    })
-}
+    }
 
-/// `true` if a column of another heading may be the one that is missing: numbers for a quantity,
-/// and a heading with the letter of the coordinate.
-fn may_be(table: &DataFrame, name: &str, heading: &str) -> bool {
-    let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_native_column(name)) else { return true };
-    let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
-    // columns beside texts are texts as well
-    let holds_numbers = |texts: &StringChunked| {
-        let mut all = texts.iter().flatten().map(|text| text.trim().replace(',', "."));
-        all.all(|text| text.is_empty() || text.parse::<f64>().is_ok())
-    };
-    let is_number = table.column(heading).is_ok_and(|column| column.str().map_or(true, holds_numbers));
-    is_number && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
+    /// `true` if a column of another heading may be the one that is missing: numbers for a
+    /// quantity, and a heading with the letter of the coordinate.
+    fn may_be(&self, name: &str, heading: &str) -> bool {
+        let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_native_column(name)) else { return true };
+        let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
+        // columns beside texts are texts as well
+        let is_number = match self.values(heading) {
+            Some(Values::Texts(texts)) => {
+                let mut all = texts.iter().flatten().map(|text| text.trim().replace(',', "."));
+                all.all(|text| text.is_empty() || text.parse::<f64>().is_ok())
+            }
+            values => values.is_some(),
+        };
+        is_number && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
+    }
 }
 
 /// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
@@ -257,112 +455,71 @@ enum Cell {
     Missing(()),
 }
 
-impl From<AnyValue<'_>> for Cell {
-    fn from(value: AnyValue) -> Self {
-        match value {
-            AnyValue::Null => Self::Missing(()),
-            AnyValue::Int64(number) => Self::Whole(number),
-            AnyValue::Float64(number) => Self::Real(number),
-            AnyValue::String(text) => Self::Text(cell(text)),
-            other => Self::Text(cell(&other.to_string())),
-        }
-    }
-}
-
-/// Returns the table as CSV; missing values are empty, formulas are escaped.
-pub fn to_csv(table: &DataFrame) -> Result<Vec<u8>> {
-    let mut writer = ::csv::Writer::from_writer(Vec::new());
-    writer.write_record(table.get_column_names().iter().map(|name| cell(name.as_str()))).map_err(failed)?;
-    for row in 0..table.height() {
-        let cells = table.columns().iter().map(|column| column.get(row).map(Cell::from).map_err(failed));
-        writer.serialize(cells.collect::<Result<Vec<Cell>>>()?).map_err(failed)?;
-    }
-    writer.into_inner().map_err(failed)
-}
-
-/// Returns a writer on one thread. For small tables, waking threads and setting up zstd would take
-/// longer than writing.
-fn writer<W: Write>(into: W) -> ParquetWriter<W> {
-    ParquetWriter::new(into).with_compression(ParquetCompression::Snappy).set_parallel(false)
-}
-
-/// Number of rows above which a table is written in row groups and in parallel.
-const LARGE: usize = 100_000;
-
-/// Returns the table as Parquet.
-pub fn to_parquet(table: &mut DataFrame) -> Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    if table.height() > LARGE {
-        writer(&mut bytes).set_parallel(true).finish(table).map_err(failed)?;
-        return Ok(bytes);
-    }
-    // the same bytes; cutting into row groups fills 8 MB of zeros first
-    table.rechunk_mut();
-    let mut groups = RowGroups::new(&mut bytes, table)?;
-    groups.add(table)?;
-    groups.finish()?;
-    Ok(bytes)
-}
-
-/// Writer of a Parquet table piece by piece, whose memory does not grow with the table.
-pub struct RowGroups<W: Write + Send>(BatchedWriter<W>);
-
-impl<W: Write + Send> RowGroups<W> {
-    /// Starts a table with the columns of `like`.
-    pub fn new(into: W, like: &DataFrame) -> Result<Self> {
-        writer(into).batched(like.schema()).map(Self).map_err(failed)
-    }
-
-    /// Adds the rows of a table.
-    pub fn add(&mut self, rows: &DataFrame) -> Result<()> {
-        if rows.height() > 0 {
-            self.0.write_batch(rows).map_err(failed)?;
-        }
-        Ok(())
-    }
-
-    /// Ends the file.
-    pub fn finish(self) -> Result<()> {
-        self.0.finish().map(drop).map_err(failed)
-    }
-}
-
-/// Reads a Parquet file that a stage wrote.
-///
-/// # Errors
-/// Fails if the number of rows differs; it is checked before any row is read.
-pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<DataFrame> {
-    let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
-    let mut reader = ParquetReader::new(Cursor::new(bytes));
-    let found = reader.num_rows().map_err(unreadable)?;
-    if found != rows {
-        return Err(error!("stored-table-damaged", reason = phrase!("stored-row-count", found, rows)).into());
-    }
-    reader.finish().map_err(unreadable)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use polars::prelude::{IntoColumn, NamedFrom, Series};
+
+    fn texts(texts: &[&str]) -> Values {
+        Values::Texts(texts.iter().map(|text| Some((*text).to_owned())).collect())
+    }
 
     #[test]
     fn hostile_texts_stay_in_their_cells() {
-        let texts = [
-            "<script>alert(1)</script>".to_owned(),
-            "=HYPERLINK(\"http://x.invalid\",\"y\")".to_owned(),
-            "a,b;c\td\"e".to_owned(),
-            "two\nlines\r\nand a\rthird".to_owned(),
-            "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}".to_owned(),
-            "n".repeat(200),
-            String::new(),
+        let long = "n".repeat(200);
+        let names = [
+            "<script>alert(1)</script>",
+            "=HYPERLINK(\"http://x.invalid\",\"y\")",
+            "a,b;c\td\"e",
+            "two\nlines\r\nand a\rthird",
+            "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8}",
+            &long,
+            "",
         ];
-        let numbers = Series::new("pose".into(), (0..7i64).collect::<Vec<_>>()).into_column();
-        let table = DataFrame::new(7, vec![numbers, Series::new("target".into(), &texts[..]).into_column()]).unwrap();
-        let written = to_csv(&table).unwrap();
+        let mut table = Table::default();
+        table.set("pose", Values::Whole((0..7).map(Some).collect()));
+        table.set("target", texts(&names));
+        let written = table.to_csv().unwrap();
         let mut reader = ::csv::Reader::from_reader(&written[..]);
         let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
-        let shown = texts.map(|text| if text.starts_with('=') { format!("'{text}") } else { text });
+        let shown = names.map(|text| if text.starts_with('=') { format!("'{text}") } else { text.to_owned() });
         assert_eq!(read, (0..).zip(shown).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn rows_of_several_files_keep_their_files_and_lines() {
+        let part = |file: &str, column: &str, values: Values| {
+            let mut table = Table::from_file(file, [3, 5].into_iter());
+            table.set("cycle", Values::Whole(vec![Some(1), None]));
+            table.set(column, values);
+            table
+        };
+        let first = part("a.csv", "x_mm", Values::Numbers(vec![Some(1.5), None]));
+        let all = first.followed_by(part("b.csv", "target", texts(&["A", "B"])));
+        let places: Vec<_> = (0..4).map(|row| (all.place(row).file, all.line(row))).collect();
+        let expected = [("a.csv", 3), ("a.csv", 5), ("b.csv", 3), ("b.csv", 5)];
+        assert_eq!(places, expected.map(|(file, line)| (file.to_owned(), Some(line))));
+        assert_eq!(all.header_above(3), Place { line: Some(1), ..Place::file("b.csv") });
+        assert_eq!(all.values("target"), Some(&Values::Texts(vec![None, None, Some("A".into()), Some("B".into())])));
+        // rows that are left out take their places along
+        let kept = all.rows(|row| row != 1);
+        assert_eq!((kept.height(), kept.place(1).file.as_str(), kept.line(1)), (3, "b.csv", Some(3)));
+        let written = String::from_utf8(all.with_lines().to_csv().unwrap()).unwrap();
+        assert_eq!(written, "line,cycle,x_mm,target\n3,1,1.5,\n5,,,\n1000000003,1,,A\n1000000005,,,B\n");
+    }
+
+    #[test]
+    fn whole_numbers_are_read_from_any_column_and_fractions_are_errors() {
+        let mut table = Table::default();
+        for (values, read) in [
+            (Values::Numbers(vec![Some(2.0), Some(-3.0)]), Ok(vec![2, -3])),
+            (texts(&["2", "-3"]), Ok(vec![2, -3])),
+            (Values::Numbers(vec![Some(2.5)]), Err("not-whole-number")),
+            (Values::Numbers(vec![Some(f64::INFINITY)]), Err("not-whole-number")),
+            (texts(&["two"]), Err("not-whole-number")),
+            (Values::Whole(vec![Some(2), None]), Err("cell-empty")),
+        ] {
+            table.set("cycle", values);
+            assert_eq!(table.integers("cycle").map_err(|e| e.0[0].id.to_string()), read.map_err(str::to_owned));
+        }
     }
 }

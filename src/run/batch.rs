@@ -20,7 +20,7 @@ use etalon_documents::{
     Acceptance, BatchCheck, BatchDocument, BatchEnd, BatchEntry, BatchFigures, BatchQuantity, IdentifiedDocuments,
     Iso9283Pose, LimitVerdict, ParametersDocument, PoseCharacteristic, Reason, Results, Role,
 };
-use etalon_formats::table::{RowGroups, frame};
+use etalon_formats::parquet::{RowGroups, frame};
 use polars::prelude::{Column, DataFrame};
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::io::Write;

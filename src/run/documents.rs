@@ -12,7 +12,7 @@ use etalon_documents::to_json;
 use etalon_documents::{
     AccuracyDocument, CellDocument, FieldDocument, ManifestDocument, ParametersDocument, PointError,
 };
-use etalon_formats::table;
+use etalon_formats::parquet;
 use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -135,7 +135,7 @@ impl Documents {
     pub fn errors(&self, accuracy: &AccuracyDocument) -> Result<Vec<PointError>> {
         let name = "residuals.parquet";
         let rows = accuracy.sets.iter().map(|set| set.count).fold(0, usize::saturating_add);
-        let residuals = table::from_parquet(self.bytes(name)?, rows);
+        let residuals = parquet::from_parquet(self.bytes(name)?, rows);
         let place = Place::file(self.path(name).display().to_string());
         residuals.and_then(|table| error_table::from_table(&table)).map_err(|more| more.at(&place))
     }

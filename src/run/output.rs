@@ -10,8 +10,8 @@ use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::Result;
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
-use etalon_formats::table;
-use polars::prelude::DataFrame;
+use etalon_formats::parquet;
+use etalon_formats::table::Table;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -66,8 +66,8 @@ impl Output {
     }
 
     /// Adds a table as Parquet.
-    pub fn table(&mut self, stem: &str, table: &mut DataFrame) -> Result<()> {
-        let bytes = table::to_parquet(table)?;
+    pub fn table(&mut self, stem: &str, table: Table) -> Result<()> {
+        let bytes = parquet::to_parquet(table)?;
         self.add_reserved(&format!("{stem}.parquet"), bytes);
         Ok(())
     }
@@ -76,7 +76,7 @@ impl Output {
     pub fn gathered(&mut self, campaign: &Campaign, gathered: &mut Gathered) -> Result<()> {
         self.add_reserved("points.parquet", etalon_formats::to_parquet(std::mem::take(&mut gathered.points))?);
         for log in &gathered.logs {
-            self.table(&Self::numbered("joints", &log.name, campaign), &mut log.table()?)?;
+            self.table(&Self::numbered("joints", &log.name, campaign), log.table())?;
         }
         Ok(())
     }
@@ -85,10 +85,10 @@ impl Output {
     pub fn observations(&mut self, campaign: &Campaign, joined: Option<Joined>) -> Result<()> {
         for (name, observations) in joined.into_iter().flat_map(|joined| joined.observations) {
             let stem = Self::numbered("observations", &name, campaign);
-            let mut table = observations.into_table()?;
-            self.table(&stem, &mut table)?;
-            let bytes = table::to_csv(&table)?;
-            self.add_reserved(&format!("{stem}.csv"), bytes);
+            let table = observations.into_table();
+            let csv = table.to_csv()?;
+            self.table(&stem, table)?;
+            self.add_reserved(&format!("{stem}.csv"), csv);
         }
         Ok(())
     }

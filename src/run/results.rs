@@ -38,7 +38,7 @@ fn write_identified(found: &IdentifiedDocuments, out: &mut Output) -> Result<()>
             out.add_reserved(name, bytes);
         }
     }
-    out.table("residuals", &mut error_table::to_table(&found.errors, &found.accuracy.joints)?)?;
+    out.table("residuals", error_table::to_table(&found.errors, &found.accuracy.joints))?;
     out.json("accuracy.json", &found.accuracy)
 }
 

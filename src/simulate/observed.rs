@@ -2,7 +2,7 @@
 //! which they refer.
 
 use super::Truth;
-use crate::stages::kinds::{self, ByColumn, Cell, Cells, Simulated, stated_schema, text};
+use crate::stages::kinds::{self, ByColumn, Cell, Cells, Others, Simulated, stated_schema, text};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -58,7 +58,7 @@ pub struct KnownRow {
 
 /// An `[[observe]]` or `[[known]]` in its simulated form.
 pub(super) struct Item {
-    pub cells: Cells,
+    pub cells: Cells<'static>,
     pub simulated: Simulated,
     /// Index of the observed target.
     pub target: usize,
@@ -101,13 +101,14 @@ pub(super) fn items(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     for (number, stated) in (1..).zip(&truth.observe) {
         let item = (|| {
             let kind = kinds::kind(&stated.kind)?;
-            let mut cells = cells(&stated.kind, &stated.target, &stated.to, &world);
+            let mut to = stated.to.clone();
             if let Some(coordinates) = &stated.coordinates {
-                if !kind.facts().is_position || cells.text("station").is_some() {
+                if !kind.facts().is_position || text(&to, "station").is_some() {
                     return Err(error!("coordinates-of-other-kind").into());
                 }
-                cells.by_column.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
+                to.insert("coordinates".to_owned(), Cell::Text(coordinates.clone()));
             }
+            let cells = cells(&stated.kind, &stated.target, to, &world);
             let simulated = kind.simulated(&cells, robot)?;
             let target = kinds::target_index(kind, &stated.target, robot)?;
             let poses = stated.poses.as_ref().map(Selection::parse).transpose()?;
@@ -128,7 +129,7 @@ pub(super) fn known(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
     let world = world_station(truth)?;
     let mut known = Vec::new();
     for (number, stated) in (1..).zip(&truth.known) {
-        let cells = cells(&stated.kind, &stated.target, &stated.to, &world);
+        let cells = cells(&stated.kind, &stated.target, stated.to.clone(), &world);
         let simulated = match kinds::kind(&stated.kind) {
             Ok(kind) => kind.known_simulated(&cells, stated.near_mm, robot),
             Err(_) => Err(kinds::no_known(&stated.kind).into()),
@@ -140,10 +141,9 @@ pub(super) fn known(truth: &Truth, robot: &mut dyn Robot) -> Result<Vec<Item>> {
 }
 
 /// Cells of a row; a station is given only if its frame is not the world.
-fn cells(kind: &str, target: &str, to: &ByColumn, world: &str) -> Cells {
-    let (kind, target, by_column) = (kind.to_owned(), target.to_owned(), to.clone());
-    let station = text(to, "station").filter(|name| *name != world).map(str::to_owned);
-    Cells { kind, target, station, by_column, in_truth: true }
+fn cells(kind: &str, target: &str, to: ByColumn, world: &str) -> Cells<'static> {
+    let station = text(&to, "station").filter(|name| *name != world).map(str::to_owned);
+    Cells { kind: kind.to_owned(), target: target.to_owned(), station, others: Others::Truth(to) }
 }
 
 /// Station whose frame is the world when the table is read: no station if something is measured

@@ -282,7 +282,7 @@ fn read_back(scene: &Scene, stated: &ObservationsDefinition, text: &str) -> Resu
     let mut table =
         etalon_formats::observations_with(file, text, &stated.reading()).map_err(|more| more.at(&here()))?;
     if let Some(order) = &stated.orientation {
-        state_order(&mut table, order.get_ref())?;
+        state_order(&mut table, order.get_ref());
     }
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     let mut robot = campaign.build_robot_with(&kinds::targets(&table, &campaign.robot.branches())?)?;

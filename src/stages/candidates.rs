@@ -5,28 +5,27 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
-use etalon_formats::table;
+use etalon_formats::table::{Table, XYZ};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::Observation;
 use etalon_identify::plan::candidates::{Candidates, within_limits};
 use etalon_robots::{Joint, Robot};
-use polars::prelude::DataFrame;
 use std::collections::BTreeMap;
 
 /// Candidates of a table within the reach of the robot.
-pub fn configurations(robot: &dyn Robot, table: &DataFrame) -> Result<Candidates> {
-    let poses = table::poses(table)?;
-    let stated = |j: &Joint| table.get_column_names().iter().any(|name| j.factor(name).is_some());
-    let by_joints = robot.joints().iter().any(stated) || table.column("x_mm").is_err();
+pub fn configurations(robot: &dyn Robot, table: &Table) -> Result<Candidates> {
+    let poses = table.poses()?;
+    let stated = |j: &Joint| table.names().any(|name| j.factor(name).is_some());
+    let by_joints = robot.joints().iter().any(stated) || !table.has(XYZ[0]);
     let all = if by_joints { from_joints(robot, table, &poses)? } else { from_positions(robot, table, &poses)? };
     within_limits(robot, all).map_err(remedied)
 }
 
 /// One configuration a row; rows that differ only in the target are one configuration of several
 /// targets.
-fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
+fn from_joints(robot: &dyn Robot, table: &Table, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let modes = stated_modes(robot, table)?;
-    let names = if table.column("target").is_ok() { Some(table::texts(table, "target")?) } else { None };
+    let names = table.has("target").then(|| table.texts("target")).transpose()?;
     let values = joint_values(robot, table, &[])?;
     let mut all: Vec<Observation> = Vec::new();
     let mut places = BTreeMap::new();
@@ -45,7 +44,7 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
             all.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });
             all.len() - 1
         });
-        if let Some(name) = names.as_ref().map(|n| &n[row]) {
+        if let Some(name) = names.as_ref().map(|n| &*n[row]) {
             let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
                 let message = error!("not-of-this-robot", name, kind = "target");
                 let message = message.within(phrase!("in-candidate", pose));
@@ -58,10 +57,10 @@ fn from_joints(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Resu
 }
 
 /// Positions of the tool in the world: every solution is a configuration.
-fn from_positions(robot: &dyn Robot, table: &DataFrame, poses: &[PoseName]) -> Result<Vec<Observation>> {
+fn from_positions(robot: &dyn Robot, table: &Table, poses: &[PoseName]) -> Result<Vec<Observation>> {
     let nominal = robot.nominal();
     let mut all = Vec::new();
-    for (&pose, position) in poses.iter().zip(table::coordinates(table)?) {
+    for (&pose, position) in poses.iter().zip(table.positions()?) {
         for joints in robot.inverse_all(&nominal, position).unwrap_or_default() {
             let targets = vec![Some(position); robot.targets().len()];
             all.push(Observation { pose, cycle: 1, joints, targets, ..Observation::default() });

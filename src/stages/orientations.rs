@@ -2,13 +2,12 @@
 //! order.
 
 pub use etalon_base::angle_order::AngleOrder;
-use etalon_base::message::{Message, Place, Result};
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_formats::table::{self, ANGLE_ORDER, MATRIX, QUATERNION};
+use etalon_formats::table::{ANGLE_ORDER, MATRIX, QUATERNION, Table, Values};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
 use etalon_robots::Robot;
-use polars::prelude::{Column, DataFrame};
 
 /// Columns of a rotation vector.
 pub const ROTATION_VECTOR: [&str; 3] = ["rx_deg", "ry_deg", "rz_deg"];
@@ -57,24 +56,19 @@ pub fn columns() -> impl Iterator<Item = &'static str> {
 }
 
 /// `true` if a table has a column of an orientation.
-pub fn are_in(observations: &DataFrame) -> bool {
-    columns().any(|name| observations.column(name).is_ok())
+pub fn are_in(table: &Table) -> bool {
+    columns().any(|name| table.has(name))
 }
 
 /// States the order of the angles of orientations for rows of a table without their own, if it has
 /// such angles.
-pub fn state_order(observations: &mut DataFrame, order: &str) -> Result<()> {
+pub fn state_order(table: &mut Table, order: &str) {
     let mut angles = TRIPLES.iter().filter(|(_, _, are_angles)| *are_angles).flat_map(|(names, ..)| names);
-    if !angles.any(|name| observations.column(name).is_ok()) {
-        return Ok(());
+    if angles.any(|name| table.has(name)) {
+        let own = |row| Some(table.text(row, ANGLE_ORDER).unwrap_or(order).to_owned());
+        let orders = (0..table.height()).map(own).collect();
+        table.set(ANGLE_ORDER, Values::Texts(orders));
     }
-    let own = match observations.column(ANGLE_ORDER) {
-        Ok(_) => table::texts(observations, ANGLE_ORDER)?,
-        Err(_) => vec![String::new(); observations.height()],
-    };
-    let all: Vec<String> = own.into_iter().map(|own| if own.is_empty() { order.to_owned() } else { own }).collect();
-    observations.with_column(Column::new(ANGLE_ORDER.into(), all)).map_err(table::failed)?;
-    Ok(())
 }
 
 /// An orientation by column: angles in an order, a rotation vector, or a quaternion.
@@ -91,34 +85,32 @@ pub fn numbers(body: &Pose, order: Option<AngleOrder>, is_vector: bool) -> Vec<(
 ///
 /// # Errors
 /// Reports missing columns, and columns of two forms.
-pub fn written(observations: &DataFrame) -> Result<Vec<Written>> {
-    let has = |name: &&str| observations.column(name).is_ok();
+pub fn written(table: &Table) -> Result<Vec<Written>> {
+    let has = |name: &&str| table.has(name);
     let forms = [(&QUATERNION[..], 1.0, Form::Quaternion), (&MATRIX[..], 1.0, Form::Matrix)].into_iter().chain(
         TRIPLES
             .iter()
             .map(|(names, unit, angles)| (&names[..], *unit, if *angles { Form::Angles } else { Form::Vector })),
     );
     let mut given = forms.filter(|(names, ..)| names.iter().any(&has));
-    let header = || Place { line: Some(1), ..Place::default() };
     let Some((names, unit, form)) = given.next() else {
-        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9], order: None }; observations.height()]);
+        return Ok(vec![Written { form: Form::None, numbers: [f64::NAN; 9], order: None }; table.height()]);
     };
     if let Some((others, ..)) = given.next() {
-        return Err(error!("orientations-twice", first = *names, second = *others).at(header()).into());
+        return Err(error!("orientations-twice", first = *names, second = *others).at(table.header()).into());
     }
     let missing: Vec<&str> = names.iter().copied().filter(|name| !has(name)).collect();
     if !missing.is_empty() {
-        return Err(error!("orientation-columns-missing", missing, columns = *names).at(header()).into());
+        return Err(error!("orientation-columns-missing", missing, columns = *names).at(table.header()).into());
     }
-    let mut rows = vec![Written { form, numbers: [0.0; 9], order: None }; observations.height()];
+    let mut rows = vec![Written { form, numbers: [0.0; 9], order: None }; table.height()];
     for (k, name) in names.iter().enumerate() {
-        rows.iter_mut().zip(table::numbers(observations, name)?).for_each(|(row, v)| row.numbers[k] = v * unit);
+        rows.iter_mut().zip(table.numbers(name)?).for_each(|(row, v)| row.numbers[k] = v * unit);
     }
     if form == Form::Angles && has(&ANGLE_ORDER) {
-        let line = table::lines(observations)?;
-        for (i, text) in table::texts(observations, ANGLE_ORDER)?.iter().enumerate().filter(|(_, t)| !t.is_empty()) {
-            let at = || Place { line: line(i), ..Place::default() };
-            rows[i].order = Some(text.parse().map_err(|m: Message| m.at(at()))?);
+        for (i, row) in rows.iter_mut().enumerate() {
+            let order = table.text(i, ANGLE_ORDER).map(str::parse::<AngleOrder>).transpose();
+            row.order = order.map_err(|m: Message| m.at(table.place(i)))?;
         }
     }
     Ok(rows)

@@ -10,7 +10,7 @@ use etalon_documents::{
     AxesCheck, AxesDocument, AxesParameter, AxesRobot, AxesTarget, AxisEntry, AxisErrorMotion, AxisLine, AxisMotion,
     AxisPath, MotionByNoise, Provenance, ZeroAxis,
 };
-use etalon_formats::table::{self, XYZ};
+use etalon_formats::table::XYZ;
 use etalon_identify::axes::{
     Agreement, AxesModel, AxesSettings, BaseRule, ByNoise, Change, DerivedParameters, JointAxis, Slip, Sweep,
     SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, start_gap,
@@ -108,7 +108,7 @@ fn joint_names(table: &TableFile, swept: &[String], stated: &SweepsStated) -> Re
         return Err(error!("sweep-order-missing", joints = names.join(", ")).into());
     };
     // joints with a column of values and without a sweep are joints too
-    let columns = table.table.get_column_names().into_iter().filter_map(|c| c.rsplit_once('_')).map(|(name, _)| name);
+    let columns = table.table.names().filter_map(|c| c.rsplit_once('_')).map(|(name, _)| name);
     let more: Vec<&str> = columns.filter(|name| numbered(name).is_some_and(|(p, _)| p == prefix)).collect();
     for name in more {
         if !names.iter().any(|known| known == name) {
@@ -127,12 +127,12 @@ fn joint_values(table: &TableFile, name: &str) -> Result<Option<(Vec<f64>, bool)
     let mut found: Option<(Vec<f64>, bool)> = None;
     for quantity in [Quantity::Angle, Quantity::Length] {
         let joint = Joint { name: name.to_owned(), quantity };
-        for column in table.table.get_column_names() {
+        for column in table.table.names() {
             let Some(factor) = joint.factor(column) else { continue };
             if found.is_some() {
                 return Err(error!("sweep-joint-column-twice", joint = name).into());
             }
-            let values = table::numbers(&table.table, column)?.into_iter().map(|v| v * factor).collect();
+            let values = table.table.numbers(column)?.into_iter().map(|v| v * factor).collect();
             found = Some((values, quantity == Quantity::Length));
         }
     }
@@ -141,22 +141,19 @@ fn joint_values(table: &TableFile, name: &str) -> Result<Option<(Vec<f64>, bool)
 
 /// Reads the sweeps of a table.
 fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
-    let needed = ["joint", XYZ[0], XYZ[1], XYZ[2]].map(str::to_owned);
-    table::require(&file.table, &needed)?;
-    let swept: Vec<String> = table::texts(&file.table, "joint")?.iter().map(|t| t.trim().to_owned()).collect();
+    file.table.require(["joint", XYZ[0], XYZ[1], XYZ[2]])?;
+    let swept: Vec<String> = file.table.texts("joint")?.iter().map(|t| t.trim().to_owned()).collect();
     let joints = joint_names(file, &swept, stated)?;
-    let has_targets = file.table.column("target").is_ok();
-    let names = if has_targets { table::texts(&file.table, "target")? } else { vec!["target".to_owned(); swept.len()] };
+    let has_targets = file.table.has("target");
     let mut targets: Vec<String> = Vec::new();
-    let positions = table::coordinates(&file.table)?;
-    let line_of = table::lines(&file.table)?;
+    let positions = file.table.positions()?;
     let values: Vec<Option<(Vec<f64>, bool)>> =
         joints.iter().map(|joint| joint_values(file, joint)).collect::<Result<_>>()?;
     let mut sweeps: Vec<Sweep> = (0..joints.len()).map(|joint| Sweep { joint, readings: Vec::new() }).collect();
     let (mut checks, mut problems) = (Vec::new(), Problems::default());
     for (i, position_mm) in positions.into_iter().enumerate() {
-        let row = line_of(i).unwrap_or(i + 1);
-        let mut wrong = |message: Message| problems.0.push(message.at(Place { line: Some(row), ..Place::default() }));
+        let row = file.table.line(i).unwrap_or(i + 1);
+        let mut wrong = |message: Message| problems.0.push(message.at(file.table.place(i)));
         if position_mm.iter().any(|v| !v.is_finite()) {
             wrong(error!("table-value-missing"));
             continue;
@@ -168,8 +165,9 @@ fn read(file: &TableFile, stated: &SweepsStated) -> Result<SweepTable> {
             wrong(error!("sweep-values-partial"));
             continue;
         }
-        let target = targets.iter().position(|t| *t == names[i]).unwrap_or_else(|| {
-            targets.push(names[i].clone());
+        let name = if has_targets { file.table.text(i, "target").unwrap_or_default() } else { "target" };
+        let target = targets.iter().position(|t| t == name).unwrap_or_else(|| {
+            targets.push(name.to_owned());
             targets.len() - 1
         });
         let reading = SweepReading { row, target, position_mm, joints: if complete { own } else { Vec::new() } };

@@ -8,13 +8,11 @@ use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition};
 use etalon_documents::{Refused, Source, SourceKind};
-use etalon_formats::table::{self, FILE_LINES};
-use etalon_formats::tables::coordinates::NamedTable;
+use etalon_formats::table::{ASSEMBLY, COVARIANCES, TEXTS, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{Format, TableReading};
 use etalon_robots::{Joint, Robot};
 use etalon_tables::{Form, TableLayout};
-use polars::prelude::{BooleanChunked, Column, DataFrame, NewChunkedArray};
 use std::collections::BTreeSet;
 use std::path::Path;
 use toml::Spanned;
@@ -25,28 +23,13 @@ pub(crate) struct TableFile {
     /// File name stated by the user.
     pub name: String,
     text: String,
-    pub table: DataFrame,
-    /// Names and texts of further files, whose rows follow; their lines are counted from
-    /// [`FILE_LINES`] times their number.
+    pub table: Table,
+    /// Names and texts of further files, whose rows follow.
     more: Vec<(String, String)>,
 }
 
 /// Maximum number of columns in a message.
 const NAMED: usize = 8;
-
-/// Problems of the rows of several files, each with its file and line.
-pub(crate) fn in_files(mut problems: Problems, files: &[&str]) -> Problems {
-    for place in problems.0.iter_mut().filter_map(|message| message.place.as_mut()) {
-        if let Some(line) = place.line.filter(|line| *line >= FILE_LINES) {
-            place.file = files.get(line / FILE_LINES).copied().unwrap_or_default().to_owned();
-            place.line = Some(line % FILE_LINES);
-        } else if place.file.is_empty() {
-            place.file = files.first().copied().unwrap_or_default().to_owned();
-        }
-    }
-    let first = files.first().copied().unwrap_or_default();
-    if files.len() > 1 { problems } else { problems.at(&Place::file(first)) }
-}
 
 /// Problems of rows of a join, which belong to no file: about the campaign.
 pub(crate) fn in_campaign(mut problems: Problems, path: &str) -> Problems {
@@ -82,7 +65,7 @@ impl TableFile {
     }
 
     /// Reads a table from the text of the file, by its name and text.
-    pub fn new(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<DataFrame>) -> Result<Self> {
+    pub fn new(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<Table>) -> Result<Self> {
         let name = path.display().to_string();
         Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
     }
@@ -93,43 +76,35 @@ impl TableFile {
     }
 
     /// Removes the rows for which `left_out` is true.
-    pub fn leave_out(&mut self, left_out: &[bool]) -> Result<()> {
+    pub fn leave_out(&mut self, left_out: &[bool]) {
         if left_out.contains(&true) {
-            let kept: Vec<bool> = left_out.iter().map(|out| !out).collect();
-            self.table = self.table.filter(&BooleanChunked::from_slice("kept".into(), &kept)).map_err(table::failed)?;
+            self.table = self.table.rows(|row| !left_out[row]);
         }
-        Ok(())
     }
 
     /// Leaves out the rows in which nothing was measured, and lists them.
     fn leave_out_unmeasured(&mut self, robot: &dyn Robot) -> Result<Vec<Refused>> {
         let rows = kinds::unmeasured_rows(robot, &self.table)?;
-        let line = table::lines(&self.table)?;
         let mut left_out = vec![false; self.table.height()];
         let refused = |(row, reason): (usize, Phrase)| {
             left_out[row] = true;
-            let line = line(row).unwrap_or(0);
+            let line = self.table.line(row).unwrap_or(0);
             Refused::new(line, self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), reason)
         };
         let refused = rows.into_iter().map(refused).collect();
-        self.leave_out(&left_out)?;
+        self.leave_out(&left_out);
         Ok(refused)
     }
 
     /// The names in the column `target`, each once, in their order.
     pub fn targets(&self) -> Result<Vec<String>> {
         let mut targets: Vec<String> = Vec::new();
-        for name in table::texts(&self.table, "target").map_err(|more| self.place(more))? {
-            if !targets.contains(&name) {
-                targets.push(name);
+        for name in self.table.texts("target").map_err(|more| self.place(more))? {
+            if targets.iter().all(|target| *target != name) {
+                targets.push(name.into_owned());
             }
         }
         Ok(targets)
-    }
-
-    /// The table with the name of its file, for messages.
-    pub fn named(&self) -> NamedTable<'_> {
-        NamedTable { file: &self.name, frame: &self.table }
     }
 
     /// Problems of the table, each with its line.
@@ -137,28 +112,18 @@ impl TableFile {
         if self.more.is_empty() {
             return problems.in_text(&self.name, &self.text);
         }
-        let names: Vec<&str> =
-            std::iter::once(self.name.as_str()).chain(self.more.iter().map(|(n, _)| n.as_str())).collect();
-        let placed = in_files(problems, &names);
         let texts = std::iter::once((&self.name, &self.text)).chain(self.more.iter().map(|(name, text)| (name, text)));
-        texts.fold(placed, |problems, (name, text)| match names.len() {
-            _ if problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name)) => {
-                problems.in_text(name, text)
-            }
-            _ => problems,
+        texts.fold(problems, |problems, (name, text)| {
+            let is_named = problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name));
+            if is_named { problems.in_text(name, text) } else { problems }
         })
     }
 
     /// This table, followed by the rows of another one.
-    fn followed_by(mut self, other: Self) -> Result<Self> {
-        let number = self.more.len() + 1;
-        let lines: Vec<i64> =
-            table::integers(&other.table, "line")?.iter().map(|line| line + (number * FILE_LINES) as i64).collect();
-        let mut below = other.table;
-        below.with_column(Column::new("line".into(), lines)).map_err(table::failed)?;
-        self.table = table::stacked(&self.table, &below)?;
+    fn followed_by(mut self, other: Self) -> Self {
+        self.table = self.table.followed_by(other.table);
         self.more.push((other.name, other.text));
-        Ok(self)
+        self
     }
 }
 
@@ -201,10 +166,10 @@ impl CampaignTables<'_> {
             let read =
                 self.listed(file, kind, holds.clone(), |path, bytes| TableFile::observations(path, &bytes, reading));
             let Some(read) = problems.keep(read) else { continue };
-            all = match all {
-                Some(before) => problems.keep(before.followed_by(read)),
-                None => Some(read),
-            };
+            all = Some(match all {
+                Some(before) => before.followed_by(read),
+                None => read,
+            });
         }
         problems.check()?;
         all.ok_or_else(|| error!("data-rows-missing").at(self.campaign.place(table.first())).into())
@@ -221,34 +186,23 @@ impl CampaignTables<'_> {
             let Some(robot) = robot_with(self.campaign, table) else { continue };
             source.refused = table.leave_out_unmeasured(robot.as_ref())?;
         }
-        let mut all: Option<TableFile> = None;
-        for table in tables {
-            all = Some(match all {
-                Some(before) => before.followed_by(table)?,
-                None => table,
-            });
-        }
-        Ok(all)
+        Ok(tables.into_iter().reduce(TableFile::followed_by))
     }
 
     /// Checks that a table has the columns of joints, loads, torques and temperature that other
     /// tables have, and no heading like that of a coordinate in its place.
     fn whole(&self, table: &TableFile, tables: &[TableFile]) -> Result<()> {
         let Some(robot) = robot_with(self.campaign, table) else { return Ok(()) };
-        let names = |table: &TableFile| -> Vec<String> {
-            table.table.get_column_names().into_iter().map(|name| name.to_string()).collect()
-        };
-        let own = names(table);
-        let others = || tables.iter().flat_map(names);
-        let joints = robot.joints().iter().filter(|joint| own.iter().all(|name| joint.factor(name).is_none()));
+        let others = || tables.iter().flat_map(|other| other.table.names());
+        let joints = robot.joints().iter().filter(|joint| table.table.names().all(|name| joint.factor(name).is_none()));
         let joint = joints.filter_map(|joint| others().find(|name| joint.factor(name).is_some())).next();
-        let has = |name: &&str| own.iter().any(|own| own == name);
+        let has = |name: &str| table.table.has(name);
         let unread = self.not_read(table);
         let meant = |name: &&str| nearest(name, unread.iter().map(String::as_str)).is_some();
-        let axis = table::XYZ[..robot.dimension()].iter().copied().filter(|name| !has(name)).find(meant);
+        let axis = XYZ[..robot.dimension()].iter().copied().filter(|name| !has(name)).find(meant);
         let stated = || stated_columns(robot.as_ref()).into_iter();
-        let stated = stated().find(|name| !has(&name.as_str()) && others().any(|other| other == *name));
-        let by_pose = joint.or(stated).filter(|_| has(&"pose"));
+        let stated = stated().find(|name| !has(name) && others().any(|other| other == *name));
+        let by_pose = joint.map(str::to_owned).or(stated).filter(|_| has("pose"));
         let Some(column) = by_pose.or(axis.map(str::to_owned)) else { return Ok(()) };
         let message = error!("column-unknown", column);
         let place = Place { line: Some(1), ..Place::file(&table.name) };
@@ -268,8 +222,9 @@ impl CampaignTables<'_> {
         if let Some(order) = &stated.orientation {
             let of_campaign = |m: Message| m.at(self.campaign.place(order));
             order.get_ref().parse::<AngleOrder>().map_err(of_campaign)?;
-            orientations::state_order(&mut table.table, order.get_ref())?;
+            orientations::state_order(&mut table.table, order.get_ref());
         }
+        table.table.name_file(stated.file.get_ref());
         let unread = self.not_read(&table);
         if let Some(source) = self.sources.last_mut().filter(|_| !unread.is_empty()) {
             let columns = truncated(unread.iter().map(|name| format!("`{name}`")), NAMED);
@@ -287,17 +242,16 @@ impl CampaignTables<'_> {
                 robot.joints().iter().any(of) || stated_columns(robot.as_ref()).iter().any(|own| own == name)
             })
         };
-        let common = ["line", "pose", "cycle", table::ASSEMBLY];
-        let positions = table::XYZ.into_iter().chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
+        let common = ["pose", "cycle", ASSEMBLY];
+        let positions = XYZ.into_iter().chain(UNCERTAINTIES).chain(COVARIANCES);
         let known: BTreeSet<&str> = common
             .into_iter()
             .chain(positions)
             .chain(kinds::columns())
             .chain(orientations::columns())
-            .chain(table::TEXTS)
+            .chain(TEXTS)
             .collect();
-        let names = table.table.get_column_names().into_iter().map(|name| name.as_str());
-        names.filter(|name| !known.contains(name) && !of_joint(name)).map(str::to_owned).collect()
+        table.table.names().filter(|name| !known.contains(name) && !of_joint(name)).map(str::to_owned).collect()
     }
 
     /// A recorded motion: an export in its format, or a table of etalon.

@@ -6,7 +6,7 @@ use etalon::base::message::Problems;
 use etalon::base::pose::Pose;
 use etalon::campaign::Campaign;
 use etalon::formats::Format;
-use etalon::formats::table;
+use etalon::formats::table::Table;
 use etalon::simulate::{LabelledPoint, Truth, simulate};
 use etalon::stages::gather::gather;
 use std::collections::BTreeMap;
@@ -189,8 +189,8 @@ fn every_dialect_reads_back_bit_for_bit() {
         let rpy = truth.export_T_world.rpy_deg.map(f64::to_radians);
         let placed = Pose::from_xyz_rpy(truth.export_T_world.xyz_mm, rpy);
 
-        let table = &imported.logs[0].table().unwrap();
-        let column = |name| table::numbers(table, name).unwrap();
+        let table = imported.logs[0].table();
+        let column = |name| table.numbers(name).unwrap();
         let joints = [column("rho1_mm"), column("rho2_mm"), column("rho3_mm")];
         // 8 corners, and 17 positions with three orientations each
         let (poses, once) = (59, join == "by = [\"pose\"]");
@@ -201,30 +201,26 @@ fn every_dialect_reads_back_bit_for_bit() {
             assert_eq!(joint[6].to_bits(), written(expected, log_mm, digits).to_bits(), "{name}");
         }
 
-        let points = &etalon::formats::table(&imported.points).unwrap();
-        let targets = table::texts(points, "target").unwrap();
-        let (p, c) =
-            (table::optional_integers(points, "pose").unwrap(), table::optional_integers(points, "cycle").unwrap());
-        let times = table::numbers(points, "time_s").unwrap();
         let mut seen = BTreeMap::new();
-        for (i, xyz) in table::coordinates(points).unwrap().into_iter().enumerate() {
+        for (i, point) in imported.points.iter().enumerate() {
+            let target = point.target.as_deref().unwrap_or_default();
             // numbers of rows and times go on from one round to the next
-            let number = match p[i] {
-                Some(pose) => (c[i].unwrap() - 1) * poses + pose,
-                None => ((times[i] + 3.25) / 10.0) as i64,
+            let number = match point.pose {
+                Some(pose) => (point.cycle.unwrap() - 1) * poses + pose.number().unwrap(),
+                None => ((point.time_s.unwrap_or(f64::NAN) + 3.25) / 10.0) as i64,
             };
-            let fixed = table::texts(points, "label").unwrap()[i] == "ball N" || targets[i] == "ball N";
+            let fixed = *point.label == *"ball N" || target == "ball N";
             let (key, truly) = if fixed {
                 (("ball N".to_owned(), i as i64), [1.5, -20.25, 3.0])
             } else {
                 let row = ((number - 1) % poses) as usize;
                 let q = [joints[0][row], joints[1][row], joints[2][row]];
-                let mut truly = robot.position(&values, &q, usize::from(targets[i] == "L"));
+                let mut truly = robot.position(&values, &q, usize::from(target == "L"));
                 truly[2] += truth.target_height_mm;
-                ((targets[i].clone(), number), truly)
+                ((target.to_owned(), number), truly)
             };
             assert!(seen.insert(key, ()).is_none(), "{name}: row {i} is there twice");
-            for (axis, (read, truly)) in xyz.iter().zip(placed.apply(truly)).enumerate() {
+            for (axis, (read, truly)) in point.xyz_mm.iter().zip(placed.apply(truly)).enumerate() {
                 let expected = written(truly, export_mm, DIGITS);
                 assert_eq!(read.to_bits(), expected.to_bits(), "{name}: row {i}, axis {axis}, {read} {expected}");
             }
@@ -252,7 +248,7 @@ fn joints_in_radians_read_back_to_1e_12_deg() {
     simulate(&campaign, &Truth::read(&scratch.path().join("truth.toml")).unwrap()).unwrap();
     let imported = gather(&campaign).unwrap();
     for (name, expected) in [("q1_deg", 10.0), ("q2_deg", -20.123456), ("q4_deg", 40.5), ("q6_deg", -179.9)] {
-        let read = table::numbers(&imported.logs[0].table().unwrap(), name).unwrap();
+        let read = imported.logs[0].table().numbers(name).unwrap();
         assert!((read[0] - expected).abs() < 1e-12, "{name}: {}", read[0]);
     }
 }
@@ -299,28 +295,25 @@ fn logged(log: &str) -> etalon::stages::gather::Gathered {
 
 #[test]
 fn logs_of_controllers_read_back_what_simulate_wrote() {
-    let plain = &logged(LOG).logs[0].table().unwrap();
-    let joints = |table: &polars::prelude::DataFrame| {
-        ["rho1_mm", "rho2_mm", "rho3_mm"].map(|name| table::numbers(table, name).unwrap())
-    };
+    let plain = &logged(LOG).logs[0].table();
+    let joints = |table: &Table| ["rho1_mm", "rho2_mm", "rho3_mm"].map(|name| table.numbers(name).unwrap());
     let common = "pose = \"pose\", cycle = \"run\"";
     for (format, columns) in [
         ("ur_rtde", "time_s = \"timestamp\", rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\""),
         ("kuka_rsi", "time_ms = \"IPOC\", rho3_mm = \"A\", rho2_mm = \"B\", rho1_mm = \"C\""),
         ("ros", "time_ns = \"%time\", rho1_m = \"c\", rho2_m = \"b\", rho3_m = \"a\""),
     ] {
-        let table =
-            &logged(&format!("format = \"{format}\"\ncolumns = {{ {common}, {columns} }}")).logs[0].table().unwrap();
+        let table = &logged(&format!("format = \"{format}\"\ncolumns = {{ {common}, {columns} }}")).logs[0].table();
         for (read, meant) in joints(table).iter().zip(joints(plain)) {
             assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() < 1e-9), "{format}");
         }
-        let times = table::numbers(table, "time_s").unwrap();
+        let times = table.numbers("time_s").unwrap();
         assert!(times.iter().zip(1..).all(|(t, n)| *t == 10.0 * f64::from(n)), "{format}");
     }
     // a count is the nearest to the value, whatever order the arrays stand in
     let counts = "format = \"galil\"\ncolumns = { pose = \"pose\", cycle = \"run\", rho1_mm = { name = \"z\", per_count = 0.0005 }, \
                   rho2_mm = { name = \"a\", per_count = -0.001, zero_count = 1000 }, rho3_mm = { name = \"m\", per_count = 0.01 } }";
-    let table = &logged(counts).logs[0].table().unwrap();
+    let table = &logged(counts).logs[0].table();
     for ((read, meant), per_count) in joints(table).iter().zip(joints(plain)).zip([0.0005f64, 0.001, 0.01]) {
         assert!(read.iter().zip(&meant).all(|(r, m)| (r - m).abs() <= 0.5 * per_count + 1e-9), "{per_count}");
         assert!(read.iter().all(|r| ((r / per_count).round() - r / per_count).abs() < 1e-6), "{per_count}");

@@ -4,7 +4,6 @@
 use super::recordings::{mat, npy, variable};
 use super::source;
 use etalon::base::message::{Problems, SourceText};
-use etalon::formats::table::{integers, numbers};
 use etalon::formats::{Export, Format, Log, TableReading, file_text, log, observations_with};
 use etalon::tables::Form;
 use std::io::Write as _;
@@ -61,8 +60,8 @@ fn of_observations(text: &str, keys: &str) -> Read {
     let layout: TableReading = stated.reading();
     match observations_with("t.csv", text, &layout) {
         Ok(table) => {
-            let lines = integers(&table, "line").unwrap();
-            let all = lines.iter().map(|line| *line as usize).zip(numbers(&table, "x_mm").unwrap());
+            let lines = (0..).map_while(|row| table.line(row));
+            let all = lines.zip(table.numbers("x_mm").unwrap());
             Read::Numbers(all.filter(|(_, x)| !x.is_nan()).collect())
         }
         Err(problems) => refused(&problems),

@@ -171,7 +171,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
         let layout: TableReading = stated.reading();
         let table = observations_with("f", &text, &layout).map_err(said)?;
         if !right.first_mm.is_empty() {
-            first.extend(etalon::formats::table::coordinates(&table).map_err(said)?.first());
+            first.extend(table.positions().map_err(said)?.first());
         }
     }
     let all = first.len() == right.first_mm.len();

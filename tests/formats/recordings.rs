@@ -4,7 +4,7 @@
 use crate::hostile::logs::with_log;
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
-use etalon::formats::{propose_file, table};
+use etalon::formats::propose_file;
 use etalon::stages::gather::{Gathered, gather};
 
 /// A message in CDR, little endian: numbers at multiples of their size behind four bytes.
@@ -78,7 +78,7 @@ fn read(bytes: &[u8], stated: &str) -> Result<Gathered, Problems> {
 }
 
 fn column(imported: &Gathered, name: &str) -> Vec<f64> {
-    table::numbers(&imported.logs[0].table().unwrap(), name).unwrap()
+    imported.logs[0].table().numbers(name).unwrap()
 }
 
 #[track_caller]

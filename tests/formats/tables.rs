@@ -5,7 +5,6 @@ use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::base::phrase;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
-use etalon::formats::table::{coordinates, numbers, texts};
 use etalon::formats::{Export, TableReading, file_text, observations_with};
 use etalon::identify::Settings;
 use etalon::stages::kinds::{self, RowDefaults};
@@ -47,12 +46,12 @@ fn the_same_table_however_it_is_laid_out() {
         ),
     ] {
         let read = observations_with("o.csv", text, &layout(stated)).unwrap_or_else(|e| panic!("{stated}: {e}"));
-        assert_eq!(coordinates(&read).unwrap(), coordinates(&right).unwrap(), "{stated}");
-        for (a, b) in numbers(&read, "u_mm").unwrap().iter().zip(numbers(&right, "u_mm").unwrap()) {
+        assert_eq!(read.positions().unwrap(), right.positions().unwrap(), "{stated}");
+        for (a, b) in read.numbers("u_mm").unwrap().iter().zip(right.numbers("u_mm").unwrap()) {
             assert!((a - b).abs() < 1e-15, "{stated}: {a} {b}");
         }
         for name in ["target", "kind", "pose", "cycle"] {
-            assert_eq!(texts(&read, name).unwrap(), texts(&right, name).unwrap(), "{name} {stated}");
+            assert_eq!(read.texts(name).unwrap(), right.texts(name).unwrap(), "{name} {stated}");
         }
     }
 }
@@ -61,11 +60,11 @@ fn the_same_table_however_it_is_laid_out() {
 fn cells_that_were_not_measured_are_missing_and_others_are_errors() {
     let text = "pose,target,x_mm,y_mm\n1,A,nan,2.5\n2,A,N/A,\n3,A,1.5,2.5\n";
     let read = observations_with("o.csv", text, &TableReading::default()).unwrap();
-    let x = numbers(&read, "x_mm").unwrap();
+    let x = read.numbers("x_mm").unwrap();
     assert!(x[0].is_nan() && x[1].is_nan() && x[2] == 1.5, "{x:?}");
     // a computed value of a missing one is missing
     let computed = observations_with("o.csv", text, &layout("columns = { z_mm = \"x_mm + y_mm\" }")).unwrap();
-    let z = numbers(&computed, "z_mm").unwrap();
+    let z = computed.numbers("z_mm").unwrap();
     assert!(z[0].is_nan() && z[1].is_nan() && z[2] == 4.0, "{z:?}");
     for (stated, part) in [
         ("columns = { z_mm = \"x_mm + y_mn\" }", "did you mean `y_mm`"),
@@ -572,7 +571,7 @@ fn a_filter_reads_numbers_in_the_marks_of_the_table() {
     let rows = |stated: &str| {
         let layout = layout(&format!("delimiter = \";\"\nthousands = \",\"\nwithout = {{ {stated} }}"));
         let text = "pose;x_mm;id\n1;1;1.234\n2;2;1,234\n3;3;1234\n";
-        numbers(&observations_with("o.csv", text, &layout).unwrap(), "x_mm").unwrap()
+        observations_with("o.csv", text, &layout).unwrap().numbers("x_mm").unwrap()
     };
     assert_eq!(rows("id = 1234"), [1.0]);
     assert_eq!(rows("id = \"1,234\""), [1.0]);

@@ -3,7 +3,6 @@
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
-use etalon::formats::table;
 use etalon::stages::gather::{Gathered, gather};
 
 /// A campaign whose log is this text.
@@ -26,7 +25,7 @@ fn read(text: &str, stated: &str) -> Result<Gathered, String> {
 }
 
 fn column(imported: &Gathered, name: &str) -> Vec<f64> {
-    table::numbers(&imported.logs[0].table().unwrap(), name).unwrap()
+    imported.logs[0].table().numbers(name).unwrap()
 }
 
 fn refused(text: &str, stated: &str, parts: &[&str]) {

@@ -4,6 +4,7 @@ use super::ran;
 use etalon::base::message::{Message, Problems};
 use etalon::documents::{FieldDocument, Iso9283Places, ParametersDocument};
 use etalon::fit::{Element, FitSettings, Probe, Side, Source, element, rigid};
+use etalon::formats::table::Values;
 use etalon::identify::geometric::{self, BaseMeasurements, LeadMeasurements, Measurements, ShaftMeasurements};
 use etalon::identify::{Comparison, IdentifiedParameters, Misfit, Observation, Settings, ToolFrame, ToolPoint};
 use etalon::robots::{Prexyt, Robot};
@@ -283,7 +284,7 @@ fn of_robots_and_tables_of_programs() {
     hold(vec![
         ("no-whole-pose", of(etalon::cli::in_memory::whole_pose(&robot).map(|_| ()))),
         ("tool-targets-collinear", refused(point.in_base(&robot, &parameters, &joints))),
-        ("table-failed", of(etalon::formats::table::frame(2, uneven))),
+        ("table-failed", of(etalon::formats::parquet::frame(2, uneven))),
     ]);
     assert!(refused(point.in_base(&robot, &robot.nominal(), &joints)).is_empty());
 }
@@ -293,10 +294,10 @@ fn of_stored_errors_and_parameters() {
     let out = ran("prexyt-cmm").join("out");
     let stored = std::fs::read(out.join("residuals.parquet")).unwrap();
     // 59 poses, five repeats
-    let stored = etalon::formats::table::from_parquet(stored, 295).unwrap();
+    let stored = etalon::formats::parquet::from_parquet(stored, 295).unwrap();
     let with = |column: &str, word: &str| {
         let mut table = stored.clone();
-        table.with_column(Column::new(column.into(), vec![word; stored.height()])).unwrap();
+        table.set(column, Values::Texts(vec![Some(word.to_owned()); stored.height()]));
         of(etalon::stages::evaluate::error_table::from_table(&table))
     };
     let mut document: ParametersDocument =

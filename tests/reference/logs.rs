@@ -4,12 +4,11 @@ use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
 use etalon::documents::ImportDocument;
-use etalon::formats::table;
+use etalon::formats::table::Table;
 use etalon::stages::gather::gather;
-use polars::prelude::DataFrame;
 
 /// The table of a log that a campaign states so, or what is said against it.
-fn read(log: &str) -> Result<(DataFrame, ImportDocument), String> {
+fn read(log: &str) -> Result<(Table, ImportDocument), String> {
     let scratch = copy_sample("prexyt-cmm");
     let text = format!(
         "name = \"l\"\nrobot = \"robot.toml\"\nexport = []\n[instrument]\nname = \"i\"\nexpanded_uncertainty_um = 2\n\
@@ -19,7 +18,7 @@ fn read(log: &str) -> Result<(DataFrame, ImportDocument), String> {
     std::fs::write(scratch.path().join("campaign.toml"), text).unwrap();
     let campaign = Campaign::read(&scratch.path()).unwrap_or_else(|e| panic!("{e}"));
     let imported = gather(&campaign).map_err(|e| e.to_string())?;
-    Ok((imported.logs[0].table().unwrap(), imported.document))
+    Ok((imported.logs[0].table(), imported.document))
 }
 
 /// What is said against a log, which must hold all these parts.
@@ -30,8 +29,8 @@ fn refused(log: &str, parts: &[&str]) {
     }
 }
 
-fn column(table: &DataFrame, name: &str) -> Vec<f64> {
-    table::numbers(table, name).unwrap()
+fn column(table: &Table, name: &str) -> Vec<f64> {
+    table.numbers(name).unwrap()
 }
 
 const GALIL: &str = "file = \"$ETALON_REFERENCE/exports/galil/doc_example_arrays.csv\"\nformat = \"galil\"\n";

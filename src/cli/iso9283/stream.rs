@@ -123,7 +123,7 @@ impl StreamOptions {
         let stated = TestStatement { path: path.is_some(), ..self.stated() };
         stated.check(|key| format!("--{}", key.replace('_', "-")))?;
         let table = recorded.parse()?;
-        let recording = recording(table.named(), self.rate_hz).map_err(|p| table.place(p))?;
+        let recording = recording(&table.table, self.rate_hz).map_err(|p| table.place(p))?;
         let poses = commanded.map(|table| poses(&table.parse()?)).transpose()?;
         let path = path.map(|path| stated_path(&path.parse()?, recorded.name, &recording)).transpose()?;
         Iso9283StreamDocument::evaluate(&recording, &stated.settings(poses, path, seed))
@@ -161,16 +161,16 @@ impl StreamOptions {
             }
             None => self.form().read(path)?,
         };
-        recording(recorded.named(), self.rate_hz).map_err(|p| recorded.place(p))
+        recording(&recorded.table, self.rate_hz).map_err(|p| recorded.place(p))
     }
 }
 
 fn stated_path(table: &TableFile, of: &str, recording: &Recording) -> Result<CommandedPath> {
-    commanded_path(table.named(), of, recording).map_err(|p| table.place(p))
+    commanded_path(&table.table, of, recording).map_err(|p| table.place(p))
 }
 
 fn poses(table: &TableFile) -> Result<Vec<CommandedPose>> {
-    commanded_poses(table.named()).map_err(|p| table.place(p))
+    commanded_poses(&table.table).map_err(|p| table.place(p))
 }
 
 /// Table of poses from the standstills at poses.

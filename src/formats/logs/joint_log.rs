@@ -1,12 +1,10 @@
 //! Joint values of a log, and the meaning of the columns of a log.
 
-use crate::table::{ASSEMBLY, LABEL, frame, pose_column};
+use crate::table::{ASSEMBLY, LABEL, Table, Values};
 use crate::tables::joints::is_stated_column;
 use etalon_base::angle::Turn;
-use etalon_base::message::Result;
 use etalon_base::pose_name::PoseName;
 use etalon_robots::{Joint, Quantity};
-use polars::prelude::{Column, DataFrame};
 
 /// Keys of `columns` for the time, with their units (s).
 const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
@@ -125,29 +123,25 @@ impl JointLog {
     }
 
     /// Returns the log as a table.
-    pub fn table(&self) -> Result<DataFrame> {
-        let column = |name: &String| -> Column {
-            let whole = |f: fn(&LogRow) -> Option<i64>| -> Column {
-                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
-            };
-            let real = |f: &dyn Fn(&LogRow) -> Option<f64>| -> Column {
-                Column::new(name.as_str().into(), self.rows.iter().map(f).collect::<Vec<_>>())
-            };
-            match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
+    pub fn table(&self) -> Table {
+        let whole = |f: fn(&LogRow) -> Option<i64>| Values::Whole(self.rows.iter().map(f).collect());
+        let real = |f: &dyn Fn(&LogRow) -> Option<f64>| Values::Numbers(self.rows.iter().map(f).collect());
+        let mut table = Table::default();
+        for name in &self.columns {
+            let values = match (name.as_str(), self.joints.iter().position(|joint| joint == name)) {
                 (_, Some(k)) => real(&|r| r.joints.get(k).copied()),
                 ("row", _) => whole(|r| Some(r.row)),
                 ("line", _) => whole(|r| Some(r.line as i64)),
-                ("pose", _) => pose_column("pose", &self.rows.iter().map(|r| r.pose).collect::<Vec<_>>()),
+                ("pose", _) => Values::Poses(self.rows.iter().map(|r| r.pose).collect()),
                 ("cycle", _) => whole(|r| r.cycle),
                 ("time_s", _) => real(&|r| r.time_s),
                 ("from_s", _) => real(&|r| Some(r.standing_s?[0])),
                 ("to_s", _) => real(&|r| Some(r.standing_s?[1])),
                 (ASSEMBLY, _) => real(&|r| r.assembly),
-                _ => {
-                    Column::new(name.as_str().into(), self.rows.iter().map(|r| r.label.as_deref()).collect::<Vec<_>>())
-                }
-            }
-        };
-        frame(self.rows.len(), self.columns.iter().map(column).collect())
+                _ => Values::Texts(self.rows.iter().map(|r| r.label.clone()).collect()),
+            };
+            table.set(name, values);
+        }
+        table
     }
 }

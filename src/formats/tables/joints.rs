@@ -1,10 +1,9 @@
 //! Columns of joints in tables: values, directions and assembly modes.
 
-use crate::table::{self, ASSEMBLY};
-use etalon_base::message::{Message, Place, Result};
+use crate::table::{ASSEMBLY, Table};
+use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase};
 use etalon_robots::{Circumstance, Joint, Robot};
-use polars::prelude::DataFrame;
 
 /// Columns of the payload of a reading: mass, and centre of mass in the flange.
 pub const PAYLOAD: [&str; 4] = ["load_kg", "load_x_mm", "load_y_mm", "load_z_mm"];
@@ -43,27 +42,25 @@ pub fn is_stated_column(column: &str) -> bool {
 /// # Errors
 /// Reports all missing columns of joints and of `needed`, and values that are not directions,
 /// payloads, torques or temperatures.
-pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
+pub fn joint_values(robot: &dyn Robot, table: &Table, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
-    let needed = needed.iter().map(|name| (*name).to_owned());
-    table::require(table, &needed.chain(columns.iter().map(|c| c.0.clone())).collect::<Vec<_>>())?;
+    table.require(needed.iter().copied().chain(columns.iter().map(|c| c.0.as_str())))?;
     let mut rows = vec![Vec::with_capacity(columns.len() + robot.approached().len()); table.height()];
     for (column, factor) in &columns {
-        let values = table::numbers(table, column)?;
+        let values = table.numbers(column)?;
         rows.iter_mut().zip(values).for_each(|(row, v)| row.push(factor * v));
     }
     for &k in robot.approached() {
         let joint = &robot.joints()[k];
         let column = joint.direction_column();
-        if table.column(&column).is_err() {
+        if !table.has(&column) {
             return Err(error!("joint-direction-missing", joint = &joint.name, column).into());
         }
-        for (i, (row, direction)) in rows.iter_mut().zip(table::numbers(table, &column)?).enumerate() {
+        for (i, (row, direction)) in rows.iter_mut().zip(table.numbers(&column)?).enumerate() {
             // rows of fixed points have no joint values
             if let Some(message) = wrong_direction(joint, direction).filter(|_| row[k].is_finite()) {
-                let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
-                return Err(message.at(Place { line, ..Place::default() }).into());
+                return Err(message.at(table.place(i)).into());
             }
             row.push(direction);
         }
@@ -73,17 +70,16 @@ pub fn joint_values(robot: &dyn Robot, table: &DataFrame, needed: &[&str]) -> Re
 }
 
 /// Adds the values that each reading states.
-fn add_stated(robot: &dyn Robot, table: &DataFrame, rows: &mut [Vec<f64>]) -> Result<()> {
+fn add_stated(robot: &dyn Robot, table: &Table, rows: &mut [Vec<f64>]) -> Result<()> {
     for (&stated, column) in robot.circumstances().iter().zip(&stated_columns(robot)) {
-        if table.column(column).is_err() {
+        if !table.has(column) {
             return Err(missing_column(robot, stated).into());
         }
-        for (i, (row, value)) in rows.iter_mut().zip(table::numbers(table, column)?).enumerate() {
+        for (i, (row, value)) in rows.iter_mut().zip(table.numbers(column)?).enumerate() {
             // rows of fixed points have no joint values
             let is_pose = row.iter().all(|value| value.is_finite());
             if let Some(message) = wrong_value(robot, stated, value).filter(|_| is_pose) {
-                let line = table::integers(table, "line").ok().map(|lines| lines[i] as usize);
-                return Err(message.at(Place { line, ..Place::default() }).into());
+                return Err(message.at(table.place(i)).into());
             }
             row.push(value);
         }
@@ -131,25 +127,24 @@ pub fn wrong_direction(joint: &Joint, direction: f64) -> Option<Message> {
 
 /// Returns the column of a joint in one of its units, and the factor to mm or rad. If the table has
 /// no such column, returns the name that it should have.
-pub fn joint_column(joint: &Joint, table: &DataFrame) -> Result<(String, f64)> {
-    let names = table.get_column_names().into_iter().map(|name| name.to_string());
-    let mut found = names.filter_map(|name| Some((joint.factor(&name)?, name)));
+pub fn joint_column(joint: &Joint, table: &Table) -> Result<(String, f64)> {
+    let mut found = table.names().filter_map(|name| Some((joint.factor(name)?, name)));
     match (found.next(), found.next()) {
         (Some((_, one)), Some((_, two))) => {
             let message = error!("joint-column-twice", joint = &joint.name, first = one, second = two);
-            Err(message.at(Place { line: Some(1), ..Place::default() }).into())
+            Err(message.at(table.header()).into())
         }
-        (Some((factor, name)), None) => Ok((name, factor)),
+        (Some((factor, name)), None) => Ok((name.to_owned(), factor)),
         (None, _) => Ok((joint.column(), joint.quantity.inward(1.0))),
     }
 }
 
 /// Returns the assembly mode of each row; `None` for robots without modes, and without the column.
-pub fn stated_modes(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Option<f64>>> {
-    if !robot.has_assembly_modes() || table.column(ASSEMBLY).is_err() {
+pub fn stated_modes(robot: &dyn Robot, table: &Table) -> Result<Vec<Option<f64>>> {
+    if !robot.has_assembly_modes() || !table.has(ASSEMBLY) {
         return Ok(vec![None; table.height()]);
     }
-    table::numbers(table, ASSEMBLY)?.into_iter().enumerate().map(|(row, value)| stated_mode(row, value)).collect()
+    table.numbers(ASSEMBLY)?.into_iter().enumerate().map(|(row, value)| stated_mode(row, value)).collect()
 }
 
 /// Returns the assembly mode of a row (counted from 0); `None` if the value is not a number.

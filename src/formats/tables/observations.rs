@@ -1,9 +1,7 @@
 //! Tables of observations: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::logs::meaning;
-use crate::table::{
-    self, COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, UNCERTAINTIES, XYZ, failed, frame, pose_column,
-};
+use crate::table::{COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, Table, UNCERTAINTIES, Values, XYZ};
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -11,7 +9,6 @@ use etalon_base::pose_name::{PoseName, two_spellings};
 use etalon_tables::lexer::{Row, column_index, pose_name};
 use etalon_tables::sheet::{Sheet, column};
 use etalon_tables::{ColumnSource, Expression, TableLayout};
-use polars::prelude::{Column, DataFrame, NamedFrom, Series};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -120,32 +117,27 @@ impl TableReading {
     }
 
     /// Adds the columns that every observation needs, and the constant columns.
-    fn complete(&self, file: &str, mut table: DataFrame) -> Result<DataFrame> {
+    fn complete(&self, mut table: Table) -> Result<Table> {
         let height = table.height();
         let mut constants: Vec<(&str, String)> =
             self.layout.constants.iter().map(|(name, constant)| (name.as_str(), constant.cell())).collect();
         constants.extend(self.target.as_ref().map(|target| ("target", target.clone())));
-        let mut added: Vec<Column> = Vec::new();
         for (name, cell) in constants {
-            if table.column(name).is_ok() || added.iter().any(|column| column.name() == name) {
-                return Err(error!("stated-and-in-table", key = name).at(Place::file(file)).into());
-            }
-            if (name, cell.as_str()) == ("cycle", VISIT) {
-                added.push(Series::new(name.into(), visits(&table)?).into());
-                continue;
-            }
             let mut named = Cow::Borrowed(name);
             let factor = in_mm(&mut named, self.coverage_factor);
-            added.push(match cell.parse::<f64>().ok().filter(|_| is_numeric(name)) {
-                Some(number) => Series::new(named.as_ref().into(), vec![factor * number; height]).into(),
-                None => Series::new(named.as_ref().into(), vec![cell.as_str(); height]).into(),
-            });
+            if table.has(name) || table.has(&named) || name == "line" {
+                return Err(error!("stated-and-in-table", key = name).at(Place::file(table.file())).into());
+            }
+            let values = match cell.parse::<f64>().ok().filter(|_| is_numeric(name)) {
+                _ if (name, cell.as_str()) == ("cycle", VISIT) => Values::Whole(visits(&table)?),
+                Some(number) => Values::Numbers(vec![Some(factor * number); height]),
+                None => Values::Texts(vec![Some(cell); height]),
+            };
+            table.set(named, values);
         }
-        let has_cycle = table.column("cycle").is_ok() || added.iter().any(|column| column.name() == "cycle");
-        if !has_cycle && !self.any_columns {
-            added.push(Series::new("cycle".into(), vec![1i64; height]).into());
+        if !table.has("cycle") && !self.any_columns {
+            table.set("cycle", Values::Whole(vec![Some(1); height]));
         }
-        table.hstack_mut(&added).map_err(failed)?;
         Ok(table)
     }
 }
@@ -160,16 +152,15 @@ fn is_native_column(name: &str) -> bool {
 const VISIT: &str = "visit";
 
 /// Counts the rows of each pose and target from 1.
-fn visits(table: &DataFrame) -> Result<Vec<i64>> {
-    let poses: Vec<String> = table::poses(table)?.iter().map(ToString::to_string).collect();
-    let targets = if table.column("target").is_ok() { table::texts(table, "target")? } else { Vec::new() };
+fn visits(table: &Table) -> Result<Vec<Option<i64>>> {
+    let targets = if table.has("target") { table.texts("target")? } else { Vec::new() };
     let mut counts = BTreeMap::new();
     let visit = |(row, pose)| {
         let count = counts.entry((pose, targets.get(row))).or_insert(0);
         *count += 1;
-        *count
+        Some(*count)
     };
-    Ok(poses.into_iter().enumerate().map(visit).collect())
+    Ok(table.poses()?.into_iter().enumerate().map(visit).collect())
 }
 
 /// Columns of texts in tables of poses and loads.
@@ -185,24 +176,23 @@ fn is_numeric(name: &str) -> bool {
         || [&COVARIANCES[..], &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
 }
 
-/// Reads a table with commas, decimal points and a header. The column `line` has the line of each
-/// row.
+/// Reads a table with commas, decimal points and a header.
 ///
 /// The column `pose` has names of poses, `cycle` whole numbers. Columns whose name ends in a unit
 /// have numbers (empty cells are missing values), other columns text.
 ///
 /// # Errors
 /// Reports rows with another number of fields, and unreadable cells, with their places.
-pub fn observations(file: &str, text: &str) -> Result<DataFrame> {
+pub fn observations(file: &str, text: &str) -> Result<Table> {
     read(file, text, &TableReading::default())
 }
 
 /// Reads a table in another layout. Without a column `cycle`, all repeats are 1.
-pub fn observations_with(file: &str, text: &str, reading: &TableReading) -> Result<DataFrame> {
-    reading.complete(file, read(file, text, reading)?)
+pub fn observations_with(file: &str, text: &str, reading: &TableReading) -> Result<Table> {
+    reading.complete(read(file, text, reading)?)
 }
 
-fn read(file: &str, text: &str, reading: &TableReading) -> Result<DataFrame> {
+fn read(file: &str, text: &str, reading: &TableReading) -> Result<Table> {
     let TableLayout { form, columns: stated, pose, .. } = &reading.layout;
     let stated: Vec<&ColumnSource> = stated.values().collect();
     let mut sheet = Sheet::split(file, text, form, &stated).map_err(|more| more.at(&Place::file(file)))?;
@@ -210,34 +200,36 @@ fn read(file: &str, text: &str, reading: &TableReading) -> Result<DataFrame> {
     let factors: Vec<f64> = columns.iter_mut().map(|column| in_mm(&mut column.name, reading.coverage_factor)).collect();
     let mut problems = Problems(sheet.field_counts().collect());
     sheet.filtered()?;
-    let lines: Vec<i64> = sheet.rows.iter().map(|row| row.line as i64).collect();
-    let mut made: Vec<Column> = vec![Series::new("line".into(), lines).into()];
+    let mut table = Table::from_file(file, sheet.rows.iter().map(|row| row.line));
     for (column, factor) in columns.iter().zip(factors).filter(|(column, _)| column.name != "line") {
-        made.push(column.read(&sheet, factor, &mut problems));
+        if table.has(&column.name) {
+            problems.0.push(error!("heading-twice", column = &*column.name).at(sheet.place()));
+        }
+        table.set(&*column.name, column.values(&sheet, factor, &mut problems));
     }
     if let Some(from) = pose {
         let named = sheet.rows.iter().map(|row| Some(PoseName::from(from.number(row.number as i64))));
-        match columns.iter().any(|column| column.name == "pose") {
+        match table.has("pose") {
             true => problems.0.push(error!("stated-and-in-table", key = "pose").at(Place::file(file))),
-            false => made.push(pose_column("pose", &named.collect::<Vec<_>>())),
+            false => table.set("pose", Values::Poses(named.collect())),
         }
     }
     refuse_formulas(file, &columns, &sheet.rows, &mut problems);
     problems.0.sort_by_key(|m| m.place.as_ref().map(|p| (p.line, p.column)));
     problems.check()?;
-    frame(sheet.rows.len(), made)
+    Ok(table)
 }
 
 impl ReadColumn<'_> {
     /// Returns the values of the column, and reports cells that cannot be read.
-    fn read(&self, sheet: &Sheet, factor: f64, problems: &mut Problems) -> Column {
+    fn values(&self, sheet: &Sheet, factor: f64, problems: &mut Problems) -> Values {
         let name = self.name.as_ref();
         let at = self.from.column().unwrap_or(usize::MAX);
         if !is_numeric(name) {
-            return Series::new(name.into(), sheet.rows.iter().map(|row| row.field(at)).collect::<Vec<_>>()).into();
+            return Values::Texts(sheet.rows.iter().map(|row| Some(row.field(at).to_owned())).collect());
         }
         if name == "pose" {
-            return pose_column("pose", &poses(sheet, at, problems));
+            return Values::Poses(poses(sheet, at, problems));
         }
         let mut keep = |read: std::result::Result<Option<f64>, Message>| {
             read.unwrap_or_else(|message| {
@@ -253,10 +245,10 @@ impl ReadColumn<'_> {
                 });
                 keep(whole).map(|value| value as i64)
             };
-            return Series::new(name.into(), numbers.map(whole).collect::<Vec<_>>()).into();
+            return Values::Whole(numbers.map(whole).collect());
         }
         let in_unit = |value: f64| if factor == 1.0 { value } else { value * factor };
-        Series::new(name.into(), numbers.map(|(_, read)| keep(read).map(in_unit)).collect::<Vec<_>>()).into()
+        Values::Numbers(numbers.map(|(_, read)| keep(read).map(in_unit)).collect())
     }
 }
 
@@ -312,7 +304,7 @@ mod tests {
     #[test]
     fn a_pose_has_one_spelling() {
         let table = observations("o.csv", "pose,x_mm\n07,1\n7,2\nP7,3\nhome,4\n").unwrap();
-        let names: Vec<String> = crate::table::poses(&table).unwrap().iter().map(ToString::to_string).collect();
+        let names: Vec<String> = table.poses().unwrap().iter().map(ToString::to_string).collect();
         assert_eq!(names, ["7", "7", "P7", "home"]);
         let error = observations("o.csv", "pose,x_mm\nP01,1\nA1,2\nP1,2\n").unwrap_err().to_string();
         assert!(
@@ -328,7 +320,7 @@ mod tests {
         layout.layout.constants.insert("cycle".to_owned(), serde_json::from_str("\"visit\"").unwrap());
         let text = "pose,target,x_mm\n1,A,0\n1,B,0\n2,A,0\n1,A,0\n2,A,0\n1,A,0\n";
         let table = observations_with("o.csv", text, &layout).unwrap();
-        assert_eq!(table::integers(&table, "cycle").unwrap(), [1, 1, 1, 2, 2, 3]);
+        assert_eq!(table.integers("cycle").unwrap(), [1, 1, 1, 2, 2, 3]);
         let error = observations_with("o.csv", &text.replace("pose", "cycle"), &layout).unwrap_err();
         assert!(error.0[0].is("stated-and-in-table", &[("key", &"cycle")]), "{error}");
     }

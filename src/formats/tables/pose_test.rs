@@ -1,6 +1,7 @@
 //! Tables of attained and commanded poses, checked and grouped by pose.
 
-use crate::tables::coordinates::{Coordinates, CoordinatesOf, NamedTable, like};
+use crate::table::Table;
+use crate::tables::coordinates::{Coordinates, CoordinatesOf, like};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -26,12 +27,12 @@ struct Rows {
 /// `reading` are averaged. Without commanded poses only repeatability is evaluated. The order of
 /// the rotations a, b, c is `None` if it is not stated.
 pub fn pose_test(
-    attained: NamedTable,
-    commanded: Option<NamedTable>,
+    attained: &Table,
+    commanded: Option<&Table>,
     rotation_order: Option<RotationOrder>,
 ) -> Result<PoseTest> {
     let mut problems = Problems::default();
-    let mut read = |table: NamedTable| problems.keep(rows(table));
+    let mut read = |table: &Table| problems.keep(rows(table));
     let a = read(attained);
     let c = commanded.map(|table| (table, read(table)));
     let (Some(a), Some(c)) = (a, c.map_or(Some(None), |(table, c)| Some(Some((table, c?))))) else {
@@ -41,12 +42,13 @@ pub fn pose_test(
     let mut poses: Vec<TestedPose> = Vec::new();
     if let Some((commanded, c)) = &c {
         like(
-            CoordinatesOf { file: commanded.file, spatial: c.spatial, angles: &c.angles },
-            CoordinatesOf { file: attained.file, spatial: a.spatial, angles: &a.angles },
+            CoordinatesOf { file: commanded.file(), spatial: c.spatial, angles: &c.angles },
+            CoordinatesOf { file: attained.file(), spatial: a.spatial, angles: &a.angles },
         )?;
         for (i, &pose) in c.poses.iter().enumerate() {
             if poses.iter().any(|p| p.pose == pose) {
-                problems.0.push(commanded.at_row(error!("pose-commanded-twice", pose = pose.to_string()), i));
+                let message = error!("pose-commanded-twice", pose = pose.to_string());
+                problems.0.push(message.at(commanded.place(i)));
             }
             let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
             poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
@@ -62,8 +64,9 @@ pub fn pose_test(
         let approach = attained.has("approach").then(|| visit.approach.clone());
         let first = seen.insert((*pose, visit.cycle, visit.robot.clone(), approach.clone()));
         let Some(place) = poses.iter_mut().find(|p| p.pose == *pose) else {
-            let file = commanded.map_or("", |commanded| commanded.file);
-            problems.0.push(attained.at_row(error!("pose-not-commanded", pose = pose.to_string(), file), i));
+            let file = commanded.map_or("", Table::file);
+            let message = error!("pose-not-commanded", pose = pose.to_string(), file);
+            problems.0.push(message.at(attained.place(i)));
             continue;
         };
         let same = |v: &&mut AttainedPose| {
@@ -73,7 +76,7 @@ pub fn pose_test(
             Some(before) if several => before.read_again(&visit),
             _ if !first => {
                 let message = error!("pose-attained-twice", pose = pose.to_string(), cycle = visit.cycle);
-                problems.0.push(attained.at_row(message, i));
+                problems.0.push(message.at(attained.place(i)));
             }
             _ => place.attained.push(visit),
         }
@@ -89,7 +92,7 @@ pub fn pose_test(
     }
     poses.retain(|p| !p.attained.is_empty());
     if poses.is_empty() {
-        return Err(error!("no-pose-measured").at(Place::file(attained.file)).into());
+        return Err(error!("no-pose-measured").at(Place::file(attained.file())).into());
     }
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, rotation_order, warnings })
 }
@@ -101,11 +104,11 @@ struct Attained {
 }
 
 /// Returns the attained pose of each row.
-fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Attained> {
-    let cycles = table.integers("cycle")?;
+fn attained_poses(table: &Table, rows: &Rows) -> Result<Attained> {
+    let cycles = table.integers("cycle").map_err(|p| table.in_file(p))?;
     let approaches = table.has("approach").then(|| table.texts("approach")).transpose()?;
     let robots = table.has("robot").then(|| table.texts("robot")).transpose()?;
-    let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_str());
+    let robot = |i: usize| robots.as_ref().map_or("", |names| names[i].as_ref());
     let before = match approaches {
         Some(_) => Vec::new(),
         None => previous(rows.poses.len(), robot, |i| (cycles[i], rows.poses[i])),
@@ -117,7 +120,7 @@ fn attained_poses(table: NamedTable, rows: &Rows) -> Result<Attained> {
         position_mm: rows.positions_mm[i],
         angles_rad: rows.angles_rad[i].clone(),
         approach: match &approaches {
-            Some(names) => Some(names[i].clone()),
+            Some(names) => Some(names[i].to_string()),
             None => match before[i] {
                 CameFrom::Pose(pose) => Some(from_pose(pose)),
                 CameFrom::Start | CameFrom::Unread => None,
@@ -158,8 +161,8 @@ fn unknown(visits: &[(i64, PoseName)]) -> Option<Message> {
     (!visits.is_empty()).then(|| warning!("approach-unknown", count = visits.len(), visits = shown))
 }
 
-fn rows(table: NamedTable) -> Result<Rows> {
-    let poses = table.poses()?;
+fn rows(table: &Table) -> Result<Rows> {
+    let poses = table.pose_names()?;
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let angles_rad = (0..poses.len()).map(|i| angles_rad.iter().map(|column| column[i]).collect()).collect();
     Ok(Rows { poses, positions_mm, angles_rad, spatial, angles })

@@ -1,6 +1,6 @@
 //! Compensation of the drift of the set-up by reference targets that are measured repeatedly.
 
-use crate::tables::coordinates::NamedTable;
+use crate::table::Table;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::{error, warning};
@@ -25,7 +25,7 @@ pub struct SetupDrift {
 ///
 /// Orientations are compensated if the test states the order of all angles a, b, c, or for c of a
 /// planar robot. Otherwise angles are unchanged, with a warning.
-pub fn compensate_setup_drift(test: &mut PoseTest, table: NamedTable) -> Result<SetupDrift> {
+pub fn compensate_setup_drift(test: &mut PoseTest, table: &Table) -> Result<SetupDrift> {
     let (cycles, epochs) = read(table)?;
     let turning = turning(test);
     let angles = test.angles.clone();
@@ -34,7 +34,7 @@ pub fn compensate_setup_drift(test: &mut PoseTest, table: NamedTable) -> Result<
         let start_rad =
             all_three(&angles, if p.commanded_rad.is_empty() { &p.attained[0].angles_rad } else { &p.commanded_rad });
         for attained in &mut p.attained {
-            let epoch = holding(&cycles, &epochs, attained.cycle).map_err(|p| table.place(p))?;
+            let epoch = holding(&cycles, &epochs, attained.cycle).map_err(|p| table.in_file(p))?;
             attained.position_mm = epoch.first_T_now.apply(attained.position_mm);
             attained.readings_mm.iter_mut().for_each(|p| *p = epoch.first_T_now.apply(*p));
             let Some(order) = turning.filter(|_| epoch.moved_mm > 0.0) else { continue };
@@ -81,23 +81,23 @@ fn holding<'a>(cycles: &[i64], epochs: &'a [Epoch], cycle: i64) -> Result<&'a Ep
 }
 
 /// Returns the cycles in which the targets were measured (ascending), and their epochs.
-fn read(table: NamedTable) -> Result<(Vec<i64>, Vec<Epoch>)> {
-    let cycles = table.integers("cycle")?;
-    let names = table.texts("target")?;
+fn read(table: &Table) -> Result<(Vec<i64>, Vec<Epoch>)> {
+    let cycles = table.integers("cycle").map_err(|p| table.in_file(p))?;
+    let names = table.texts("target").map_err(|p| table.in_file(p))?;
     let positions_mm = table.coordinates()?.positions_mm;
     let mut measured: BTreeMap<i64, BTreeMap<&str, Vector>> = BTreeMap::new();
     for (i, (cycle, name)) in cycles.iter().zip(&names).enumerate() {
         if measured.entry(*cycle).or_default().insert(name, positions_mm[i]).is_some() {
-            return Err(table.at_row(error!("reference-target-twice", target = name, cycle), i).into());
+            return Err(error!("reference-target-twice", target = &**name, cycle).at(table.place(i)).into());
         }
     }
     let mut sets: Vec<Vec<Vector>> = Vec::new();
     let first: Vec<&str> = measured.values().next().map(|all| all.keys().copied().collect()).unwrap_or_default();
     for (cycle, targets) in &measured {
         if !targets.keys().eq(&first) {
-            return Err(table.place(error!("reference-targets-differ", cycle, targets = first)));
+            return Err(table.in_file(error!("reference-targets-differ", cycle, targets = first)));
         }
         sets.push(targets.values().copied().collect());
     }
-    Ok((measured.keys().copied().collect(), epochs(&sets).map_err(|p| table.place(p))?))
+    Ok((measured.keys().copied().collect(), epochs(&sets).map_err(|p| table.in_file(p))?))
 }

@@ -10,10 +10,10 @@ use crate::stages::observe::exclusions::{Exclusion, exclude};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::observe::repeats::stale;
 use crate::stages::remedies::remedied;
-use crate::stages::table_file::{in_campaign, in_files};
+use crate::stages::table_file::in_campaign;
 use crate::stages::truncated;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, Identify, Selection, Selections, StatedPoses};
@@ -121,8 +121,12 @@ impl<'a> Input<'a> {
             order: None,
         };
         let place = |problems: Problems| {
-            let files: Vec<&str> = campaign.file.observations.iter().map(|o| o.file.get_ref().as_str()).collect();
-            if files.is_empty() { in_campaign(problems, &campaign.path) } else { in_files(problems, &files) }
+            match &campaign.file.observations[..] {
+                [] => in_campaign(problems, &campaign.path),
+                [only] => problems.at(&Place::file(only.file.get_ref().as_str())),
+                // the rows name their files
+                _ => problems,
+            }
         };
         let exclusions = Exclusion::from_campaign(campaign, stated);
         Ok(Self { observations, without, settings, exclusions, place: Box::new(place) })

@@ -11,13 +11,12 @@ use super::table_file::TableFile;
 use bounds::Region;
 use etalon_base::angle::Turn;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Place, Problems, Result, Severity};
+use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::pose::{Pose, Vector, centroid, norm};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{
     CellAxisEntry, CellDocument, CellFrameEntry, CellNoise, CellPointEntry, CellResidualEntry, Provenance,
 };
-use etalon_formats::table;
 use etalon_identify::MeasuredRatio;
 use etalon_identify::UncertaintyBound;
 use etalon_identify::cell::{
@@ -424,16 +423,16 @@ impl Task<'_> {
 
     /// Indices of the rows by the names in the column `point`.
     fn roles(&self, known: &[&str]) -> Result<Vec<usize>> {
-        table::require(&self.file.table, &["point".to_owned()])?;
-        let names = table::texts(&self.file.table, "point")?;
+        self.file.table.require(["point"])?;
+        let names = self.file.table.texts("point")?;
         let mut problems = Problems::default();
         let mut roles = Vec::new();
         for (i, name) in names.iter().enumerate() {
             match known.iter().position(|role| *role == name.trim()) {
                 Some(role) => roles.push(role),
                 None => {
-                    let place = Place { line: Some(readings::line(self.file, i)), ..Place::default() };
-                    problems.0.push(error!("cell-point-unknown", name, known = known.join(", ")).at(place));
+                    let message = error!("cell-point-unknown", name = &**name, known = known.join(", "));
+                    problems.0.push(message.at(self.file.table.place(i)));
                 }
             }
         }
@@ -505,18 +504,15 @@ impl Task<'_> {
             return Err(error!("cell-axis-missing", column = if prismatic { "axis_mm" } else { "axis_deg" }).into());
         };
         let points = readings::coordinates(self.file, "")?;
-        let has_targets = self.file.table.column("target").is_ok();
-        let names =
-            if has_targets { table::texts(&self.file.table, "target")? } else { vec![String::new(); points.len()] };
-        let mut targets: Vec<&String> = Vec::new();
+        let mut targets: Vec<&str> = Vec::new();
         let mut all = Vec::new();
         for (i, (value, position_mm)) in values.iter().zip(points).enumerate() {
             if !value.is_finite() {
-                let place = Place { line: Some(readings::line(self.file, i)), ..Place::default() };
-                return Err(error!("table-value-missing").at(place).into());
+                return Err(error!("table-value-missing").at(self.file.table.place(i)).into());
             }
-            let target = targets.iter().position(|t| **t == names[i]).unwrap_or_else(|| {
-                targets.push(&names[i]);
+            let name = self.file.table.text(i, "target").unwrap_or_default();
+            let target = targets.iter().position(|target| *target == name).unwrap_or_else(|| {
+                targets.push(name);
                 targets.len() - 1
             });
             all.push(AxisReading { target, value: *value, position_mm });

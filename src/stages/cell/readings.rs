@@ -5,11 +5,10 @@ use super::CellKind;
 use crate::stages::orientations::{self, AngleOrder, Written};
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_formats::table::{self, FLANGE, UNCERTAINTIES, XYZ};
+use etalon_formats::table::{FLANGE, Table, UNCERTAINTIES, XYZ};
 use etalon_robots::{Joint, Quantity};
-use polars::prelude::DataFrame;
 
 /// Poses of a table, as they are written.
 pub(super) struct WrittenPoses {
@@ -18,25 +17,18 @@ pub(super) struct WrittenPoses {
     pub order: Option<AngleOrder>,
 }
 
-/// Message at the line of a row.
-fn at(file: &TableFile, row: usize, message: Message) -> Message {
-    message.at(Place { line: Some(line(file, row)), ..Place::default() })
-}
-
 /// Line of a row in its file.
 pub(super) fn line(file: &TableFile, row: usize) -> usize {
-    table::lines(&file.table).ok().and_then(|line| line(row)).unwrap_or(row + 1)
+    file.table.line(row).unwrap_or(row + 1)
 }
 
 /// Values of a column in any unit of its quantity (mm or rad); `None` without a column.
-pub(super) fn values(table: &DataFrame, name: &str, quantity: Quantity) -> Result<Option<Vec<f64>>> {
+pub(super) fn values(table: &Table, name: &str, quantity: Quantity) -> Result<Option<Vec<f64>>> {
     let joint = Joint { name: name.to_owned(), quantity };
-    for column in table.get_column_names() {
-        if let Some(factor) = joint.factor(column) {
-            return Ok(Some(table::numbers(table, column)?.into_iter().map(|v| v * factor).collect()));
-        }
-    }
-    Ok(None)
+    let found = table.names().find_map(|name| Some((name, joint.factor(name)?)));
+    let values =
+        |(name, factor)| -> Result<Vec<f64>> { Ok(table.numbers(name)?.into_iter().map(|v| v * factor).collect()) };
+    found.map(values).transpose()
 }
 
 /// Three coordinates (mm) whose columns begin with `prefix`.
@@ -48,28 +40,29 @@ pub(super) fn coordinates(file: &TableFile, prefix: &str) -> Result<Vec<Vector>>
     for (axis, whole) in ["x", "y", "z"].into_iter().zip(XYZ) {
         match values(&file.table, &format!("{prefix}{axis}"), Quantity::Length)? {
             Some(values) => columns.push(values),
-            None => table::require(&file.table, &[format!("{prefix}{whole}")])?,
+            None => file.table.require([format!("{prefix}{whole}")])?,
         }
     }
     let rows: Vec<Vector> = (0..file.table.height()).map(|i| [0, 1, 2].map(|k| columns[k][i])).collect();
     let bad = |p: &Vector| !p.iter().all(|v| v.is_finite());
-    let missing = (0..rows.len()).filter(|&i| bad(&rows[i])).map(|i| at(file, i, error!("table-value-missing")));
+    let missing =
+        (0..rows.len()).filter(|&i| bad(&rows[i])).map(|i| error!("table-value-missing").at(file.table.place(i)));
     Problems(missing.collect()).check()?;
     Ok(rows)
 }
 
 /// Standard uncertainties of the measured coordinates (mm); empty without columns.
 pub(super) fn uncertainties(file: &TableFile) -> Result<Vec<Vector>> {
-    if UNCERTAINTIES.iter().all(|name| file.table.column(name).is_err()) {
+    if UNCERTAINTIES.iter().all(|name| !file.table.has(name)) {
         return Ok(Vec::new());
     }
-    table::require(&file.table, &UNCERTAINTIES.map(str::to_owned))?;
-    let [x, y, z] = UNCERTAINTIES.map(|name| table::numbers(&file.table, name));
+    file.table.require(UNCERTAINTIES)?;
+    let [x, y, z] = UNCERTAINTIES.map(|name| file.table.numbers(name));
     let (x, y, z) = (x?, y?, z?);
     let rows: Vec<Vector> = (0..x.len()).map(|i| [x[i], y[i], z[i]]).collect();
     let bad = |u: &Vector| !u.iter().all(|v| v.is_finite() && *v > 0.0);
-    let wrong =
-        (0..rows.len()).filter(|&i| bad(&rows[i])).map(|i| at(file, i, error!("cell-uncertainty-not-positive")));
+    let wrong = (0..rows.len()).filter(|&i| bad(&rows[i]));
+    let wrong = wrong.map(|i| error!("cell-uncertainty-not-positive").at(file.table.place(i)));
     Problems(wrong.collect()).check()?;
     Ok(rows)
 }
@@ -80,13 +73,9 @@ pub(super) fn uncertainties(file: &TableFile) -> Result<Vec<Vector>> {
 /// Reports missing columns, and three angles without their order.
 pub(super) fn poses(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -> Result<WrittenPoses> {
     let positions_mm = coordinates(file, prefix)?;
-    let table = match prefix.is_empty() {
-        true => file.table.clone(),
-        false => without_prefix(&file.table, prefix)?,
-    };
+    let table = file.table.without_prefix(prefix);
     if !orientations::are_in(&table) {
-        let header = Place { line: Some(1), ..Place::default() };
-        return Err(error!("cell-orientation-missing", prefix).at(header).into());
+        return Err(error!("cell-orientation-missing", prefix).at(table.header()).into());
     }
     let orientations = orientations::written(&table)?;
     let unordered = order.is_none() && orientations.iter().any(|o| o.angles().is_some());
@@ -98,17 +87,8 @@ pub(super) fn poses(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -
     let wrong = (0..all.orientations.len()).filter_map(|i| {
         all.orientations[i].pose(all.order).err().map(|problems| problems.0.into_iter().map(move |m| (i, m)))
     });
-    Problems(wrong.flatten().map(|(i, message)| at(file, i, message)).collect()).check()?;
+    Problems(wrong.flatten().map(|(i, message)| message.at(file.table.place(i))).collect()).check()?;
     Ok(all)
-}
-
-/// Columns whose names begin with `prefix`, without it.
-fn without_prefix(table: &DataFrame, prefix: &str) -> Result<DataFrame> {
-    let own = table.columns().iter().filter_map(|column| {
-        let name = column.name().strip_prefix(prefix)?;
-        Some(column.clone().with_name(name.into()))
-    });
-    table::frame(table.height(), own.collect())
 }
 
 impl WrittenPoses {

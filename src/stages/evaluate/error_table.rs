@@ -4,41 +4,36 @@ use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_documents::{ErrorQuantity, PointError, PoseSet, ReadingReliability};
-use etalon_formats::table::{self, XYZ};
-use polars::prelude::{Column, DataFrame};
+use etalon_formats::table::{Table, Values, XYZ};
+use std::borrow::Cow;
 
 /// The errors as a table: `set pose cycle target x_mm y_mm z_mm before_* after_*`, the columns
 /// `joints`, `own_redundancy`, and `redundancy w detectable_mm`.
-pub fn to_table(errors: &[PointError], joints: &[String]) -> Result<DataFrame> {
-    let text =
-        |name: &str, f: fn(&PointError) -> &str| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
-    let whole =
-        |name: &str, f: fn(&PointError) -> i64| Column::new(name.into(), errors.iter().map(f).collect::<Vec<_>>());
-    let mut columns = vec![
-        text("set", |e| e.set.name()),
-        table::pose_column("pose", &errors.iter().map(|e| Some(e.pose)).collect::<Vec<_>>()),
-        whole("cycle", |e| e.cycle),
-        text("target", |e| &e.target),
-        text(QUANTITY, |e| e.quantity.as_ref()),
-    ];
-    for (prefix, of) in VECTORS {
+pub fn to_table(errors: &[PointError], joints: &[String]) -> Table {
+    let all = || errors.iter();
+    let text = |text: fn(&PointError) -> &str| Values::Texts(all().map(|e| Some(text(e).to_owned())).collect());
+    let real = |number: &dyn Fn(&PointError) -> Option<f64>| Values::Numbers(all().map(number).collect());
+    let mut table = Table::default();
+    table.set("set", text(|e| e.set.name()));
+    table.set("pose", Values::Poses(all().map(|e| Some(e.pose)).collect()));
+    table.set("cycle", Values::Whole(all().map(|e| Some(e.cycle)).collect()));
+    table.set("target", text(|e| &e.target));
+    table.set(QUANTITY, text(|e| e.quantity.as_ref()));
+    for (prefix, vector) in VECTORS {
         for (axis, name) in XYZ.iter().enumerate() {
-            let values: Vec<f64> = errors.iter().map(|e| of(e)[axis]).collect();
-            columns.push(Column::new(format!("{prefix}{name}").into(), values));
+            table.set(format!("{prefix}{name}"), real(&|e| Some(vector(e)[axis])));
         }
     }
-    columns.push(Column::new("before_deg".into(), errors.iter().map(|e| e.before_deg).collect::<Vec<_>>()));
-    columns.push(Column::new("after_deg".into(), errors.iter().map(|e| e.after_deg).collect::<Vec<_>>()));
+    table.set("before_deg", real(&|e| e.before_deg));
+    table.set("after_deg", real(&|e| e.after_deg));
     for (k, name) in joints.iter().enumerate() {
-        let values: Vec<f64> = errors.iter().map(|e| e.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
-        columns.push(Column::new(name.as_str().into(), values));
+        table.set(name, real(&|e| Some(e.joints.get(k).copied().unwrap_or(f64::NAN))));
     }
-    let own: Vec<Option<f64>> = errors.iter().map(|e| e.own_redundancy).collect();
-    columns.push(Column::new(OWN_REDUNDANCY.into(), own));
-    for (name, of) in RELIABILITY {
-        columns.push(Column::new(name.into(), errors.iter().map(|e| e.reliability.map(of)).collect::<Vec<_>>()));
+    table.set(OWN_REDUNDANCY, real(&|e| e.own_redundancy));
+    for (name, number) in RELIABILITY {
+        table.set(name, real(&|e| e.reliability.map(number)));
     }
-    table::frame(errors.len(), columns)
+    table
 }
 
 /// Column of the quantities of errors.
@@ -59,31 +54,31 @@ type VectorColumns = (&'static str, fn(&PointError) -> Vector);
 const VECTORS: [VectorColumns; 3] = [("", |e| e.at_mm), ("before_", |e| e.before_mm), ("after_", |e| e.after_mm)];
 
 /// The errors from such a table.
-pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
-    let set = |name: &String| -> Result<PoseSet> {
-        let unknown = || error!("pose-set-unknown", name);
+pub fn from_table(table: &Table) -> Result<Vec<PointError>> {
+    let set = |name: &Cow<str>| -> Result<PoseSet> {
+        let unknown = || error!("pose-set-unknown", name = &**name);
         Ok(PoseSet::ALL.into_iter().find(|set| set.name() == name).ok_or_else(unknown)?)
     };
-    let sets = table::texts(frame, "set")?.iter().map(set).collect::<Result<Vec<_>>>()?;
-    let targets = table::texts(frame, "target")?;
-    let (poses, cycles) = (table::poses(frame)?, table::integers(frame, "cycle")?);
+    let sets = table.texts("set")?.iter().map(set).collect::<Result<Vec<_>>>()?;
+    let targets = table.texts("target")?;
+    let (poses, cycles) = (table.poses()?, table.integers("cycle")?);
     let vectors = |prefix: &str| -> Result<Vec<Vector>> {
-        let [x, y, z] = XYZ.map(|axis| table::numbers(frame, &format!("{prefix}{axis}")));
+        let [x, y, z] = XYZ.map(|axis| table.numbers(&format!("{prefix}{axis}")));
         Ok(x?.into_iter().zip(y?).zip(z?).map(|((x, y), z)| [x, y, z]).collect())
     };
     let (at, before, after) = (vectors("")?, vectors("before_")?, vectors("after_")?);
-    let (before_deg, after_deg) = (table::numbers(frame, "before_deg")?, table::numbers(frame, "after_deg")?);
-    let quantity = |name: &String| name.parse().map_err(|_| error!("error-quantity-unknown", name));
+    let (before_deg, after_deg) = (table.numbers("before_deg")?, table.numbers("after_deg")?);
+    let quantity = |name: &Cow<str>| name.parse().map_err(|_| error!("error-quantity-unknown", name = &**name));
     let quantities: Vec<ErrorQuantity> =
-        table::texts(frame, QUANTITY)?.iter().map(quantity).collect::<std::result::Result<_, _>>()?;
+        table.texts(QUANTITY)?.iter().map(quantity).collect::<std::result::Result<_, _>>()?;
     let known = ["set", "pose", "cycle", "target", QUANTITY, "before_deg", "after_deg"];
     let of_reading = |name: &str| name == OWN_REDUNDANCY || RELIABILITY.iter().any(|column| column.0 == name);
     let is_joint =
         |name: &str| !known.contains(&name) && !of_reading(name) && !XYZ.iter().any(|axis| name.ends_with(axis));
-    let names = frame.get_column_names().into_iter().map(|name| name.as_str()).filter(|name| is_joint(name));
-    let joints = names.map(|name| table::numbers(frame, name)).collect::<Result<Vec<_>>>()?;
-    let [redundancy, w, detectable] = RELIABILITY.map(|(name, _)| table::numbers(frame, name).unwrap_or_default());
-    let own = table::numbers(frame, OWN_REDUNDANCY).unwrap_or_default();
+    let names = table.names().filter(|name| is_joint(name));
+    let joints = names.map(|name| table.numbers(name)).collect::<Result<Vec<_>>>()?;
+    let [redundancy, w, detectable] = RELIABILITY.map(|(name, _)| table.numbers(name).unwrap_or_default());
+    let own = table.numbers(OWN_REDUNDANCY).unwrap_or_default();
     let reliability = |i: usize| {
         let redundancy = *redundancy.get(i).filter(|r| r.is_finite())?;
         Some(ReadingReliability { redundancy, w: *w.get(i)?, detectable_mm: *detectable.get(i)? })
@@ -92,7 +87,7 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         set: sets[i],
         pose: poses[i],
         cycle: cycles[i],
-        target: targets[i].clone(),
+        target: targets[i].to_string(),
         quantity: quantities[i],
         at_mm: at[i],
         before_mm: before[i],
@@ -103,5 +98,5 @@ pub fn from_table(frame: &DataFrame) -> Result<Vec<PointError>> {
         reliability: reliability(i),
         own_redundancy: own.get(i).copied().filter(|r| r.is_finite()),
     };
-    Ok((0..frame.height()).map(error).collect())
+    Ok((0..table.height()).map(error).collect())
 }

@@ -62,7 +62,7 @@ pub fn read(campaign: &Campaign) -> (TestData, Problems) {
     data.streams = streams;
     if let Some(definition) = file.compliance.as_ref().filter(|definition| definition.is_named()) {
         let table = files.read(definition, SourceKind::Table, phrase!("table-of-compliance"));
-        let found = table.and_then(|table| load::evaluate(table.named()).map_err(|p| table.place(p)));
+        let found = table.and_then(|table| load::evaluate(&table.table).map_err(|p| table.place(p)));
         data.compliance = problems.keep(found);
     }
     data.sources = files.sources;

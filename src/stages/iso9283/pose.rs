@@ -71,13 +71,13 @@ impl PoseTables {
             if let Some(commanded) = commanded { commanded.place(problems) } else { problems }
         };
         let order = rotation_order.and_then(RotationOrder::parse);
-        let mut test = pose_test(attained.named(), commanded.map(TableFile::named), order).map_err(in_texts)?;
+        let mut test = pose_test(&attained.table, commanded.map(|file| &file.table), order).map_err(in_texts)?;
         test.settle_solutions();
         let drift = match &self.reference {
             None => SetupDrift::default(),
             Some(targets) => {
                 let before_mm = scatter_mm(&test);
-                let drift = compensate_setup_drift(&mut test, targets.named()).map_err(|p| targets.place(p))?;
+                let drift = compensate_setup_drift(&mut test, &targets.table).map_err(|p| targets.place(p))?;
                 test.warnings.extend(worse(before_mm, scatter_mm(&test)));
                 drift
             }

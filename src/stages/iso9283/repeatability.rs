@@ -111,11 +111,11 @@ pub struct Commanded {
 impl Commanded {
     pub(super) fn read(files: &mut CampaignTables, table: &TableDefinition) -> Result<Self> {
         let table = files.read(table, SourceKind::Table, phrase!("table-of-commanded-poses"))?;
-        if let Some(column) = ANGLES.into_iter().find(|name| table.table.column(name).is_ok()) {
-            return Err(table.place(table.named().place(error!("commanded-angle-unmeasured", column))));
+        if let Some(column) = ANGLES.into_iter().find(|name| table.table.has(name)) {
+            return Err(table.place(table.table.in_file(error!("commanded-angle-unmeasured", column))));
         }
-        let poses = commanded_poses(table.named()).map_err(|p| table.place(p))?;
-        let spatial = table.named().spatial()?;
+        let poses = commanded_poses(&table.table).map_err(|p| table.place(p))?;
+        let spatial = table.table.is_spatial()?;
         Ok(Self { table, poses, spatial })
     }
 
@@ -131,7 +131,7 @@ impl Commanded {
             }
         }
         if !missing.is_empty() {
-            return Err(self.table.named().place(error!("commanded-pose-missing", poses = missing)));
+            return Err(self.table.table.in_file(error!("commanded-pose-missing", poses = missing)));
         }
         for CommandedPose { pose, .. } in self.poses.iter().filter(|c| visits.poses.iter().all(|p| p.pose != c.pose)) {
             visits.warnings.push(warning!("commanded-pose-unmeasured", pose));

@@ -66,19 +66,19 @@ pub(super) fn evaluate_all(campaign: &Campaign, ready: &[Ready]) -> Result<Optio
 
 fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready> {
     let recorded = files.recording(stream)?;
-    let recording = recording(recorded.named(), stream.rate_hz).map_err(|p| recorded.place(p))?;
+    let recording = recording(&recorded.table, stream.rate_hz).map_err(|p| recorded.place(p))?;
     let poses = match &stream.commanded {
         None => None,
         Some(commanded) => {
             let table = files.read(commanded, SourceKind::Stream, phrase!("table-of-commanded-poses"))?;
-            Some(commanded_poses(table.named()).map_err(|p| table.place(p))?)
+            Some(commanded_poses(&table.table).map_err(|p| table.place(p))?)
         }
     };
     let path = match &stream.path {
         None => None,
         Some(path) => {
             let table = files.read(path, SourceKind::Stream, phrase!("table-of-commanded-path"))?;
-            Some(commanded_path(table.named(), &recorded.name, &recording).map_err(|p| table.place(p))?)
+            Some(commanded_path(&table.table, &recorded.name, &recording).map_err(|p| table.place(p))?)
         }
     };
     let settings = stated(stream).settings(poses, path, SEED);

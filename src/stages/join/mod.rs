@@ -23,11 +23,11 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy};
 use etalon_documents::{FramesDocument, SourceKind, Unmatched};
+use etalon_formats::table::Table;
 use etalon_formats::tables::joints::{missing_column, stated_columns, wrong_value};
 use etalon_formats::{JointLog, LogRow, Point, SharedText};
 use etalon_identify::{Covariance, directions, turned};
 use etalon_robots::{Quantity, Robot};
-use polars::prelude::DataFrame;
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +46,7 @@ pub struct Joined {
 
 impl Joined {
     /// Observations of a table, which need no join.
-    pub fn from_table(table: DataFrame) -> Self {
+    pub fn from_table(table: Table) -> Self {
         let observations = vec![("observations".to_owned(), Observations::Table(table))];
         Self { observations, messages: Vec::new(), unmatched: Vec::new() }
     }
@@ -159,7 +159,7 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
                 }
                 // poses, and points of further stations, are rows of a table of observations
                 let observed = if joined.has_orientations() || joined.has_stations() {
-                    Observations::Table(joined.table()?)
+                    Observations::Table(joined.table())
                 } else {
                     Observations::Log(joined)
                 };

@@ -4,15 +4,14 @@
 use super::{Row, listed};
 use crate::stages::kinds::{self, Observed, RowDefaults};
 use crate::stages::observe::positions;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{Message, Place, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_formats::table;
+use etalon_formats::table::{ASSEMBLY, COVARIANCES, QUATERNION, TIME, Table, Values, XYZ};
 use etalon_formats::tables::joints::{stated_columns, stated_mode, wrong_direction};
 use etalon_formats::{JointLog, SharedText};
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
-use polars::prelude::{Column, DataFrame};
 use std::collections::BTreeSet;
 
 /// Observations with one log, or of a table.
@@ -20,8 +19,8 @@ use std::collections::BTreeSet;
 pub enum Observations {
     /// Measured positions joined with a log.
     Log(JoinedLog),
-    /// A table in the form in which it was read.
-    Table(DataFrame),
+    /// Rows of any kinds.
+    Table(Table),
 }
 
 /// Measured positions joined with a log, sorted by pose, cycle and the robot's order of targets.
@@ -94,14 +93,17 @@ impl Observations {
     /// Times of the observations; empty if not stated.
     pub fn times(&self) -> Result<Vec<ObservationTime>> {
         match self {
-            Self::Table(table) if table.column(table::TIME).is_err() => Ok(Vec::new()),
+            Self::Table(table) if !table.has(TIME) => Ok(Vec::new()),
             Self::Table(table) => {
-                let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
-                let (targets, times) = (table::texts(table, "target")?, table::numbers(table, table::TIME)?);
-                let rows = poses.into_iter().zip(cycles).zip(targets).zip(times);
-                Ok(rows
-                    .map(|(((pose, cycle), target), time_s)| ObservationTime { pose, cycle, target, time_s })
-                    .collect())
+                let (poses, cycles) = (table.poses()?, table.integers("cycle")?);
+                let (targets, times) = (table.texts("target")?, table.numbers(TIME)?);
+                let time = |row: usize| ObservationTime {
+                    pose: poses[row],
+                    cycle: cycles[row],
+                    target: targets[row].to_string(),
+                    time_s: times[row],
+                };
+                Ok((0..table.height()).map(time).collect())
             }
             Self::Log(log) => {
                 let time = |m: &Measured| {
@@ -113,10 +115,10 @@ impl Observations {
         }
     }
 
-    /// The table to be written: `pose cycle target x_mm y_mm [z_mm]` and the joints.
-    pub fn into_table(self) -> Result<DataFrame> {
+    /// The table to be written: `[line] pose cycle target x_mm y_mm [z_mm]` and the joints.
+    pub fn into_table(self) -> Table {
         match self {
-            Self::Table(table) => Ok(table),
+            Self::Table(table) => table.with_lines(),
             Self::Log(log) => log.table(),
         }
     }
@@ -161,7 +163,7 @@ impl JoinedLog {
             });
             logged.push(values);
         }
-        let has_modes = robot.has_assembly_modes() && log.has(table::ASSEMBLY);
+        let has_modes = robot.has_assembly_modes() && log.has(ASSEMBLY);
         let targets = robot.targets().to_vec();
         let dimension = robot.dimension();
         Ok(Self { measured, logged, orientations, stations, joints, targets, dimension, has_modes })
@@ -187,51 +189,49 @@ impl JoinedLog {
                 stated_mode(i, mode)?;
             }
         }
-        positions::grouped(robot, &self.measured, messages, |_| None)
+        positions::grouped(robot, &self.measured, messages, |_| Place::default())
     }
 
-    pub(super) fn table(&self) -> Result<DataFrame> {
+    /// The rows with the columns of a table of observations.
+    pub(super) fn table(&self) -> Table {
         let rows = || self.measured.iter();
-        let real = |name: &str, of: &dyn Fn(&Measured) -> Option<f64>| -> Column {
-            Column::new(name.into(), rows().map(of).collect::<Vec<_>>())
-        };
-        let mut columns = vec![
-            table::pose_column("pose", &rows().map(|m| Some(m.pose)).collect::<Vec<_>>()),
-            Column::new("cycle".into(), rows().map(|m| Some(m.cycle)).collect::<Vec<_>>()),
-            Column::new("target".into(), rows().map(|m| self.targets[m.target].as_str()).collect::<Vec<_>>()),
-        ];
-        if self.has_stations() {
-            let names: Vec<Option<&str>> = self.stations.iter().map(|station| station.as_deref()).collect();
-            columns.push(Column::new("station".into(), names));
+        let real = |number: &dyn Fn(&Measured) -> Option<f64>| Values::Numbers(rows().map(number).collect());
+        let mut table = Table::default();
+        if self.has_orientations() {
+            let kind = |q: &Option<[f64; 4]>| Some(if q.is_some() { "pose" } else { "point" }.to_owned());
+            table.set("kind", Values::Texts(self.orientations.iter().map(kind).collect()));
         }
-        for (axis, name) in table::XYZ[..self.dimension].iter().enumerate() {
-            columns.push(real(name, &|m| Some(m.at_mm[axis])));
+        table.set("pose", Values::Poses(rows().map(|m| Some(m.pose)).collect()));
+        table.set("cycle", Values::Whole(rows().map(|m| Some(m.cycle)).collect()));
+        table.set("target", Values::Texts(rows().map(|m| Some(self.targets[m.target].clone())).collect()));
+        if self.has_stations() {
+            let name = |station: &Option<SharedText>| station.as_ref().map(ToString::to_string);
+            table.set("station", Values::Texts(self.stations.iter().map(name).collect()));
+        }
+        for (axis, name) in XYZ[..self.dimension].iter().enumerate() {
+            table.set(*name, real(&|m| Some(m.at_mm[axis])));
         }
         if self.has_orientations() {
-            let kind = |orientation: &Option<[f64; 4]>| if orientation.is_some() { "pose" } else { "point" };
-            columns.insert(0, Column::new("kind".into(), self.orientations.iter().map(kind).collect::<Vec<_>>()));
-            for (k, name) in table::QUATERNION.into_iter().enumerate() {
-                let values: Vec<Option<f64>> = self.orientations.iter().map(|q| q.map(|q| q[k])).collect();
-                columns.push(Column::new(name.into(), values));
+            for (k, name) in QUATERNION.into_iter().enumerate() {
+                table.set(name, Values::Numbers(self.orientations.iter().map(|q| q.map(|q| q[k])).collect()));
             }
         }
         if rows().any(|m| m.covariance_mm2.is_some()) {
-            let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(table::COVARIANCES);
+            let elements = (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(COVARIANCES);
             for ((i, j), name) in elements.filter(|((_, j), _)| *j < self.dimension) {
-                columns.push(real(name, &|m| Some(m.covariance_mm2?[i][j])));
+                table.set(name, real(&|m| Some(m.covariance_mm2?[i][j])));
             }
         }
         for (k, name) in self.joints.iter().enumerate() {
-            let values: Vec<Option<f64>> = self.logged.iter().map(|values| Some(values[k])).collect();
-            columns.push(Column::new(name.as_str().into(), values));
+            table.set(name, Values::Numbers(self.logged.iter().map(|values| Some(values[k])).collect()));
         }
         if rows().all(|m| m.time_s.is_some()) {
-            columns.push(real(table::TIME, &|m| m.time_s));
+            table.set(TIME, real(&|m| m.time_s));
         }
         if self.has_modes {
-            columns.push(real(table::ASSEMBLY, &|m| m.assembly));
+            table.set(ASSEMBLY, real(&|m| m.assembly));
         }
-        table::frame(self.measured.len(), columns)
+        table
     }
 
     /// Returns a warning if some poses lack a target that others have. The cause may be a file of

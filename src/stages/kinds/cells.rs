@@ -3,7 +3,7 @@
 use super::KINDS;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase};
-use etalon_formats::table::{ANGLE_ORDER, TEXTS};
+use etalon_formats::table::{ANGLE_ORDER, TEXTS, Table};
 use etalon_identify::Fixture;
 use etalon_robots::Robot;
 use schemars::{Schema, SchemaGenerator, json_schema};
@@ -22,11 +22,11 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 pub enum Cell {
     /// A name.
     Text(String),
-    /// A number; NaN if the cell is empty.
+    /// A number.
     Number(f64),
 }
 
-/// Cells by column, beside the columns of every kind; empty columns of text are missing.
+/// Cells of a truth by column, beside the columns of every kind.
 pub type ByColumn = BTreeMap<String, Cell>;
 
 /// The text in a column, if any.
@@ -52,9 +52,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     TEXTS.into_iter().filter(|name| !["kind", "target", ANGLE_ORDER].contains(name))
 }
 
+/// Cells of a row by column, beside the columns of every kind.
+#[derive(Clone, Debug)]
+pub enum Others<'t> {
+    /// Row of a table, by its index.
+    Row(&'t Table, usize),
+    /// Statements of a truth.
+    Truth(ByColumn),
+}
+
 /// The cells of a row with its references.
 #[derive(Clone, Debug)]
-pub struct Cells {
+pub struct Cells<'t> {
     /// Name of the kind.
     pub kind: String,
     /// Name of the target.
@@ -62,27 +71,36 @@ pub struct Cells {
     /// Station, if it is not the one whose frame is the world.
     pub station: Option<String>,
     /// Other cells.
-    pub by_column: ByColumn,
-    /// `true` if the cells are part of a truth.
-    pub in_truth: bool,
+    pub others: Others<'t>,
 }
 
-impl Cells {
+impl Cells<'_> {
     /// The text in a column, if any.
     pub fn text(&self, column: &str) -> Option<&str> {
-        text(&self.by_column, column)
-    }
-
-    /// The number in a column, if there is such a column.
-    pub(super) fn number(&self, column: &str) -> Option<f64> {
-        match self.by_column.get(column) {
-            Some(Cell::Number(number)) => Some(*number),
-            _ => None,
+        match &self.others {
+            Others::Row(table, row) => table.text(*row, column),
+            Others::Truth(cells) => text(cells, column),
         }
     }
 
+    /// The number in a column, if there is such a column; NaN if the cell is empty.
+    pub(super) fn number(&self, column: &str) -> Option<f64> {
+        match &self.others {
+            Others::Row(table, row) => table.values(column).map(|values| values.number(*row)),
+            Others::Truth(cells) => match cells.get(column) {
+                Some(Cell::Number(number)) => Some(*number),
+                _ => None,
+            },
+        }
+    }
+
+    /// `true` if the cells are part of a truth.
+    fn in_truth(&self) -> bool {
+        matches!(self.others, Others::Truth(_))
+    }
+
     fn missing(&self, column: &str) -> Message {
-        match self.in_truth {
+        match self.in_truth() {
             true => error!("observe-key-missing", kind = self.kind, column),
             false => error!("column-empty", column),
         }
@@ -122,7 +140,7 @@ impl Cells {
     /// The axis of the world in the column `axis`; `missing` is the error of a table without it.
     pub(super) fn axis(&self, missing: impl FnOnce() -> Message) -> Result<usize> {
         let axis = AXES.iter().position(|axis| self.text("axis") == Some(axis));
-        Ok(axis.ok_or_else(|| match self.in_truth {
+        Ok(axis.ok_or_else(|| match self.in_truth() {
             true => self.missing("axis").expected(phrase!("axis-of-world")),
             false => missing(),
         })?)

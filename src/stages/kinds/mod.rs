@@ -16,7 +16,7 @@ mod pose;
 mod row;
 mod surface;
 
-pub use cells::{ByColumn, Cell, Cells, names, stated_schema, text};
+pub use cells::{ByColumn, Cell, Cells, Others, names, stated_schema, text};
 pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
 pub use measured::unmeasured_rows;
 pub use row::{Row, columns, numbers, target_index};
@@ -29,17 +29,16 @@ use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_formats::table;
+use etalon_formats::table::{COVARIANCES, OF_ROWS, TEXTS, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use measured::measured_rows;
-use polars::prelude::{BooleanChunked, DataFrame, NewChunkedArray};
-use row::{fixed_rows, partial_rows, row_poses};
+use row::{fixed_rows, partial_rows};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of
-/// names also in [`table::TEXTS`].
+/// names also in [`TEXTS`].
 const KINDS: [&dyn RowKind; 9] = [
     &point::Point,
     &pose::Body,
@@ -97,16 +96,16 @@ impl Observed {
 
 /// The names of rows with a pose that are on the robot: those in the column `target`, and targets
 /// of `branches` that another target refers to. Each once, in their order.
-pub fn targets(observations: &DataFrame, branches: &[Vec<String>]) -> Result<Vec<String>> {
+pub fn targets(table: &Table, branches: &[Vec<String>]) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
-    let fixed = fixed_rows(observations)?;
-    let columns = OTHERS.into_iter().filter(|column| observations.column(column).is_ok());
+    let fixed = fixed_rows(table)?;
+    let columns = OTHERS.into_iter().filter(|column| table.has(column));
     for column in std::iter::once("target").chain(columns) {
-        for (name, _) in table::texts(observations, column)?.into_iter().zip(&fixed).filter(|(_, fixed)| !**fixed) {
-            let is_on_robot = column == "target" || branches.iter().any(|targets| targets.contains(&name));
+        for (name, _) in table.texts(column)?.into_iter().zip(&fixed).filter(|(_, fixed)| !**fixed) {
+            let is_on_robot = column == "target" || branches.iter().flatten().any(|target| *target == name);
             // the value of a joint is of no target
-            if !name.is_empty() && is_on_robot && !targets.contains(&name) {
-                targets.push(name);
+            if !name.is_empty() && is_on_robot && targets.iter().all(|target| *target != name) {
+                targets.push(name.into_owned());
             }
         }
     }
@@ -117,8 +116,8 @@ pub fn targets(observations: &DataFrame, branches: &[Vec<String>]) -> Result<Vec
 pub const OTHERS: [&str; 2] = ["other", "socket"];
 
 /// The poses of a table.
-pub fn poses(observations: &DataFrame) -> Result<BTreeSet<PoseName>> {
-    Ok(row_poses(observations)?.into_iter().flatten().collect())
+pub fn poses(table: &Table) -> Result<BTreeSet<PoseName>> {
+    Ok(table.optional_poses()?.into_iter().flatten().collect())
 }
 
 /// Columns of shared names, and the maximum number of rows that determine only the position of
@@ -131,32 +130,29 @@ const MEANT_ROWS: usize = 6;
 /// Errors about names in one or two rows that are spelt almost like a name in many rows: the named
 /// item would be identified from these rows alone, which then contribute nothing to the robot.
 /// Names that differ in a counter (`P1` and `P2`, `anchor A` and `anchor B`) are different.
-fn misspelt(observations: &DataFrame) -> Result<Problems> {
+fn misspelt(table: &Table) -> Result<Problems> {
     let mut problems = Problems::default();
-    let line = table::lines(observations)?;
-    let fixed = fixed_rows(observations)?;
-    for (column, most) in SHARED.into_iter().filter(|(name, _)| observations.column(name).is_ok()) {
-        let names = table::texts(observations, column)?;
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
-        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], &line));
+    let fixed = fixed_rows(table)?;
+    for (column, most) in SHARED.into_iter().filter(|(name, _)| table.has(name)) {
+        let names: Vec<&str> = (0..table.height()).map(|row| table.text(row, column).unwrap_or_default()).collect();
+        problems.0.extend(misspelt_names(&names, most, |row| fixed[row], |row| table.place(row)));
     }
     Ok(problems)
 }
 
 /// Warning about columns that neither observations nor the joints of the robot have.
-fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
+fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
     // reading has converted lengths to mm
-    let with_units = columns().into_iter().chain(table::XYZ).chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
+    let with_units = columns().into_iter().chain(XYZ).chain(UNCERTAINTIES).chain(COVARIANCES);
     let with_units: BTreeSet<&str> = with_units.chain(orientations::columns()).collect();
     let stated = stated_columns(robot);
     let of_joint = |name: &str| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
     };
-    let without_unit = [&["line"][..], &table::OF_ROWS, &table::TEXTS].concat();
+    let without_unit = [&OF_ROWS[..], &TEXTS].concat();
     let is_own =
         |name: &str| without_unit.contains(&name) || with_units.contains(name) || stated.iter().any(|own| own == name);
-    let names = observations.get_column_names().into_iter().map(|name| name.as_str());
-    let unknown = names.filter(|name| !is_own(name) && !of_joint(name));
+    let unknown = table.names().filter(|name| !is_own(name) && !of_joint(name));
     let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();
     (!columns.is_empty()).then(|| warning!("columns-not-read", count = columns.len(), columns).routine())
 }
@@ -164,7 +160,7 @@ fn unread(robot: &dyn Robot, observations: &DataFrame) -> Option<Message> {
 /// Returns an error if a target of measured positions is misspelt, as for a table.
 pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Result<()> {
     let names: Vec<&str> = measured.iter().map(|m| targets[m.target].as_str()).collect();
-    Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| None)).check().map(drop)
+    Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| Place::default())).check().map(drop)
 }
 
 /// Errors about names in at most `most` rows; those of `fixed` rows state a position, and need no
@@ -173,7 +169,7 @@ fn misspelt_names(
     names: &[&str],
     most: usize,
     fixed: impl Fn(usize) -> bool,
-    line: impl Fn(usize) -> Option<usize>,
+    place: impl Fn(usize) -> Place,
 ) -> Vec<Message> {
     let mut rows: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     let named = names.iter().enumerate().filter(|(_, name)| !name.is_empty());
@@ -183,7 +179,7 @@ fn misspelt_names(
         let many = rows.iter().filter(|(_, rows)| rows.len() >= MEANT_ROWS).map(|(name, _)| *name);
         let (_, meant) = many.filter_map(|meant| Some((letters_wrong(name, meant)?, meant))).min()?;
         let message = error!("name-on-few-rows", name, count = own.len(), meant, meant_count = rows[meant].len());
-        Some(message.at(Place { line: line(own[0]), ..Place::default() }))
+        Some(message.at(place(own[0])))
     };
     few.filter_map(error).collect()
 }
@@ -209,11 +205,11 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
 
 /// Rows without the standard uncertainty that they need, by the column that would state it.
 #[derive(Default)]
-struct Unstated<'a>(BTreeMap<&'static str, Vec<&'a Row>>);
+struct Unstated<'a>(BTreeMap<&'static str, Vec<&'a Row<'a>>>);
 
 impl<'a> Unstated<'a> {
     /// Takes the row if its uncertainty is missing, and returns the other problems.
-    fn without(&mut self, row: &'a Row, problems: Problems) -> Problems {
+    fn without(&mut self, row: &'a Row<'a>, problems: Problems) -> Problems {
         let (missing, others): (Vec<Message>, Vec<Message>) =
             problems.0.into_iter().partition(|message| message.id == UNCERTAINTY_MISSING);
         for message in missing {
@@ -225,13 +221,14 @@ impl<'a> Unstated<'a> {
 
     /// One message for each column, with the number of rows and the first three; rows without some
     /// of their coordinates are named as such.
-    fn messages(&self) -> Vec<Message> {
+    fn messages(&self, table: &Table) -> Vec<Message> {
         let of_column = |(column, rows): (&&'static str, &Vec<&'a Row>)| {
             let mut by_missing: BTreeMap<Vec<&str>, Vec<&Row>> = BTreeMap::new();
             rows.iter().for_each(|row| by_missing.entry(row.missing_axes()).or_default().push(row));
             let message = |(axes, rows): (Vec<&str>, Vec<&Row>)| {
-                let NamedRows { by, rows: named, more } = NamedRows::new(&rows);
-                let place = rows.first().map(|row| row.place()).unwrap_or_default();
+                let NamedRows { by, rows: named, more } =
+                    NamedRows::new(table, rows.iter().map(|row| (row.index, row.pose)));
+                let place = rows.first().map(|row| table.place(row.index)).unwrap_or_default();
                 let (count, missing) = (rows.len(), axes.len());
                 match axes.is_empty() {
                     true => error!("uncertainty-missing", column = *column, count, by, rows = named, more),
@@ -253,19 +250,14 @@ struct NamedRows {
 }
 
 impl NamedRows {
-    fn new(rows: &[&Row]) -> Self {
-        Self::from_lines_and_poses(&rows.iter().map(|row| (row.line, row.pose)).collect::<Vec<_>>())
-    }
-
-    /// Rows by their lines in one file, and their poses.
-    fn from_lines_and_poses(rows: &[(Option<usize>, Option<PoseName>)]) -> Self {
-        let by =
-            if rows.iter().all(|row| row.0.is_some_and(|line| line < table::FILE_LINES)) { "line" } else { "pose" };
-        let name = |(line, pose): &(Option<usize>, Option<PoseName>)| match by {
-            "line" => line.map(|line| line.to_string()),
+    /// Rows of a table with their poses. Lines name them only in the first file.
+    fn new(table: &Table, rows: impl Iterator<Item = (usize, Option<PoseName>)> + Clone) -> Self {
+        let by = if rows.clone().all(|(row, _)| table.is_in_first_file(row)) { "line" } else { "pose" };
+        let name = |(row, pose): (usize, Option<PoseName>)| match by {
+            "line" => table.line(row).map(|line| line.to_string()),
             _ => pose.map(|pose| pose.to_string()),
         };
-        let mut named: Vec<String> = rows.iter().filter_map(name).collect();
+        let mut named: Vec<String> = rows.filter_map(name).collect();
         named.dedup();
         let more = named.len().saturating_sub(FIRST_ROWS);
         named.truncate(FIRST_ROWS);
@@ -275,15 +267,15 @@ impl NamedRows {
 
 /// Remark on rows with single coordinates of a target; a warning if they are few among rows with
 /// whole positions, which are then more probably gaps.
-fn partial_remark(rows: &[Row]) -> Option<Message> {
-    let partial: Vec<&Row> = rows.iter().filter(|row| row.is_partial).collect();
-    let whole = rows.iter().filter(|row| row.has_position()).count();
-    if partial.is_empty() {
+fn partial_remark(table: &Table, rows: &[Row]) -> Option<Message> {
+    let partial = rows.iter().filter(|row| row.is_partial);
+    let (count, whole) = (partial.clone().count(), rows.iter().filter(|row| row.has_position()).count());
+    if count == 0 {
         return None;
     }
-    let NamedRows { by, rows, more } = NamedRows::new(&partial);
-    let message = warning!("partial-coordinates", count = partial.len(), by, rows, more);
-    Some(if FEW_AMONG * partial.len() > whole { message.routine() } else { message })
+    let NamedRows { by, rows, more } = NamedRows::new(table, partial.map(|row| (row.index, row.pose)));
+    let message = warning!("partial-coordinates", count, by, rows, more);
+    Some(if FEW_AMONG * count > whole { message.routine() } else { message })
 }
 
 /// Rows with whole positions for each row with single coordinates that is probably a gap.
@@ -299,51 +291,50 @@ const FIRST_ROWS: usize = 3;
 /// the measurement are in `messages`.
 pub fn observed(
     robot: &mut dyn Robot,
-    observations: &DataFrame,
+    table: &Table,
     without: RowDefaults,
     mut settings: Settings,
     messages: &mut Vec<Message>,
 ) -> Result<Observed> {
-    misspelt(observations)?.check()?;
-    messages.extend(unread(robot, observations));
-    let observations = &*measured_rows(robot, observations, messages)?;
-    let observations = &*resolution::replace_table_zeros(observations, messages)?;
-    let of_kinds = |name: &str| observations.column(name).is_ok();
-    if !partial_rows(robot, observations)?.contains(&true)
-        && !of_kinds("kind")
-        && !of_kinds(STATION)
-        && !orientations::are_in(observations)
-        && !fixed_rows(observations)?.contains(&true)
+    misspelt(table)?.check()?;
+    messages.extend(unread(robot, table));
+    let table = &*measured_rows(robot, table, messages)?;
+    let table = &*resolution::replace_table_zeros(table, messages)?;
+    if !partial_rows(robot, table)?.contains(&true)
+        && !table.has("kind")
+        && !table.has(STATION)
+        && !orientations::are_in(table)
+        && !fixed_rows(table)?.contains(&true)
     {
         messages.extend(moving_base(robot));
-        return Ok(Observed { observations: positions::observations(robot, observations, messages)?, settings });
+        return Ok(Observed { observations: positions::observations(robot, table, messages)?, settings });
     }
-    let rows = Row::read(robot, observations, without)?;
+    let rows = Row::read(robot, table, without)?;
     let mut problems = Problems::default();
-    problems.0.extend(unnamed_station(&rows));
+    problems.0.extend(unnamed_station(table, &rows));
     let mut written = Vec::new();
     let mut without_uncertainty = Unstated::default();
     for row in &rows {
         let before = settings.conditions.len();
         if let Err(more) = row.add_to(&mut settings, robot) {
-            problems.0.extend(without_uncertainty.without(row, more).at(&row.place()).0);
+            problems.0.extend(without_uncertainty.without(row, more).at(&table.place(row.index)).0);
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
         let orientation = Written { order: row.order, ..row.orientation };
         written.extend(added.map(|c| (c.kind.is_world_orientation(), orientation)));
     }
-    problems.0.extend(without_uncertainty.messages());
+    problems.0.extend(without_uncertainty.messages(table));
     problems.check()?;
     let names = robot.parameters();
     if let Some((_, p)) = names.iter().enumerate().find(|(i, p)| names[..*i].iter().any(|other| other.name == p.name)) {
         return Err(error!("parameter-name-doubled", name = p.name).hint(phrase!("names-of-fixed-things")).into());
     }
-    messages.extend(partial_remark(&rows));
-    let has_position = BooleanChunked::from_iter_values("position".into(), rows.iter().map(Row::has_position));
-    let observations = match has_position.any() {
+    messages.extend(partial_remark(table, &rows));
+    let has_position: Vec<bool> = rows.iter().map(Row::has_position).collect();
+    let observations = match has_position.contains(&true) {
         true => {
             messages.extend(moving_base(robot));
-            positions::observations(robot, &observations.filter(&has_position).map_err(table::failed)?, messages)?
+            positions::observations(robot, &table.rows(|row| has_position[row]), messages)?
         }
         false => Vec::new(),
     };
@@ -354,19 +345,18 @@ pub fn observed(
     let written: Vec<Written> = written.into_iter().filter(|(in_world, _)| *in_world).map(|(_, row)| row).collect();
     if is_any_open {
         let angles: Vec<[f64; 3]> = written.iter().filter_map(Written::angles).collect();
-        return Err(unstated(robot, &observations, &settings, &angles)
-            .at(header(first_open.and_then(|row| row.line)))
-            .into());
+        let header = first_open.map_or_else(|| table.header(), |row| table.header_above(row.index));
+        return Err(unstated(robot, &observations, &settings, &angles).at(header).into());
     }
     let observed = Observed { observations, settings };
     match conventions::wrong(robot, &observed.observations, &observed.settings, &written) {
-        Some(wrong) => Err(wrong.at(header(None)).into()),
+        Some(wrong) => Err(wrong.at(table.header()).into()),
         None => Ok(observed),
     }
 }
 
 /// Returns an error about a few rows without a station beside many that have one.
-fn unnamed_station(rows: &[Row]) -> Option<Message> {
+fn unnamed_station(table: &Table, rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()
         .filter(|row| row.pose.is_some() && kind(&row.cells.kind).is_ok_and(|kind| kind.facts().has_stations));
@@ -376,10 +366,5 @@ fn unnamed_station(rows: &[Row]) -> Option<Message> {
     if all_stated || poses(&unnamed) >= FEWEST_SEEN || poses(&named) < FEWEST_SEEN {
         return None;
     }
-    Some(error!("station-missing", least = FEWEST_SEEN).at(unnamed[0].place()))
-}
-
-/// Place of the header of the file of a line, or of the first file.
-fn header(line: Option<usize>) -> Place {
-    Place { line: Some(line.unwrap_or(0) / table::FILE_LINES * table::FILE_LINES + 1), ..Place::default() }
+    Some(error!("station-missing", least = FEWEST_SEEN).at(table.place(unnamed[0].index)))
 }

@@ -1,20 +1,19 @@
 //! Rows of a table of observations of several kinds.
 
-use super::cells::{ByColumn, Cell, Cells, STATION, check_fixed, names, text};
+use super::cells::{Cells, Others, STATION, check_fixed, names};
 use super::{KINDS, RowDefaults, RowKind, kind};
 use crate::stages::orientations::{AngleOrder, Written, written};
 use etalon_base::error;
-use etalon_base::message::{Place, Problems, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
-use etalon_formats::table;
+use etalon_formats::table::{COVARIANCES, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::joint_values;
 use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
-use polars::prelude::DataFrame;
 
-/// Columns of uncertainties.
-const UNCERTAINTIES: [&str; 2] = ["u_mm", "urot_deg"];
+/// Columns of uncertainties of all coordinates and of all rotations.
+const UNCERTAINTIES_OF_ROW: [&str; 2] = ["u_mm", "urot_deg"];
 
 /// Columns of numbers of single kinds, in the order in which they are written.
 pub fn numbers() -> Vec<&'static str> {
@@ -28,15 +27,16 @@ pub fn numbers() -> Vec<&'static str> {
 
 /// Columns of all kinds in addition to the columns of positions (the target is one).
 pub fn columns<'a>() -> Vec<&'a str> {
-    ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES).collect()
+    ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES_OF_ROW).collect()
 }
 
 /// A row of a table; missing numbers are NaN, and missing names empty.
-pub struct Row {
-    pub(super) line: Option<usize>,
+pub struct Row<'t> {
+    /// Index of the row in the table.
+    pub(super) index: usize,
     /// References of the row; its kind as stated, or `pose` and `point` with and without an
     /// orientation.
-    pub(super) cells: Cells,
+    pub(super) cells: Cells<'t>,
     /// Name of the pose; `None` for rows about fixed points and surfaces alone.
     pub(super) pose: Option<PoseName>,
     pub(super) cycle: i64,
@@ -55,26 +55,7 @@ pub struct Row {
     pub(super) u_rotation_rad: f64,
 }
 
-/// The cells of each row: numbers, and non-empty texts.
-fn cells(observations: &DataFrame) -> Result<Vec<ByColumn>> {
-    let mut rows = vec![ByColumn::new(); observations.height()];
-    let has = |name: &&str| observations.column(name).is_ok();
-    for name in table::TEXTS.into_iter().filter(has) {
-        let texts = table::texts(observations, name)?.into_iter();
-        for (row, text) in rows.iter_mut().zip(texts).filter(|(_, text)| !text.is_empty()) {
-            row.insert(name.to_owned(), Cell::Text(text));
-        }
-    }
-    let of_positions = table::XYZ.into_iter().chain(table::UNCERTAINTIES).chain(table::COVARIANCES);
-    for name in numbers().into_iter().chain(UNCERTAINTIES).chain(of_positions).filter(has) {
-        for (row, number) in rows.iter_mut().zip(table::numbers(observations, name)?) {
-            row.insert(name.to_owned(), Cell::Number(number));
-        }
-    }
-    Ok(rows)
-}
-
-impl Row {
+impl<'t> Row<'t> {
     /// Axes of the target's coordinates that the row lacks, if it has others.
     pub(super) fn missing_axes(&self) -> Vec<&'static str> {
         let axes = ["x", "y", "z"].into_iter().zip(self.xyz_mm);
@@ -82,45 +63,37 @@ impl Row {
     }
 
     /// The rows of a table.
-    pub fn read(robot: &dyn Robot, observations: &DataFrame, without: RowDefaults) -> Result<Vec<Self>> {
-        let cells = cells(observations)?;
-        let (poses, cycles) = (row_poses(observations)?, row_cycles(observations)?);
-        table::texts(observations, "target")?;
-        let orientations = written(observations)?;
-        let joints = joint_values(robot, observations, &[])?;
-        let stations = other_stations(&cells);
-        let partial = partial_rows(robot, observations)?;
-        let line = table::lines(observations)?;
+    pub fn read(robot: &dyn Robot, table: &'t Table, without: RowDefaults) -> Result<Vec<Self>> {
+        let (poses, cycles) = (table.optional_poses()?, row_cycles(table)?);
+        table.texts("target")?;
+        let orientations = written(table)?;
+        let joints = joint_values(robot, table, &[])?;
+        let stations = other_stations(table);
+        let partial = partial_rows(robot, table)?;
         let or = |stated: f64, other: Option<f64>| if stated.is_nan() { other.unwrap_or(f64::NAN) } else { stated };
-        let rows = cells.into_iter().zip(joints).zip(orientations).zip(stations).enumerate();
-        let rows = rows.map(|(row, (((by_column, joints), orientation), station))| {
-            let owned = |column: &str| text(&by_column, column).map(str::to_owned);
+        let rows = joints.into_iter().zip(orientations).zip(stations).enumerate();
+        let rows = rows.map(|(index, ((joints, orientation), station))| {
             let unstated = if orientation.is_stated() { "pose" } else { "point" };
-            let kind = owned("kind").unwrap_or_else(|| unstated.to_owned());
-            let target = owned("target").unwrap_or_default();
-            let cells = Cells { kind, target, station, by_column, in_truth: false };
+            let kind = table.text(index, "kind").unwrap_or(unstated).to_owned();
+            let target = table.text(index, "target").unwrap_or_default().to_owned();
+            let cells = Cells { kind, target, station, others: Others::Row(table, index) };
             let number = |column: &str| cells.number(column).unwrap_or(f64::NAN);
             Self {
-                line: line(row),
-                pose: poses[row],
-                cycle: cycles[row],
+                index,
+                pose: poses[index],
+                cycle: cycles[index],
                 joints,
-                xyz_mm: table::XYZ.map(number),
-                is_partial: partial[row],
+                xyz_mm: XYZ.map(number),
+                is_partial: partial[index],
                 orientation,
                 order: orientation.order.or(without.order),
                 u_mm: or(or(number("u_mm"), cells.number("ux_mm")), without.length_mm),
-                u_axes_mm: table::UNCERTAINTIES.map(number),
+                u_axes_mm: UNCERTAINTIES.map(number),
                 u_rotation_rad: or(number("urot_deg").to_radians(), without.rotation_rad),
                 cells,
             }
         });
         Ok(rows.collect())
-    }
-
-    /// Line of the row.
-    pub fn place(&self) -> Place {
-        Place { line: self.line, ..Place::default() }
     }
 
     /// `true` if the row gives a complete position in the world.
@@ -175,7 +148,7 @@ impl Row {
     /// one uncertainty.
     fn seen_whole(&self, kind: &dyn RowKind, station: &str) -> Result<()> {
         let us = self.u_axes_mm;
-        let has_covariance = table::COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
+        let has_covariance = COVARIANCES.iter().any(|name| self.cells.number(name).is_some_and(|v| !v.is_nan()));
         let fault = match self.xyz_mm.iter().all(|v| v.is_finite()) {
             _ if !kind.facts().has_stations => "kind",
             false => "coordinate",
@@ -209,47 +182,39 @@ fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
 }
 
 /// Rows with only some coordinates of a target.
-pub(super) fn partial_rows(robot: &dyn Robot, observations: &DataFrame) -> Result<Vec<bool>> {
-    let columns = table::XYZ[..robot.dimension()].iter().filter(|name| observations.column(name).is_ok());
-    let columns = columns.map(|name| table::numbers(observations, name)).collect::<Result<Vec<_>>>()?;
+pub(super) fn partial_rows(robot: &dyn Robot, table: &Table) -> Result<Vec<bool>> {
+    let columns = XYZ[..robot.dimension()].iter().filter(|name| table.has(name));
+    let columns = columns.map(|name| table.numbers(name)).collect::<Result<Vec<_>>>()?;
     let given = |row: usize| columns.iter().filter(|column| !column[row].is_nan()).count();
     // a column that is missing is a mistake
     let whole = columns.len() == robot.dimension();
-    Ok((0..observations.height()).map(|row| whole && (1..robot.dimension()).contains(&given(row))).collect())
+    Ok((0..table.height()).map(|row| whole && (1..robot.dimension()).contains(&given(row))).collect())
 }
 
 /// Rows without a pose.
-pub(super) fn fixed_rows(observations: &DataFrame) -> Result<Vec<bool>> {
-    let Ok(poses) = observations.column("pose") else { return Ok(vec![false; observations.height()]) };
-    Ok(poses.is_null().iter().map(|null| null == Some(true)).collect())
+pub(super) fn fixed_rows(table: &Table) -> Result<Vec<bool>> {
+    if !table.has("pose") {
+        return Ok(vec![false; table.height()]);
+    }
+    Ok(table.optional_poses()?.iter().map(Option::is_none).collect())
 }
 
 /// The stations of rows outside the frame of the world, which is that of coordinates without a
 /// station, or else of the first station.
-fn other_stations(rows: &[ByColumn]) -> Vec<Option<String>> {
-    let measured = |row: &&ByColumn| matches!(row.get(table::XYZ[0]), Some(Cell::Number(x)) if !x.is_nan());
-    let of_points = || rows.iter().filter(measured).map(|row| text(row, STATION));
+fn other_stations(table: &Table) -> Vec<Option<String>> {
+    let rows = 0..table.height();
+    let x = table.values(XYZ[0]);
+    let measured = |row: &usize| x.is_some_and(|x| !x.number(*row).is_nan());
+    let station = |row: usize| table.text(row, STATION);
+    let of_points = || rows.clone().filter(measured).map(station);
     let world = of_points().find(Option::is_none).or_else(|| of_points().next()).flatten();
-    rows.iter().map(|row| text(row, STATION).filter(|name| Some(*name) != world).map(str::to_owned)).collect()
-}
-
-/// The name of the pose of each row; `None` for rows about fixed points and surfaces alone.
-pub(super) fn row_poses(observations: &DataFrame) -> Result<Vec<Option<PoseName>>> {
-    let name = |(name, fixed): (String, bool)| match name.as_str() {
-        _ if fixed => Ok(None),
-        "" => Ok(Some(PoseName::from(0))),
-        name => PoseName::new(name).map(Some).map_err(Problems::from),
-    };
-    table::texts(observations, "pose")?.into_iter().zip(fixed_rows(observations)?).map(name).collect()
+    rows.clone().map(|row| station(row).filter(|name| Some(*name) != world).map(str::to_owned)).collect()
 }
 
 /// Numbers of repeats; 1 if none is stated.
-fn row_cycles(observations: &DataFrame) -> Result<Vec<i64>> {
-    match observations.column("cycle") {
-        Ok(_) => {
-            let cycles = table::optional_integers(observations, "cycle")?;
-            Ok(cycles.into_iter().map(|cycle| cycle.unwrap_or(1)).collect())
-        }
-        Err(_) => Ok(vec![1; observations.height()]),
+fn row_cycles(table: &Table) -> Result<Vec<i64>> {
+    if !table.has("cycle") {
+        return Ok(vec![1; table.height()]);
     }
+    Ok(table.optional_integers("cycle")?.into_iter().map(|cycle| cycle.unwrap_or(1)).collect())
 }

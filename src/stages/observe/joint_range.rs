@@ -3,12 +3,11 @@
 
 use crate::stages::observe::exclusions::Exclusion;
 use etalon_base::message::{Message, Place, Problems, Result};
-use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
-use etalon_formats::table;
+use etalon_formats::table::Table;
 use etalon_formats::tables::joints::joint_values;
 use etalon_robots::{Joint, JointRange, Quantity, Robot};
-use polars::prelude::DataFrame;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Allowance (mm) of a prismatic joint beyond its stated limits: rounding of the limits, and
@@ -61,23 +60,21 @@ pub enum Joints {
 ///
 /// # Errors
 /// Reports all joint values out of range, with their lines.
-pub fn check_table(robot: &dyn Robot, table: &DataFrame, exclusions: &[Exclusion], of: Joints) -> Result<()> {
+pub fn check_table(robot: &dyn Robot, table: &Table, exclusions: &[Exclusion], of: Joints) -> Result<()> {
     // columns that are missing or do not read are named where the table is read
     let Ok(values) = joint_values(robot, table, &[]) else { return Ok(()) };
-    let column = |name: &str| table::texts(table, name).unwrap_or_else(|_| vec![String::new(); values.len()]);
-    let (poses, targets) = (column("pose"), column("target"));
-    let cycles = table::optional_integers(table, "cycle").unwrap_or_else(|_| vec![None; values.len()]);
-    let lines = table::integers(table, "line").unwrap_or_default();
+    let poses = table.optional_poses().unwrap_or_else(|_| vec![None; values.len()]);
+    let cycles = table.optional_integers("cycle").unwrap_or_else(|_| vec![None; values.len()]);
     let rules: Vec<_> = exclusions.iter().filter_map(Exclusion::covering).collect();
     let left_out = |row: usize| {
-        let pose = PoseName::new(&poses[row]);
-        pose.is_ok_and(|pose| rules.iter().any(|covers| covers(pose, cycles[row].unwrap_or(1), &targets[row])))
+        let (cycle, target) = (cycles[row].unwrap_or(1), table.text(row, "target").unwrap_or_default());
+        poses[row].is_some_and(|pose| rules.iter().any(|covers| covers(pose, cycle, target)))
     };
     let kept = values.into_iter().enumerate().filter(|(row, _)| rules.is_empty() || !left_out(*row));
     let rows = kept.map(|(row, joints)| JointRow {
-        pose: poses[row].clone(),
+        pose: poses[row].map_or_else(String::new, |pose| pose.to_string()),
         joints,
-        place: Place { line: lines.get(row).map(|line| *line as usize), ..Place::default() },
+        place: table.place(row),
     });
     check(robot, &rows.collect::<Vec<_>>(), of)
 }
@@ -101,7 +98,13 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
             _ => problems.0.extend(out),
         }
     }
-    problems.0.sort_by_key(|message| message.place.as_ref().and_then(|place| place.line));
+    // files in the order of their rows
+    let mut files: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, row) in rows.iter().enumerate() {
+        files.entry(&row.place.file).or_insert(i);
+    }
+    let order = |place: &Place| (files.get(place.file.as_str()).copied(), place.line);
+    problems.0.sort_by_key(|message| message.place.as_deref().map(order));
     problems.check().map(drop)
 }
 

@@ -4,27 +4,26 @@
 use crate::stages::observe::resolution;
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::{error, phrase, warning};
-use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
+use etalon_formats::table::{COVARIANCES, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::{
     AssumedModes, Contradiction, Covariance, Measured, Observation, ObservationError, is_positive_definite,
 };
 use etalon_robots::Robot;
-use polars::prelude::DataFrame;
 
 /// Observations of `robot` from a table with one row per pose, cycle and target. Assembly modes
 /// derived from the measurement are in `messages`.
-pub fn observations(robot: &dyn Robot, table: &DataFrame, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
+pub fn observations(robot: &dyn Robot, table: &Table, messages: &mut Vec<Message>) -> Result<Vec<Observation>> {
     let table = &*resolution::replace_table_zeros(table, messages)?;
-    grouped(robot, &positions(robot, table)?, messages, table::lines(table)?)
+    grouped(robot, &positions(robot, table)?, messages, |row| table.place(row))
 }
 
-/// Observations of measured positions; `line` is the line of a position in its file.
+/// Observations of measured positions; `place` is the file and line of a position.
 pub fn grouped(
     robot: &dyn Robot,
     measured: &[Measured],
     messages: &mut Vec<Message>,
-    line: impl Fn(usize) -> Option<usize>,
+    place: impl Fn(usize) -> Place,
 ) -> Result<Vec<Observation>> {
     match Observation::group(robot, measured) {
         Ok((observations, assumed)) => {
@@ -38,8 +37,7 @@ pub fn grouped(
                 Contradiction::OtherJoints => error!("joints-of-pose-differ"),
                 Contradiction::MeasuredTwice => error!("target-repeated", target = robot.targets()[m.target]),
             };
-            let place = Place { line: line(row), ..Place::default() };
-            Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place).into())
+            Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place(row)).into())
         }
         Err(ObservationError::Empty) => Err(error!("no-observations").into()),
         Err(ObservationError::ArmsApart(pose, cycle)) => {
@@ -59,19 +57,18 @@ fn assumed_modes_warning(AssumedModes { positive, negative, least_clear: (pose, 
 }
 
 /// The measured positions of a table, in the order of its rows.
-fn positions(robot: &dyn Robot, table: &DataFrame) -> Result<Vec<Measured>> {
-    let joints = joint_values(robot, table, &["pose", "cycle", "target", table::XYZ[0], table::XYZ[1]])?;
-    let (poses, cycles) = (table::poses(table)?, table::integers(table, "cycle")?);
-    let (names, xyz) = (table::texts(table, "target")?, table::coordinates(table)?);
+fn positions(robot: &dyn Robot, table: &Table) -> Result<Vec<Measured>> {
+    let joints = joint_values(robot, table, &["pose", "cycle", "target", XYZ[0], XYZ[1]])?;
+    let (poses, cycles) = (table.poses()?, table.integers("cycle")?);
+    let (names, xyz) = (table.texts("target")?, table.positions()?);
     let modes = stated_modes(robot, table)?;
     let covariances = covariances(table, robot.dimension())?;
-    let line = table::lines(table)?;
     let position = |(row, joints): (usize, Vec<f64>)| {
-        let (pose, cycle, name) = (poses[row], cycles[row], &names[row]);
+        let (pose, cycle, name) = (poses[row], cycles[row], &*names[row]);
         let target = robot.targets().iter().position(|t| t == name).ok_or_else(|| {
             let message = error!("not-of-this-robot", name, kind = "target");
             let message = message.within(phrase!("in-observation", pose, cycle));
-            let message = message.at(Place { line: line(row), ..Place::default() });
+            let message = message.at(table.place(row));
             message.hint_names(name, robot.targets().iter().map(String::as_str))
         })?;
         let (at_mm, covariance_mm2, assembly) = (xyz[row], covariances[row], modes[row]);
@@ -92,41 +89,36 @@ const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 2e-5..=100.0;
 /// # Errors
 /// Reports rows that state only some of them, impossible values of a coordinate, and covariances
 /// that are not positive definite.
-fn covariances(table: &DataFrame, dimension: usize) -> Result<Vec<Option<Covariance>>> {
-    let has = |names: &[&str]| names.iter().any(|name| table.column(name).is_ok());
-    if has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES) {
-        let column = |name: &str, of: &str| table.column(of).ok().map(|column| column.clone().with_name(name.into()));
-        let columns =
-            UNCERTAINTIES[..dimension].iter().map(|name| column(name, ANY_AXIS)).chain([column("line", "line")]);
-        return covariances(&table::frame(table.height(), columns.flatten().collect())?, dimension);
-    }
-    let (apart, whole) = (has(&UNCERTAINTIES), has(&COVARIANCES));
-    if !apart && !whole {
+fn covariances(table: &Table, dimension: usize) -> Result<Vec<Option<Covariance>>> {
+    let has = |names: &[&str]| names.iter().any(|name| table.has(name));
+    let is_one = has(&[ANY_AXIS]) && !has(&UNCERTAINTIES) && !has(&COVARIANCES);
+    let (by_axis, whole) = (is_one || has(&UNCERTAINTIES), has(&COVARIANCES));
+    if !by_axis && !whole {
         return Ok(vec![None; table.height()]);
     }
-    if apart && whole {
-        return Err(error!("uncertainties-twice").at(Place { line: Some(1), ..Place::default() }).into());
+    if by_axis && whole {
+        return Err(error!("uncertainties-twice").at(table.header()).into());
     }
     // rows and columns of the matrix by the order of the names
-    let all: Vec<(&str, usize, usize)> = match apart {
+    let all: Vec<(&str, usize, usize)> = match by_axis {
         true => UNCERTAINTIES.iter().enumerate().map(|(i, name)| (*name, i, i)).collect(),
         false => {
             (0..3).flat_map(|i| (i..3).map(move |j| (i, j))).zip(COVARIANCES).map(|((i, j), n)| (n, i, j)).collect()
         }
     };
     let needed: Vec<_> = all.into_iter().filter(|(_, i, j)| *i.max(j) < dimension).collect();
-    table::require(table, &needed.iter().map(|(name, ..)| (*name).to_owned()).collect::<Vec<_>>())?;
-    let columns = needed.iter().map(|(name, ..)| table::numbers(table, name)).collect::<Result<Vec<_>>>()?;
-    let line = table::lines(table)?;
+    let read = || needed.iter().map(|(name, ..)| if is_one { ANY_AXIS } else { *name });
+    table.require(read())?;
+    let columns = read().map(|name| table.numbers(name)).collect::<Result<Vec<_>>>()?;
     let of_row = |row: usize| -> Result<Option<Covariance>> {
-        let at = || Place { line: line(row), ..Place::default() };
+        let at = || table.place(row);
         let values: Vec<f64> = columns.iter().map(|column| column[row]).collect();
         if values.iter().all(|v| v.is_nan()) {
             return Ok(None);
         }
         let mut covariance = [[0.0; 3]; 3];
         for ((name, i, j), value) in needed.iter().zip(&values) {
-            let squared = if apart { value * value } else { *value };
+            let squared = if by_axis { value * value } else { *value };
             if value.is_nan() || i == j && !(PLAUSIBLE_MM.contains(&squared.sqrt()) && *value > 0.0) {
                 let message = match value.is_nan() {
                     true => error!("coordinate-uncertainty-missing", column = name),

@@ -4,9 +4,8 @@
 use etalon_base::message::{Message, Place, Result};
 use etalon_base::warning;
 use etalon_campaign::Campaign;
-use etalon_formats::table::{self, COVARIANCES, UNCERTAINTIES};
+use etalon_formats::table::{COVARIANCES, Table, UNCERTAINTIES, Values};
 use etalon_formats::{Export, Point};
-use polars::prelude::{Column, DataFrame};
 use std::borrow::Cow;
 
 /// Maximum number of decimals of a column with a resolution; numbers with more are not rounded.
@@ -63,15 +62,15 @@ impl Zeros {
 
 /// The table of observations with zeros of its standard uncertainties taken as their resolution,
 /// which `messages` state.
-pub fn replace_table_zeros<'t>(observations: &'t DataFrame, messages: &mut Vec<Message>) -> Result<Cow<'t, DataFrame>> {
+pub fn replace_table_zeros<'t>(table: &'t Table, messages: &mut Vec<Message>) -> Result<Cow<'t, Table>> {
     let mut columns: Vec<(&str, Vec<f64>)> = Vec::new();
-    for name in COLUMNS.into_iter().filter(|name| observations.column(name).is_ok()) {
-        columns.push((name, table::numbers(observations, name)?));
+    for name in COLUMNS.into_iter().filter(|name| table.has(name)) {
+        columns.push((name, table.numbers(name)?));
     }
     let mut are_zero = false;
     for group in [&UNCERTAINTIES[..], &COVARIANCES, &["u_mm"], &["urot_deg"]] {
         // a row states all numbers of a group or none
-        let mut unread = vec![false; observations.height()];
+        let mut unread = vec![false; table.height()];
         for (name, values) in columns.iter_mut().filter(|(name, _)| group.contains(name) && !MIXED.contains(name)) {
             let Some(zeros) = Zeros::new(values) else { continue };
             let unit = name.rsplit('_').next().unwrap_or_default();
@@ -87,17 +86,13 @@ pub fn replace_table_zeros<'t>(observations: &'t DataFrame, messages: &mut Vec<M
         }
     }
     if !are_zero {
-        return Ok(Cow::Borrowed(observations));
+        return Ok(Cow::Borrowed(table));
     }
-    let all = observations.get_column_names().into_iter().map(|name| {
-        let Some((name, values)) = columns.iter().find(|(read, _)| *read == name.as_str()) else {
-            return Ok(observations.column(name).map_err(table::failed)?.clone());
-        };
-        let stated: Vec<Option<f64>> = values.iter().map(|v| Some(*v).filter(|v| !v.is_nan())).collect();
-        Ok(Column::new((*name).into(), stated))
-    });
-    let all = all.collect::<Result<Vec<Column>>>()?;
-    Ok(Cow::Owned(table::frame(observations.height(), all)?))
+    let mut replaced = table.clone();
+    for (name, values) in columns {
+        replaced.set(name, Values::Numbers(values.into_iter().map(|v| Some(v).filter(|v| !v.is_nan())).collect()));
+    }
+    Ok(Cow::Owned(replaced))
 }
 
 /// Takes zeros of the standard uncertainties of an export as their resolution, or, if unknown, as

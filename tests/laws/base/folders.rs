@@ -476,7 +476,8 @@ fn a_batch_runs_what_has_changed_and_goes_on_where_one_fails() {
     let bytes = std::fs::read(folder.path().join("batch.parquet")).unwrap();
     use polars_io::SerReader;
     let table = polars_io::parquet::read::ParquetReader::new(std::io::Cursor::new(&bytes)).finish().unwrap();
-    let column = |name: &str| etalon::formats::table::texts(&table, name).unwrap();
+    let rows = etalon::formats::parquet::table(&table).unwrap();
+    let column = |name: &str| rows.texts(name).unwrap();
     let (campaigns, kinds, items) = (column("campaign"), column("kind"), column("item"));
     let values = table.column("value").unwrap().f64().unwrap().clone();
     let parameters: serde_json::Value = serde_json::from_slice(&a["parameters.json"]).unwrap();
