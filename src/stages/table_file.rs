@@ -17,15 +17,14 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use toml::Spanned;
 
-/// A table with its text.
+/// A table with its texts: of one file, or of several whose rows follow each other.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFile {
     /// File name stated by the user.
     pub name: String,
-    text: String,
     pub table: Table,
-    /// Names and texts of further files, whose rows follow.
-    more: Vec<(String, String)>,
+    /// Name and text of each file.
+    texts: Vec<(String, String)>,
 }
 
 /// Maximum number of columns in a message.
@@ -67,12 +66,12 @@ impl TableFile {
     /// Reads a table from the text of the file, by its name and text.
     pub fn new(path: &Path, text: String, table: impl FnOnce(&str, &str) -> Result<Table>) -> Result<Self> {
         let name = path.display().to_string();
-        Ok(Self { table: table(&name, &text)?, name, text, more: Vec::new() })
+        Ok(Self { table: table(&name, &text)?, name: name.clone(), texts: vec![(name, text)] })
     }
 
-    /// The text that it was read from.
+    /// The text of the first file.
     pub fn text(&self) -> &str {
-        &self.text
+        self.texts.first().map_or("", |(_, text)| text)
     }
 
     /// Removes the rows for which `left_out` is true.
@@ -89,7 +88,7 @@ impl TableFile {
         let refused = |(row, reason): (usize, Phrase)| {
             left_out[row] = true;
             let line = self.table.line(row).unwrap_or(0);
-            Refused::new(line, self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), reason)
+            Refused::new(line, self.text().lines().nth(line.saturating_sub(1)).unwrap_or_default(), reason)
         };
         let refused = rows.into_iter().map(refused).collect();
         self.leave_out(&left_out);
@@ -109,20 +108,17 @@ impl TableFile {
 
     /// Problems of the table, each with its line.
     pub fn place(&self, problems: Problems) -> Problems {
-        if self.more.is_empty() {
-            return problems.in_text(&self.name, &self.text);
-        }
-        let texts = std::iter::once((&self.name, &self.text)).chain(self.more.iter().map(|(name, text)| (name, text)));
-        texts.fold(problems, |problems, (name, text)| {
-            let is_named = problems.0.iter().any(|m| m.place.as_ref().is_some_and(|p| p.file == *name));
-            if is_named { problems.in_text(name, text) } else { problems }
+        self.texts.iter().fold(problems, |problems, (name, text)| {
+            let is_named = |m: &Message| m.place.as_ref().is_some_and(|place| place.file == *name);
+            let is_meant = self.texts.len() == 1 || problems.0.iter().any(is_named);
+            if is_meant { problems.in_text(name, text) } else { problems }
         })
     }
 
     /// This table, followed by the rows of another one.
     fn followed_by(mut self, other: Self) -> Self {
         self.table = self.table.followed_by(other.table);
-        self.more.push((other.name, other.text));
+        self.texts.extend(other.texts);
         self
     }
 }

@@ -223,33 +223,30 @@ fn read(file: &str, text: &str, reading: &TableReading) -> Result<Table> {
 impl ReadColumn<'_> {
     /// Returns the values of the column, and reports cells that cannot be read.
     fn values(&self, sheet: &Sheet, factor: f64, problems: &mut Problems) -> Values {
-        let name = self.name.as_ref();
-        let at = self.from.column().unwrap_or(usize::MAX);
-        if !is_numeric(name) {
-            return Values::Texts(sheet.rows.iter().map(|row| Some(row.field(at).to_owned())).collect());
-        }
-        if name == "pose" {
-            return Values::Poses(poses(sheet, at, problems));
-        }
-        let mut keep = |read: std::result::Result<Option<f64>, Message>| {
-            read.unwrap_or_else(|message| {
-                problems.0.push(message);
-                None
-            })
-        };
-        let numbers = sheet.rows.iter().map(|row| (row, sheet.number(row, &self.from, name)));
-        if name == "cycle" {
-            let whole = |(row, read): (&Row, std::result::Result<Option<f64>, Message>)| {
-                let whole = read.and_then(|value| {
-                    value.map(|value| sheet.whole(row, &self.from, name, value).map(|whole| whole as f64)).transpose()
-                });
-                keep(whole).map(|value| value as i64)
-            };
-            return Values::Whole(numbers.map(whole).collect());
-        }
+        let (name, from) = (&*self.name, &self.from);
+        let at = from.column().unwrap_or(usize::MAX);
         let in_unit = |value: f64| if factor == 1.0 { value } else { value * factor };
-        Values::Numbers(numbers.map(|(_, read)| keep(read).map(in_unit)).collect())
+        let number = |row: &Row| sheet.number(row, from, name);
+        match name {
+            _ if !is_numeric(name) => {
+                Values::Texts(sheet.rows.iter().map(|row| Some(row.field(at).to_owned())).collect())
+            }
+            "pose" => Values::Poses(poses(sheet, at, problems)),
+            "cycle" => {
+                let whole = |row| number(row)?.map(|value| sheet.whole(row, from, name, value)).transpose();
+                Values::Whole(kept(sheet.rows.iter().map(whole), problems))
+            }
+            _ => Values::Numbers(kept(sheet.rows.iter().map(|row| Ok(number(row)?.map(in_unit))), problems)),
+        }
     }
+}
+
+/// Cells that can be read; the others become problems.
+fn kept<T>(
+    cells: impl Iterator<Item = std::result::Result<Option<T>, Message>>,
+    problems: &mut Problems,
+) -> Vec<Option<T>> {
+    cells.map(|cell| problems.keep(cell.map_err(Problems::from)).flatten()).collect()
 }
 
 /// Reports names that would be formulas in a spreadsheet, because names are written to tables.
