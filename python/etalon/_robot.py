@@ -29,7 +29,7 @@ class Robot:
     """A kinematic model with nominal parameters.
 
     Args:
-        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``, ``.xacro``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
+        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
         targets: Nominal positions (mm) of targets at the flange, beside those of ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
 
     Raises:
@@ -40,8 +40,8 @@ class Robot:
         path = os.fspath(source)
         if path in robots():
             self._native = _etalon.Robot.named(path)
-        elif path.endswith((".urdf", ".xml", ".xacro")):
-            self._native = _etalon.Robot.urdf(path, None, None, [])
+        elif path.endswith((".urdf", ".xml", ".xacro")):  # xacro is refused by name
+            self._native = _etalon.Robot.urdf(path, None, None)
         elif path.endswith(".toml") or os.path.isfile(path):
             self._native = _etalon.Robot.read(path)
         else:
@@ -65,14 +65,9 @@ class Robot:
         path: str | os.PathLike[str],
         base_link: str | None = None,
         tool_link: str | None = None,
-        arguments: dict[str, str] | None = None,
     ) -> Robot:
-        """Return a chain of a URDF, by default the one with the most moving joints.
-
-        ``arguments`` are those of a xacro file.
-        """
-        stated = [f"{name}:={value}" for name, value in (arguments or {}).items()]
-        return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link, stated))
+        """Return a chain of a URDF, by default the one with the most moving joints."""
+        return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link))
 
     def with_targets(self, targets: Targets) -> Robot:
         """Return the robot with nominal positions (mm) of targets at the flange: ``{"SMR": (80, 0, 25)}``."""

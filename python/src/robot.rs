@@ -74,18 +74,12 @@ impl Robot {
 
     /// Takes a chain of a URDF file, by default the one with the most moving joints.
     #[staticmethod]
-    fn urdf(
-        path: PathBuf,
-        base_link: Option<String>,
-        tool_link: Option<String>,
-        arguments: Vec<String>,
-    ) -> PyResult<Self> {
-        let (mut chain, _) = read_urdf(&path, &arguments).map_err(refused)?;
+    fn urdf(path: PathBuf, base_link: Option<String>, tool_link: Option<String>) -> PyResult<Self> {
+        let (mut chain, _) = read_urdf(&path).map_err(refused)?;
         chain.base_link = base_link.unwrap_or(chain.base_link);
         chain.tool_link = tool_link.unwrap_or(chain.tool_link);
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let stated = if arguments.is_empty() { String::new() } else { format!("arguments = {arguments:?}\n") };
-        Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain) + &stated)
+        Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain))
     }
 
     /// The robot with the nominal positions (mm) of targets.

@@ -31,7 +31,6 @@ use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result, SourceText};
 use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
-use etalon_formats::xacro::Expanded;
 use etalon_identify::{FrameError, Settings, Systematic, UncertaintyBound};
 use etalon_robots::{Joint, Quantity, Robot, TreeChain};
 use std::collections::BTreeMap;
@@ -137,9 +136,6 @@ impl Campaign {
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
         let stamps = [stamp, robot_stamp];
         let campaign = Self { file, robot, folder, location: path, path: name, text, stamps, unread };
-        let described = campaign.robot_descriptions();
-        let outside = described.iter().skip(1).filter_map(|(file, _)| paths::resolve(&campaign.folder, file).err());
-        problems.0.extend(outside.map(|message| message.at(here.clone())));
         Ok((Some(campaign), problems))
     }
 
@@ -180,17 +176,13 @@ impl Campaign {
         self.written(&self.file.output)
     }
 
-    /// File that describes the robot beside robot.toml, and the files that it includes, as paths
-    /// from the campaign's folder, with their stamps.
-    pub fn robot_descriptions(&self) -> Vec<(String, &Stamp)> {
-        let Some((file, stamp)) = self.robot.description_file() else { return Vec::new() };
+    /// File that describes the robot beside robot.toml, as a path from the campaign's folder, with
+    /// its stamp.
+    pub fn robot_description(&self) -> Option<(String, &Stamp)> {
+        let (file, stamp) = self.robot.description_file()?;
         let robot = self.file.robot.get_ref();
         let folder = robot.rsplit_once('/').map(|(folder, _)| format!("{folder}/")).unwrap_or_default();
-        let named = if file.starts_with('$') { file.to_owned() } else { folder + file };
-        let included = self.robot.included().iter();
-        let included: Vec<_> =
-            included.map(|(path, stamp)| (paths::named(&self.folder, &named, path), stamp)).collect();
-        std::iter::once((named, stamp)).chain(included).collect()
+        Some((if file.starts_with('$') { file.to_owned() } else { folder + file }, stamp))
     }
 
     /// `true` if parameters are identified, even if `[identify]` itself could not be read; `false`
@@ -405,17 +397,16 @@ pub fn parse_urdf_robot(text: &str, [base_link, tool_link]: [&str; 2]) -> Result
     RobotFile::from_urdf(text, [base_link, tool_link])
 }
 
-/// Reads a URDF file: its chain with the most moving joints, and its text without xacro.
-/// `arguments` are those of a xacro file: NAME:=VALUE.
-pub fn read_urdf(path: &Path, arguments: &[String]) -> Result<(TreeChain, Expanded)> {
-    let expanded = urdf::expand(path, files::read_text(path)?, arguments)?;
-    Ok((urdf::read(&expanded)?.longest_chain()?, expanded))
+/// Reads a URDF file: its chain with the most moving joints, and its text.
+pub fn read_urdf(path: &Path) -> Result<(TreeChain, String)> {
+    let text = files::read_text(path)?;
+    Ok((urdf::read(&path.display().to_string(), &text)?.longest_chain()?, text))
 }
 
 /// Reads a URDF file like [`read_urdf`]: a chain from the root for each list of moving joints.
-pub fn read_urdf_chains(path: &Path, arguments: &[String]) -> Result<(Vec<TreeChain>, Expanded)> {
-    let expanded = urdf::expand(path, files::read_text(path)?, arguments)?;
-    Ok((urdf::read(&expanded)?.tree.chains(), expanded))
+pub fn read_urdf_chains(path: &Path) -> Result<(Vec<TreeChain>, String)> {
+    let text = files::read_text(path)?;
+    Ok((urdf::read(&path.display().to_string(), &text)?.tree.chains(), text))
 }
 
 /// Reads only the true parameters of a simulation, by name (mm, deg or 1), from a truth or from a

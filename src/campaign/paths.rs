@@ -39,20 +39,6 @@ pub(super) fn rooted(folder: &Path, file: &str) -> Result<(PathBuf, PathBuf), Me
     Ok((root, path))
 }
 
-/// Name of a file that `beside`, a path as [`resolve`] takes it, includes: a path that can be
-/// resolved if the file is inside the folder, or below the variable of `beside`.
-pub(super) fn named(folder: &Path, beside: &str, file: &Path) -> String {
-    let (root, prefix) = match variable(beside) {
-        Some((name, _)) => (std::env::var_os(name).map(PathBuf::from).unwrap_or_default(), format!("${name}/")),
-        None => (folder.to_owned(), String::new()),
-    };
-    let clean: PathBuf = root.components().filter(|c| *c != Component::CurDir).collect();
-    let inside = file.strip_prefix(&root).or_else(|_| file.strip_prefix(&clean));
-    let outside =
-        || if file.is_absolute() { PathBuf::new() } else { PathBuf::from("..") }.join(file).display().to_string();
-    inside.map_or_else(|_| outside(), |inside| format!("{prefix}{}", inside.display()))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -61,8 +47,6 @@ mod tests {
     fn paths_stay_inside() {
         let folder = Path::new("c");
         assert_eq!(resolve(folder, "exports/a.txt").unwrap(), Path::new("c/exports/a.txt"));
-        assert_eq!(named(folder, "robot.urdf", Path::new("c/parts/a.xacro")), "parts/a.xacro");
-        assert_eq!(named(folder, "robot.urdf", Path::new("d/a.xacro")), "../d/a.xacro");
         for outside in ["../a", "/etc/passwd", "x/../../a", "$ETALON_NO_SUCH/a", "$HOME/../a"] {
             assert!(resolve(folder, outside).is_err(), "{outside}");
         }

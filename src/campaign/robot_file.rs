@@ -6,7 +6,6 @@ use super::{paths, robot_faults, robot_keys};
 use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
-use etalon_formats::xacro::Expanded;
 use etalon_robots::{
     At, Definition, FaultKind, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value,
     Values,
@@ -42,8 +41,7 @@ pub struct RobotFile {
 #[derive(Clone, Debug)]
 struct Beside {
     path: PathBuf,
-    /// Its text without xacro.
-    expanded: Expanded,
+    text: String,
     stamp: Stamp,
 }
 
@@ -70,9 +68,6 @@ struct CommonKeys {
 }
 
 const COMMON: [&str; 4] = ["name", "model", "nominal", "tolerance"];
-
-/// Key of the arguments of a xacro file.
-const ARGUMENTS: &str = "arguments";
 
 /// Keys of `tolerance` that apply to all parameters of a kind.
 const KINDS: [(&str, Quantity); 3] =
@@ -252,9 +247,7 @@ impl RobotFile {
         let [base, tool] = [base_link, tool_link].map(toml::Value::from);
         let text = format!("model = \"urdf\"\nfile = \"{FILE}\"\nbase_link = {base}\ntool_link = {tool}\n");
         let (robot, problems) = Self::alone(Path::new("robot.toml"), &text);
-        let path = PathBuf::from(FILE);
-        let expanded = urdf::expand(&path, urdf.to_owned(), &[])?;
-        let beside = Beside { path, expanded, stamp: Stamp::new(urdf.as_bytes()) };
+        let beside = Beside { path: FILE.into(), text: urdf.to_owned(), stamp: Stamp::new(urdf.as_bytes()) };
         let robot = robot.filter(|_| problems.0.is_empty()).ok_or(problems)?;
         Ok(Self { beside: Some(beside), ..robot })
     }
@@ -283,11 +276,7 @@ impl RobotFile {
         let path = paths::resolve(folder, file).map_err(Problems::from);
         let read = path.and_then(|path| Ok((files::read_statement(&path)?, path)));
         let ((text, stamp), path) = read.map_err(|problems| problems.at(&self.place(&["file"])))?;
-        let stated = self.description.as_ref().and_then(|(_, values)| values.get(ARGUMENTS));
-        let arguments = if let Some(Value::Words(words)) = stated { &words[..] } else { &[] };
-        let expanded = urdf::expand(&path, text, arguments);
-        let expanded = expanded.map_err(|problems| problems.at(&self.place(&[ARGUMENTS])))?;
-        Ok(Some(Beside { path, expanded, stamp }))
+        Ok(Some(Beside { path, text, stamp }))
     }
 
     /// Key and name of the file that describes the robot.
@@ -302,39 +291,23 @@ impl RobotFile {
         Some(self.tree_key()?.1)
     }
 
-    /// Name, as in robot.toml, and text of the file that describes the robot, without xacro.
+    /// Name, as in robot.toml, and text of the file that describes the robot.
     pub fn description(&self) -> Option<(&str, &str)> {
-        Some((self.description_file()?.0, self.beside.as_ref()?.expanded.text.as_str()))
+        Some((self.description_file()?.0, self.beside.as_ref()?.text.as_str()))
     }
 
-    /// Returns the text of this file with another name of the file that describes the robot;
-    /// without the arguments of xacro if that file is plain URDF.
-    pub fn text_beside(&self, name: &str, is_plain: bool) -> String {
+    /// Returns the text of this file with another name of the file that describes the robot.
+    pub fn text_beside(&self, name: &str) -> String {
         let mut text = self.source.1.clone();
         if let Some(span) = self.tree_key().and_then(|(key, _)| toml_file::find(&text, &[key])) {
             text.replace_range(span, &toml::Value::from(name).to_string());
         }
-        if let Some(span) = toml_file::find(&text, &[ARGUMENTS]).filter(|_| is_plain) {
-            let start = text[..span.start].rfind('\n').map_or(0, |at| at + 1);
-            let end = text[span.end..].find('\n').map_or(text.len(), |at| span.end + at + 1);
-            text.replace_range(start..end, "");
-        }
         text
     }
 
-    /// Paths of the file that describes the robot, if there is one, and of the files that it
-    /// includes.
-    pub fn description_paths(&self) -> Vec<PathBuf> {
-        let of = |beside: &Beside| {
-            let included = beside.expanded.included.iter().map(|(path, _)| path.clone());
-            std::iter::once(beside.path.clone()).chain(included).collect()
-        };
-        self.beside.as_ref().map_or_else(Vec::new, of)
-    }
-
-    /// Paths and stamps of the files that the file that describes the robot includes.
-    pub(super) fn included(&self) -> &[(PathBuf, Stamp)] {
-        self.beside.as_ref().map_or(&[], |beside| &beside.expanded.included)
+    /// Path of the file that describes the robot, if there is one.
+    pub fn description_path(&self) -> Option<&PathBuf> {
+        self.beside.as_ref().map(|beside| &beside.path)
     }
 
     /// Name, as in robot.toml, and stamp of the file that describes the robot.
@@ -502,8 +475,8 @@ impl RobotFile {
         let mut urdf = None;
         if let Some((key, _)) = self.tree_key() {
             // an unreadable file is already reported
-            let Some(Beside { expanded, .. }) = &self.beside else { return Err(Unbuilt::default()) };
-            let file = urdf.insert(urdf::read(expanded)?);
+            let Some(Beside { path, text, .. }) = &self.beside else { return Err(Unbuilt::default()) };
+            let file = urdf.insert(urdf::read(&path.display().to_string(), text)?);
             values.insert(key, Value::Tree(file.tree.clone()));
         }
         model.build(&values, targets).map_err(|faults| {

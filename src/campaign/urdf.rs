@@ -3,9 +3,9 @@
 
 use super::robot_faults;
 use etalon_base::error;
+use etalon_base::files::shell_word;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
-use etalon_formats::xacro::{self, Expanded};
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, Mimic, Tree, TreeChain, TreeJoint};
 use std::f64::consts::TAU;
@@ -45,21 +45,17 @@ impl Urdf {
     }
 }
 
-/// Expands xacro in a text, as far as kinematics and masses need it.
-pub(super) fn expand(path: &Path, text: String, arguments: &[String]) -> Result<Expanded> {
-    xacro::expand(path, text, arguments, |name| SKIPPED.contains(&name))
-}
-
-/// Reads links and joints of a file.
-pub(super) fn read(expanded: &Expanded) -> Result<Urdf> {
-    let mut urdf = read_plain(&expanded.name, &expanded.text).map_err(|problems| expanded.relocate(problems))?;
-    urdf.places = urdf.places.into_iter().map(|place| expanded.place(place)).collect();
-    Ok(urdf)
-}
-
-fn read_plain(file: &str, text: &str) -> Result<Urdf> {
-    let xml = Elements::read(file, text, |name| SKIPPED.contains(&name))?;
-    let root = xml.root().filter(|root| root.name() == "robot");
+/// Reads links and joints of a file. A file with elements of xacro is refused.
+pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
+    // elements of xacro are found wherever they are
+    let has_sign = text.contains("<xacro:");
+    let xml = Elements::read(file, text, |name| !has_sign && SKIPPED.contains(&name))?;
+    let root = xml.root();
+    if let Some(node) = root.and_then(|root| root.all().find(|node| node.has_prefix("xacro"))) {
+        let construct = format!("<xacro:{}>", node.name());
+        return Err(error!("xacro-construct", construct, command = expansion(file)).at(node.place()).into());
+    }
+    let root = root.filter(|root| root.name() == "robot");
     let Some(root) = root else {
         return Err(error!("urdf-no-robot").at(xml.place(0)).into());
     };
@@ -90,6 +86,15 @@ fn read_plain(file: &str, text: &str) -> Result<Urdf> {
         }
     }
     problems.check().map(|_| Urdf { tree: Arc::new(tree), name: file.to_owned(), places })
+}
+
+/// Command that expands a file of xacro.
+fn expansion(file: &str) -> String {
+    let stem = file.strip_suffix(".xacro").unwrap_or(file);
+    let stem = stem.strip_suffix(".urdf").or(stem.strip_suffix(".xml")).unwrap_or(stem);
+    let end = if file.ends_with(".xacro") { "" } else { "-expanded" };
+    let [file, urdf] = [file, &format!("{stem}{end}.urdf")].map(|name| shell_word(Path::new(name)));
+    format!("xacro {file} > {urdf}")
 }
 
 fn link(node: Node) -> Result<Link> {

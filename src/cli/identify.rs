@@ -111,8 +111,8 @@ impl IdentifyCommand {
         self.check()?;
         let robot_file = read_robot(&self.robot)?;
         let observed = self.format.read(&self.observations)?;
-        let described = robot_file.description_paths();
-        let inputs = files::sha256_by_name([&self.robot, &self.observations].into_iter().chain(&described))?;
+        let inputs =
+            files::sha256_by_name([&self.robot, &self.observations].into_iter().chain(robot_file.description_path()))?;
         let document = self.identified(&robot_file, observed, &inputs)?;
         if !self.json {
             remark(&document.messages);

@@ -13,7 +13,6 @@ use etalon_base::files;
 use etalon_base::message::Problems;
 use etalon_base::{error, phrase};
 use etalon_campaign::{parse, read_urdf};
-use etalon_formats::xacro::plain_name;
 use etalon_robots::{Joint, Quantity, TreeChain};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -28,13 +27,10 @@ pub struct Init {
     /// Add a truth, from which `etalon simulate` writes the exports and logs.
     #[arg(long)]
     synthetic: bool,
-    /// Describe the robot by this URDF or xacro file: its chain with the most moving joints. The
-    /// file is copied beside robot.toml as plain URDF.
+    /// Describe the robot by this URDF file: its chain with the most moving joints. The file is
+    /// copied beside robot.toml.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
-    /// Argument of a xacro file, as the command `xacro` takes it; several options are allowed.
-    #[arg(long, value_name = "NAME:=VALUE", requires = "urdf")]
-    argument: Vec<String>,
     /// Use the published geometry of this robot (ur5e, irb120 ...), an example of a model
     /// (five-bar, xy-theta, hexapod, delta ...), or your own robot.toml.
     ///
@@ -131,7 +127,7 @@ impl Init {
     /// The robot of a campaign from files.
     fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
         if let Some(path) = &self.urdf {
-            let described = tool_link::described(path, &self.argument, &self.from)?;
+            let described = tool_link::described(path, &self.from)?;
             let Described { name, robot, text, joints, targets } = described;
             let files = vec![("robot.toml".to_owned(), robot), (name, text)];
             let controllers = "[\"json\", \"urdf\"]";
@@ -155,7 +151,7 @@ impl Init {
 
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
-        let Described { name, robot, text, joints, .. } = described(path, &self.argument)?;
+        let Described { name, robot, text, joints, .. } = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
@@ -244,13 +240,9 @@ fn schema_file(name: &str) -> String {
 }
 
 /// The chain of a URDF file with the most moving joints.
-fn described(path: &Path, arguments: &[String]) -> anyhow::Result<Described> {
-    let (chain, expanded) = read_urdf(path, arguments)?;
-    let mut name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if expanded.is_expanded() {
-        name = plain_name(&name);
-    }
-    let text = expanded.text;
+fn described(path: &Path) -> anyhow::Result<Described> {
+    let (chain, text) = read_urdf(path)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let robot = urdf_text(&name, &chain);
     let (robot, text) = (robot.into_bytes(), text.into_bytes());
     Ok(Described { name, robot, text, joints: joint_keys(&chain), targets: Vec::new() })

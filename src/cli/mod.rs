@@ -47,6 +47,7 @@ mod verify;
 
 use crate::stages::table_file;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use etalon_base::files::shell_word;
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_base::{error, phrase};
 use etalon_documents::WrittenDocument;
@@ -56,7 +57,6 @@ use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
-use std::path::Path;
 
 /// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and
 /// a report out.
@@ -320,16 +320,6 @@ fn say(text: impl Display) {
 fn next_step(json: bool, step: impl Display) {
     if !json {
         say(format_args!("next: {step}"));
-    }
-}
-
-/// A path as a word of a shell's command line.
-fn shell_word(path: &Path) -> String {
-    let text = path.display().to_string();
-    let plain = |c: char| c.is_alphanumeric() || "/._-+,@".contains(c);
-    match !text.is_empty() && text.chars().all(plain) {
-        true => text,
-        false => format!("'{}'", text.replace('\'', "'\\''")),
     }
 }
 

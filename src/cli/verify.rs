@@ -114,9 +114,9 @@ impl Verify {
         remark(unknown_geometry(&document, &files::sha256(&files::read(&self.robot)?)).as_slice());
         let Some(observations) = &self.observations else { return self.plan(&robot_file, &document) };
         let observed = self.table(observations)?;
-        let described = robot_file.description_paths();
-        let inputs =
-            files::sha256_by_name([&self.robot, &self.parameters, observations].into_iter().chain(&described))?;
+        let inputs = files::sha256_by_name(
+            [&self.robot, &self.parameters, observations].into_iter().chain(robot_file.description_path()),
+        )?;
         let mut found = self.verified(&robot_file, &document, &observed, inputs)?;
         found.calibration = campaign.map(CampaignReference::from);
         if !self.json {
@@ -209,8 +209,9 @@ impl Verify {
         let Some(candidates) = &self.choice.candidates else { return Ok(Verdict::Met) };
         let table = self.format.read_other(candidates)?;
         let (mut robot, Candidates { observations, limit_violations }) = read_candidates(robot_file, &table)?;
-        let described = robot_file.description_paths();
-        let inputs = files::sha256_by_name([&self.robot, &self.parameters, candidates].into_iter().chain(&described))?;
+        let inputs = files::sha256_by_name(
+            [&self.robot, &self.parameters, candidates].into_iter().chain(robot_file.description_path()),
+        )?;
         let stated_mm = self.standard_uncertainty_um.map(|u| u / 1000.0);
         let calibration =
             EarlierCalibration::new(robot.as_mut(), document, stated_mm)?.with_bound(self.bound.stated()?);

@@ -50,8 +50,8 @@ impl Exporter for Urdf {
     }
 
     fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        if let Some(file) = given.description {
-            return holds_xacro(file.text).then(|| error!("urdf-holds-xacro", file = file.file));
+        if given.description.is_some() {
+            return None;
         }
         Some(super::other_robot(self.name(), given.robot?, phrase!("kind-urdf")))
     }
@@ -84,24 +84,6 @@ impl Exporter for Urdf {
             at = edit.range.end;
         }
         Ok((out + file.text.get(at..).unwrap_or_default()).into_bytes())
-    }
-}
-
-/// `true` if a text holds xacro outside of comments.
-fn holds_xacro(text: &str) -> bool {
-    let mut reader = Reader::from_str(text);
-    loop {
-        match reader.read_event() {
-            Ok(Event::Start(tag) | Event::Empty(tag)) => {
-                let sign = |text: &str| text.contains("${") || text.contains("$(");
-                let values = || tag.attributes().with_checks(false).flatten().any(|a| sign(&a.value));
-                if tag.name().as_ref().starts_with("xacro:") || values() {
-                    return true;
-                }
-            }
-            Ok(Event::Eof) | Err(_) => return false,
-            _ => {}
-        }
     }
 }
 

@@ -25,7 +25,6 @@ mod unpack;
 #[cfg(target_arch = "x86_64")]
 mod wide;
 mod workbook;
-pub mod xacro;
 pub mod xml;
 
 pub use cloud::{Cloud, cloud, packed_points, rows};

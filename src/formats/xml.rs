@@ -186,6 +186,12 @@ impl<'t, 'a> Node<'t, 'a> {
         self.element().name
     }
 
+    /// `true` if the name has this prefix.
+    pub fn has_prefix(self, prefix: &str) -> bool {
+        let name = self.tree.text.get(self.element().start + 1..).and_then(|tag| tag.strip_prefix(prefix));
+        name.is_some_and(|rest| rest.starts_with(':'))
+    }
+
     /// Text of the element itself, without blanks around it.
     pub fn text(self) -> &'t str {
         self.element().text.trim()

@@ -367,15 +367,8 @@ fn base_joints(chain: &[Step]) -> Vec<String> {
 
 impl Description for Keys {
     fn read(keys: &mut Reader) -> Self {
-        let tree = keys
-            .required(Key::plain("file", "URDF file of the robot, beside this one; xacro where it needs no macros."));
-        // of use before the tree is read
-        let _: Option<Vec<String>> = keys.optional(Key::plain(
-            "arguments",
-            "Arguments of a xacro file, as the command `xacro` takes them: NAME:=VALUE.",
-        ));
         Self {
-            tree,
+            tree: keys.required(Key::plain("file", "URDF file of the robot, beside this one.")),
             base_link: keys.required(Key::plain(
                 "base_link",
                 "Link of the URDF that is the base: a stationary link or, without an external instrument, the flange of another arm or a part on a positioner.",

@@ -1,6 +1,6 @@
 //! Messages of samples whose rows are altered by a rule, and of files too large for a case.
 
-use super::{CHECK, RUN, hold, samples};
+use super::{RUN, hold, samples};
 
 fn sample(file: &str) -> String {
     std::fs::read_to_string(samples().join(file)).unwrap()
@@ -74,15 +74,7 @@ fn of_a_recording_with_a_jump() {
 
 #[test]
 fn of_files_that_grow_when_read() {
-    let property = format!("<xacro:property name=\"p\" value=\"{}\"/>", "x".repeat(1 << 20));
-    let links = "<link name=\"l\" a=\"${p}\"/>".repeat(66);
-    let head = "<robot xmlns:xacro=\"http://www.ros.org/wiki/xacro\" ";
-    let urdf =
-        sample("column-arm/arm.urdf").replace("<robot ", head).replace("</robot>", &(property + &links + "</robot>"));
     let faults = "<PlaneFeatureMeasurement id=\"1\"><PointList n=\"1\"><WholePointSetId>9</WholePointSetId></PointList></PlaneFeatureMeasurement>";
     let qif = super::data::QIF.replace("</MeasuredFeatures>", &(faults.repeat(60) + "</MeasuredFeatures>"));
-    hold(&[
-        ("xacro-too-large", "column-arm", edits([("arm.urdf", "", kept(urdf))]), CHECK),
-        ("further-messages", "", edits([("b.qif", "", kept(qif))]), "fit plane @/b.qif"),
-    ]);
+    hold(&[("further-messages", "", edits([("b.qif", "", kept(qif))]), "fit plane @/b.qif")]);
 }

@@ -38,12 +38,10 @@ struct Placed {
 pub(super) fn branches(
     beside: &Path,
     name: &str,
-    source: &str,
     chains: &[TreeChain],
     files: &[PathBuf],
 ) -> anyhow::Result<Option<Branches>> {
-    let build =
-        |chain: &TreeChain| parse_robot(beside, &urdf_text(source, chain)).ok()?.build(&[TARGET.to_owned()]).ok();
+    let build = |chain: &TreeChain| parse_robot(beside, &urdf_text(name, chain)).ok()?.build(&[TARGET.to_owned()]).ok();
     let robots: Vec<(usize, Box<dyn Robot>)> =
         chains.iter().enumerate().filter_map(|(at, chain)| Some((at, build(chain)?))).collect();
     let nominal: Vec<&dyn Robot> = robots.iter().map(|(_, robot)| robot.as_ref()).collect();

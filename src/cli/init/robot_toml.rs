@@ -3,7 +3,6 @@
 use super::from::RobotFiles;
 use etalon_base::files;
 use etalon_campaign::parse_robot;
-use etalon_formats::xacro::plain_name;
 use std::path::{Path, PathBuf};
 
 /// Name of the file in the folder of a campaign.
@@ -34,13 +33,9 @@ pub(super) fn robot_files(path: &Path) -> anyhow::Result<RobotFiles> {
     let (mut text, mut all) = (text, Vec::new());
     let mut controllers = "[\"json\"]";
     if let Some((name, description)) = robot.description() {
-        let mut beside = Path::new(name).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        let is_xacro = Path::new(&beside).extension().is_some_and(|end| end.eq_ignore_ascii_case("xacro"));
-        if is_xacro {
-            beside = plain_name(&beside);
-        }
-        // the file is copied beside robot.toml, as plain URDF
-        text = robot.text_beside(&beside, is_xacro);
+        let beside = Path::new(name).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+        // the file is copied beside robot.toml
+        text = robot.text_beside(&beside);
         controllers = "[\"json\", \"urdf\"]";
         all.push((beside, description.as_bytes().to_vec()));
     }

@@ -8,7 +8,6 @@ use etalon_base::message::printable;
 use etalon_base::phrase;
 use etalon_campaign::{parse_robot, read_urdf_chains};
 use etalon_documents::FormatsDocument;
-use etalon_formats::xacro::plain_name;
 use etalon_formats::{FilesProposal, heading_without_unit, propose_files};
 use etalon_robots::TreeChain;
 use std::fmt::Write;
@@ -38,24 +37,20 @@ enum Choice {
 }
 
 /// Describes the robot of a URDF file by the chain that fits files of measurements.
-pub(super) fn described(path: &Path, arguments: &[String], files: &[PathBuf]) -> anyhow::Result<Described> {
-    let (chains, expanded) = read_urdf_chains(path, arguments)?;
-    let (longest, _) = etalon_campaign::read_urdf(path, arguments)?;
+pub(super) fn described(path: &Path, files: &[PathBuf]) -> anyhow::Result<Described> {
+    let (chains, urdf) = read_urdf_chains(path)?;
+    let (longest, _) = etalon_campaign::read_urdf(path)?;
     if chains.len() < 2 || chains.len() > TRIED {
-        return super::described(path, arguments);
+        return super::described(path);
     }
-    let mut name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if expanded.is_expanded() {
-        name = plain_name(&name);
-    }
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let beside = path.with_file_name("robot.toml");
-    let source = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if let Some(branches) = branches(&beside, &name, &source, &chains, files)? {
-        let (robot, text) = (branches.text.into_bytes(), expanded.text.into_bytes());
+    if let Some(branches) = branches(&beside, &name, &chains, files)? {
+        let (robot, text) = (branches.text.into_bytes(), urdf.into_bytes());
         return Ok(Described { name, robot, text, joints: branches.joints, targets: branches.targets });
     }
     let evidence: Vec<Evidence> =
-        chains.iter().map(|chain| evidence(&beside, &source, chain, files)).collect::<anyhow::Result<_>>()?;
+        chains.iter().map(|chain| evidence(&beside, &name, chain, files)).collect::<anyhow::Result<_>>()?;
     let (robot, joints) = match choice(&chains, &evidence, &longest) {
         Choice::Chain(at, reason) => {
             let remark = format!("# tool_link: {}\n", printable(&reason.to_string()));
@@ -63,7 +58,7 @@ pub(super) fn described(path: &Path, arguments: &[String], files: &[PathBuf]) ->
         }
         Choice::Open(fit) => (open(&name, &chains, &fit), Vec::new()),
     };
-    let (robot, text) = (robot.into_bytes(), expanded.text.into_bytes());
+    let (robot, text) = (robot.into_bytes(), urdf.into_bytes());
     Ok(Described { name, robot, text, joints, targets: Vec::new() })
 }
 
@@ -81,8 +76,8 @@ fn open(name: &str, chains: &[TreeChain], fit: &[usize]) -> String {
 }
 
 /// Tests a chain against the files.
-fn evidence(beside: &Path, source: &str, chain: &TreeChain, files: &[PathBuf]) -> anyhow::Result<Evidence> {
-    let text = urdf_text(source, chain);
+fn evidence(beside: &Path, name: &str, chain: &TreeChain, files: &[PathBuf]) -> anyhow::Result<Evidence> {
+    let text = urdf_text(name, chain);
     let robot = parse_robot(beside, &text).and_then(|robot| robot.build(&["target".to_owned()])).ok();
     let FilesProposal { documents, still, .. } = propose_files(files, robot.as_deref())?;
     let joints: Vec<&str> = chain.joints.iter().map(|joint| joint.name.as_str()).collect();

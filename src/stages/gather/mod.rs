@@ -68,7 +68,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]),
         statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]),
     ];
-    let described = campaign.robot_descriptions().into_iter();
+    let described = campaign.robot_description();
     sources.extend(described.map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
     let mut columns = PointColumns::default();
     let mut frames = Vec::new();

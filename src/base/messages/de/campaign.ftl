@@ -227,6 +227,9 @@ key-remedy = { $key ->
 urdf-no-robot = die Datei ist keine URDF-Datei
     .expected = das Element <robot>
 
+xacro-construct = `{ $construct }` von xacro wird hier nicht expandiert
+    .hint = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
+
 urdf-joint-twice = es gibt zwei Gelenke `{ $joint }`
     .hint = eines umbenennen
 

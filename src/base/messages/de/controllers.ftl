@@ -185,9 +185,6 @@ coordinate-unknown = `{ $letter }` hat noch keinen Wert
 quaternion-length = das Quaternion von { $target } hat die Länge { FIXED($length, 4) }
     .expected = Länge 1
 
-urdf-holds-xacro = Elemente ohne Kinematik von `{ $file }` enthalten xacro
-    .hint = die Datei mit dem Befehl `xacro` expandieren und die URDF-Datei in robot.toml angeben
-
 template-without-holds = die Vorlage nennt die Parameter nicht, die ihre Datei enthält
     .expected = eine erste Zeile wie `{"{#"} holds: theta_* {"#}"}`
     .hint = die Parameter nennen; `*` steht für beliebigen Text und `holds: *` für alle Parameter

@@ -454,35 +454,7 @@ files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine 
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
 recording-not-joined = die Zeiten verknüpfen `{ $log }` nicht: es gibt weniger Stillstände von mindestens 1 s als Punkte ({ $standstills }), und kein Versatz der Uhren gibt jedem Punkt eine eigene Zeile
-expand-xacro = die Datei expandieren und stattdessen die URDF-Datei angeben: { $command }
 
-attribute-malformed = ein Attribut, das nicht lesbar ist
-
-xacro-construct = `{ $construct }` von xacro wird hier nicht expandiert
-
-xacro-undefined = vor dieser Zeile ist keine Eigenschaft `{ $name }` definiert
-
-xacro-argument-missing = das Argument `{ $argument }` der xacro-Datei hat keinen Wert
-    .hint = `arguments = ["{ $argument }:=WERT"]` in robot.toml angeben oder `--argument { $argument }:=WERT` bei `etalon init`
-
-xacro-argument-unknown = { $file } hat kein Argument `{ $argument }`
-
-xacro-argument-form = `{ $argument }` ist kein Argument von xacro
-    .expected = NAME:=WERT
-
-xacro-package = das Paket `{ $package }` liegt weder in einem übergeordneten Ordner noch neben der Datei
-
-xacro-include-unreadable = die eingebundene Datei kann nicht gelesen werden: { $reason }
-
-xacro-include-loop = `{ $file }` bindet sich selbst ein
-
-xacro-recursion = die Eigenschaft `{ $name }` ist durch sich selbst definiert
-
-xacro-too-many-files = mehr als { $most_files } eingebundene Dateien oder mehr als { $most_depth } ineinander verschachtelt
-
-xacro-value-too-long = der Wert ist länger als { $most_bytes } Byte oder braucht mehr als { $most_depth } verschachtelte Eigenschaften
-
-xacro-too-large = der expandierte Text ist größer als { $most_mib } MiB
 doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
 
 doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten oder beides nebeneinander

@@ -480,6 +480,15 @@ key-remedy = { $key ->
 urdf-no-robot = the file is not a URDF
     .expected = the element <robot>
 
+# Means: The file holds elements of xacro, the macro language of ROS.
+# Matters: Links, joints and lengths of the robot are known only after the expansion, which etalon
+# does not do.
+# Do: Run the command of the hint where ROS is installed (`ros2 run xacro xacro` is the same command),
+# with the arguments of the file as NAME:=VALUE, and name the resulting URDF.
+# Example: `<xacro:arm prefix="left_"/>`
+xacro-construct = `{ $construct }` of xacro is not expanded here
+    .hint = expand the file, and name the URDF instead: { $command }
+
 # Means: Two joints of a URDF have the same name.
 # Matters: Logs and couplings name joints.
 # Do: Rename one of them.

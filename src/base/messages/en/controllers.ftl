@@ -362,14 +362,6 @@ coordinate-unknown = `{ $letter }` has no value yet
 quaternion-length = the quaternion of { $target } has the length { FIXED($length, 4) }
     .expected = length 1
 
-# Means: The URDF of the robot is a xacro file, and elements without kinematics (`visual`, `gazebo`)
-# contain xacro that etalon does not expand.
-# Matters: Other programs could not read the calibrated URDF.
-# Do: Expand the file with the command `xacro`, and name the URDF in robot.toml.
-# Example: `<visual><xacro:mesh name="arm"/></visual>`
-urdf-holds-xacro = elements without kinematics in `{ $file }` contain xacro
-    .hint = expand the file with the command `xacro`, and name the URDF in robot.toml
-
 # Means: The first line of a template does not state which parameters its file holds.
 # Matters: All other identified parameters count as left out: the values are identified again without them.
 # Do: Begin the template with a comment that names parameters, or patterns of their names.

@@ -227,6 +227,9 @@ key-remedy = { $key ->
 urdf-no-robot = le fichier n’est pas un fichier URDF
     .expected = l’élément <robot>
 
+xacro-construct = `{ $construct }` de xacro n’est pas développé ici
+    .hint = développer le fichier, et indiquer l’URDF à sa place : { $command }
+
 urdf-joint-twice = il y a deux articulations `{ $joint }`
     .hint = renommer l’une des deux
 

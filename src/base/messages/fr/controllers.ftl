@@ -185,9 +185,6 @@ coordinate-unknown = `{ $letter }` n’a pas encore de valeur
 quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4) }
     .expected = norme 1
 
-urdf-holds-xacro = des éléments sans cinématique de `{ $file }` contiennent du xacro
-    .hint = développer le fichier avec la commande `xacro`, et indiquer l’URDF dans robot.toml
-
 template-without-holds = le gabarit n’indique pas les paramètres que contient son fichier
     .expected = une première ligne comme `{"{#"} holds: theta_* {"#}"}`
     .hint = nommer les paramètres ; `*` remplace un texte quelconque, et `holds: *` tous les paramètres

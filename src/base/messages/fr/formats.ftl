@@ -454,35 +454,7 @@ files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne cor
 
 files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
 recording-not-joined = les instants ne relient pas `{ $log }` : les arrêts d’au moins 1 s sont moins nombreux que les points ({ $standstills }), et aucun décalage des horloges ne donne à chaque point sa propre ligne
-expand-xacro = développer le fichier, et indiquer l’URDF à sa place : { $command }
 
-attribute-malformed = un attribut illisible
-
-xacro-construct = `{ $construct }` de xacro n’est pas développé ici
-
-xacro-undefined = aucune propriété `{ $name }` n’est définie avant cette ligne
-
-xacro-argument-missing = l’argument `{ $argument }` du fichier xacro n’a pas de valeur
-    .hint = indiquer `arguments = ["{ $argument }:=VALEUR"]` dans robot.toml, ou `--argument { $argument }:=VALEUR` à `etalon init`
-
-xacro-argument-unknown = { $file } n’a pas d’argument `{ $argument }`
-
-xacro-argument-form = `{ $argument }` n’est pas un argument de xacro
-    .expected = NOM:=VALEUR
-
-xacro-package = le paquet `{ $package }` n’est ni dans un dossier parent du fichier ni à côté de lui
-
-xacro-include-unreadable = impossible de lire le fichier inclus : { $reason }
-
-xacro-include-loop = `{ $file }` s’inclut lui-même
-
-xacro-recursion = la propriété `{ $name }` est définie par elle-même
-
-xacro-too-many-files = plus de { $most_files } fichiers inclus, ou plus de { $most_depth } imbriqués
-
-xacro-value-too-long = la valeur dépasse { $most_bytes } octets, ou exige plus de { $most_depth } propriétés imbriquées
-
-xacro-too-large = le texte développé dépasse { $most_mib } Mio
 doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
 
 doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte
