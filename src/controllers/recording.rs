@@ -1,20 +1,17 @@
 //! A recording (MCAP) of the measured poses for Foxglove, Rerun and RViz: joint states, measured
 //! and predicted positions, errors as markers, and transforms.
 //!
-//! Sources: MCAP specification; OMG DDS-XTypes 1.3, 7.4 (CDR version 1); definitions of
-//! `sensor_msgs`, `geometry_msgs`, `tf2_msgs` and `visualization_msgs` (ROS 2 Humble); REP 103 (m,
-//! rad).
+//! Sources: definitions of `sensor_msgs`, `geometry_msgs`, `tf2_msgs` and `visualization_msgs`
+//! (ROS 2 Humble); REP 103 (m, rad).
 
 use super::{ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_documents::{ErrorQuantity, PointError};
+use etalon_formats::cdr::CdrWriter;
+use etalon_formats::mcap::{MessageType, RecordingWriter};
 use etalon_robots::{Joint, Quantity};
-use mcap::records::{MessageHeader, Metadata};
-use mcap::{WriteOptions, Writer};
-use std::collections::BTreeMap;
-use std::io::Cursor;
 
 /// Recording of a run.
 pub(super) struct Recording;
@@ -61,7 +58,7 @@ impl Exporter for Recording {
         for (number, visit) in visits.enumerate() {
             file.write_visit(given, number, visit, magnification.max(1.0))?;
         }
-        file.finish()
+        file.0.finish().map_err(failed)
     }
 }
 
@@ -80,20 +77,13 @@ fn failed(error: impl std::fmt::Display) -> Problems {
 }
 
 /// A recording that is being written.
-struct File {
-    writer: Writer<Cursor<Vec<u8>>>,
-    /// Numbers of the channels by topic.
-    channels: BTreeMap<String, u16>,
-}
+struct File(RecordingWriter);
 
 impl File {
     fn new(given: &ExportInput) -> Result<Self> {
-        let options = WriteOptions::new().compression(None).profile("ros2").library("etalon");
-        let mut writer = options.create(Cursor::new(Vec::new())).map_err(failed)?;
         let header = given.header("m, rad")?;
         let about = header.iter().enumerate().map(|(i, line)| (format!("{i:02}"), line.clone())).collect();
-        writer.write_metadata(&Metadata { name: "etalon".to_owned(), metadata: about }).map_err(failed)?;
-        Ok(Self { writer, channels: BTreeMap::new() })
+        RecordingWriter::new(about).map(Self).map_err(failed)
     }
 
     /// Writes one visit of a pose: all targets that were measured at it.
@@ -126,24 +116,8 @@ impl File {
     }
 
     fn write(&mut self, topic: &str, kind: &Kind, time_s: f64, data: Vec<u8>) -> Result<()> {
-        let channel_id = match self.channels.get(topic) {
-            Some(channel) => *channel,
-            None => {
-                let schema =
-                    self.writer.add_schema(kind.name, "ros2msg", kind.definition().as_bytes()).map_err(failed)?;
-                let channel = self.writer.add_channel(schema, topic, "cdr", &BTreeMap::new()).map_err(failed)?;
-                self.channels.insert(topic.to_owned(), channel);
-                channel
-            }
-        };
-        let time = (time_s * 1e9).round() as u64;
-        let header = MessageHeader { channel_id, sequence: 0, log_time: time, publish_time: time };
-        self.writer.write_to_known_channel(&header, &data).map_err(failed)
-    }
-
-    fn finish(mut self) -> Result<Vec<u8>> {
-        self.writer.finish().map_err(failed)?;
-        Ok(self.writer.into_inner().into_inner())
+        let kind = || MessageType { name: kind.name, definition: kind.definition() };
+        self.0.write(topic, kind, time_s, &data).map_err(failed)
     }
 }
 
@@ -260,61 +234,13 @@ const PARTS: [(&str, &str); 15] = [
 /// `Marker::LINE_LIST`: pairs of points.
 const LINE_LIST: u32 = 5;
 
-/// A message in CDR version 1, little-endian.
-struct Cdr(Vec<u8>);
-
-impl Cdr {
-    fn new() -> Self {
-        Self(vec![0, 1, 0, 0])
-    }
-
-    /// Appends a primitive value, aligned to its size.
-    fn value<const N: usize>(mut self, bytes: [u8; N]) -> Self {
-        let behind = self.0.len() - 4;
-        self.0.resize(4 + behind.next_multiple_of(N), 0);
-        self.0.extend(bytes);
-        self
-    }
-
-    fn whole(self, value: u32) -> Self {
-        self.value(value.to_le_bytes())
-    }
-
-    fn count(self, count: usize) -> Self {
-        self.whole(u32::try_from(count).unwrap_or(u32::MAX))
-    }
-
-    fn number(self, value: f64) -> Self {
-        self.value(value.to_le_bytes())
-    }
-
-    fn numbers(self, values: impl IntoIterator<Item = f64>) -> Self {
-        values.into_iter().fold(self, Self::number)
-    }
-
-    fn text(self, text: &str) -> Self {
-        let mut out = self.count(text.len() + 1);
-        out.0.extend(text.bytes().chain([0]));
-        out
-    }
-
-    fn header(self, time_s: f64, frame: &str) -> Self {
-        let (seconds, rest) = (time_s.floor(), time_s.fract());
-        self.whole(seconds as u32).whole((rest * 1e9) as u32).text(frame)
-    }
-
-    fn colour(self, colour: [f32; 4]) -> Self {
-        colour.into_iter().fold(self, |out, value| out.value(value.to_le_bytes()))
-    }
-}
-
 /// A position (m).
 fn metres(position_mm: Vector) -> Vector {
     position_mm.map(|v| v / 1e3)
 }
 
 fn point(time_s: f64, frame: &str, position_mm: Vector) -> Vec<u8> {
-    Cdr::new().header(time_s, frame).numbers(metres(position_mm)).0
+    CdrWriter::default().header(time_s, frame).numbers(metres(position_mm)).finish()
 }
 
 /// All measured points (m) with their errors (mm) before and after calibration.
@@ -322,36 +248,35 @@ fn cloud(given: &ExportInput, errors: &[&PointError]) -> Vec<u8> {
     const FIELDS: [&str; 5] = ["x", "y", "z", "before_mm", "after_mm"];
     const FLOAT32: u8 = 7;
     let frame = errors.first().map_or("world", |error| frame(given, &error.target));
-    let out = Cdr::new().header(0.0, frame).count(1).count(errors.len()).count(FIELDS.len());
-    let field = |out: Cdr, (i, name): (usize, &&str)| out.text(name).count(4 * i).value([FLOAT32]).count(1);
+    let out = CdrWriter::default().header(0.0, frame).count(1).count(errors.len()).count(FIELDS.len());
+    let field = |out: CdrWriter, (i, name): (usize, &&str)| out.text(name).count(4 * i).value([FLOAT32]).count(1);
     let step = 4 * FIELDS.len();
     let out = FIELDS.iter().enumerate().fold(out, field).value([0]).count(step).count(step * errors.len());
-    let mut out = out.count(step * errors.len());
-    for error in errors {
+    let point = |error: &&PointError| {
         let [x, y, z] = metres(error.at_mm);
-        let values = [x, y, z, norm(error.before_mm), norm(error.after_mm)];
-        out.0.extend(values.iter().flat_map(|value| (*value as f32).to_le_bytes()));
-    }
-    out.value([1]).0
+        [x, y, z, norm(error.before_mm), norm(error.after_mm)].map(|value| (value as f32).to_le_bytes())
+    };
+    let data = errors.iter().flat_map(point).flatten();
+    out.count(step * errors.len()).bytes(data).value([1]).finish()
 }
 
 fn joint_state(time_s: f64, joints: &[Joint], logged: &[f64]) -> Vec<u8> {
-    let out = Cdr::new().header(time_s, "").count(joints.len());
+    let out = CdrWriter::default().header(time_s, "").count(joints.len());
     let out = joints.iter().fold(out, |out, joint| out.text(&joint.name)).count(joints.len());
     let values = joints.iter().zip(logged).map(|(joint, value)| match joint.quantity {
         Quantity::Length => value / 1e3,
         _ => joint.quantity.inward(*value),
     });
-    out.numbers(values).count(0).count(0).0
+    out.numbers(values).count(0).count(0).finish()
 }
 
 fn tf_message(time_s: f64, transforms: &[(&str, &str, Pose)]) -> Vec<u8> {
-    let out = Cdr::new().count(transforms.len());
-    let write = |out: Cdr, (parent, child, pose): &(&str, &str, Pose)| {
+    let out = CdrWriter::default().count(transforms.len());
+    let write = |out: CdrWriter, (parent, child, pose): &(&str, &str, Pose)| {
         let [w, x, y, z] = pose.quaternion();
         out.header(time_s, parent).text(child).numbers(metres(pose.translation_mm)).numbers([x, y, z, w])
     };
-    transforms.iter().fold(out, write).0
+    transforms.iter().fold(out, write).finish()
 }
 
 /// Errors as lines that begin at the measured position, magnified.
@@ -360,7 +285,7 @@ fn markers(given: &ExportInput, time_s: f64, number: usize, visit: &[&PointError
     COLOURS
         .into_iter()
         .enumerate()
-        .fold(Cdr::new().count(COLOURS.len()), |out, (which, (name, colour))| {
+        .fold(CdrWriter::default().count(COLOURS.len()), |out, (which, (name, colour))| {
             let ends = visit.iter().flat_map(|error| {
                 let vector = if which == 0 { error.before_mm } else { error.after_mm };
                 [error.at_mm, minus(error.at_mm, vector.map(|v| v * magnification))]
@@ -369,10 +294,16 @@ fn markers(given: &ExportInput, time_s: f64, number: usize, visit: &[&PointError
                 out.header(time_s, frame).text(&format!("{name}, {magnification} x")).count(number).whole(LINE_LIST);
             // added at the origin of the frame, kept for good
             let out = out.whole(0).numbers([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).numbers([LINE_WIDTH_M, 0.0, 0.0]);
-            let out = out.colour(colour).whole(0).whole(0).value([0]).count(2 * visit.len());
+            let out = colour
+                .into_iter()
+                .fold(out, |out, value| out.value(value.to_le_bytes()))
+                .whole(0)
+                .whole(0)
+                .value([0])
+                .count(2 * visit.len());
             let out = ends.fold(out, |out, end| out.numbers(metres(end))).count(0).text("");
             // no texture, text or mesh
             out.header(0.0, "").text("").count(0).count(0).text("").text("").text("").count(0).value([0])
         })
-        .0
+        .finish()
 }

@@ -53,7 +53,7 @@ fn arrays_not_text(path: &Path, bytes: &[u8]) -> Message {
 fn topic_not_stated(bytes: &[u8]) -> Message {
     match ros_bag::topics(bytes) {
         Ok(topics) => {
-            let readable = topics.iter().filter(|topic| topic.kind.is_some());
+            let readable = topics.iter().filter(|topic| topic.kind().is_some());
             error!("topic-not-stated").hint_names("", readable.map(|topic| topic.name.as_str()))
         }
         Err(message) => message,

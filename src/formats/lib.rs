@@ -5,6 +5,7 @@
 //! run reports all errors.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+pub mod cdr;
 mod cloud;
 pub mod dialect;
 mod export;
@@ -13,6 +14,7 @@ mod input;
 mod log_text;
 mod logs;
 mod magic;
+pub mod mcap;
 pub mod parquet;
 mod points;
 mod propose;
@@ -34,6 +36,7 @@ pub use exports::{Format, qif};
 pub use input::{file_text, into_text, read_bytes, read_text};
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};
+pub use logs::{arrays, matlab, numpy};
 pub use points::{Line, Names, Point, SharedText, Stated, to_parquet};
 pub use propose::{
     FilesProposal, JOINTS_REMARK, TargetFit, fit_targets, heading_without_unit, label_form, propose, propose_file,

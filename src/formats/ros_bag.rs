@@ -2,25 +2,16 @@
 //! separated by tabs, a row for each message, columns named after the fields of the message
 //! definition.
 //!
-//! Sources: MCAP specification (records, chunks); OMG DDS-XTypes 1.3, 7.4 (CDR version 1: 4 bytes
-//! of encapsulation, primitive types aligned to their size); `sensor_msgs/msg/JointState.msg`
-//! (position in rad or m); REP 103 (m, s).
+//! Sources: `sensor_msgs/msg/JointState.msg` (position in rad or m); REP 103 (m, s).
 
+use crate::cdr::CdrReader;
+use crate::mcap::{self, EachMessage, Topic};
 use crate::sqlite::{self, Database, Value};
-use crate::unpack::Budget;
 use etalon_base::error;
 use etalon_base::message::Message;
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use std::io::Read as _;
 
-/// First bytes of an MCAP file.
-pub(crate) const MAGIC: &[u8] = b"\x89MCAP0\r\n";
-/// Maximum unpacked size of a chunk (bytes).
-const LARGEST_CHUNK: usize = 256 << 20;
-/// Maximum unpacked size of all chunks (bytes), which are unpacked one by one.
-const LARGEST_CHUNKS: u64 = 8 << 30;
 /// Maximum number of cells of the table of a topic.
 const MOST_CELLS: usize = 1 << 28;
 /// Maximum size of the messages of a topic (bytes).
@@ -33,7 +24,7 @@ pub(crate) const POSITION: &str = "position.";
 
 /// `true` if the bytes begin like a recording: MCAP, or a database of rosbag2.
 pub(crate) fn is_recording(bytes: &[u8]) -> bool {
-    bytes.starts_with(MAGIC) || is_database(bytes)
+    bytes.starts_with(mcap::MAGIC) || is_database(bytes)
 }
 
 /// `true` if the bytes begin like a database.
@@ -59,12 +50,6 @@ impl Kind {
         ("geometry_msgs/PointStamped", Self::PointStamped),
     ];
 
-    /// Returns the kind of a message type, in the spelling of ROS 2 or ROS 1.
-    fn named(name: &str) -> Option<Self> {
-        let short = name.replacen("/msg/", "/", 1);
-        Self::ALL.into_iter().find(|(known, _)| *known == short).map(|(_, kind)| kind)
-    }
-
     /// Returns the columns behind the header of a message with a fixed set of numbers.
     fn fields(self) -> &'static [&'static str] {
         const POSE: [&str; 7] = [
@@ -84,15 +69,20 @@ impl Kind {
     }
 }
 
-/// Topic of a recording.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Topic {
-    pub name: String,
-    /// Message type, such as `sensor_msgs/msg/JointState`.
-    pub message: String,
-    /// Encoding of the messages, such as `cdr`.
-    pub encoding: String,
-    pub kind: Option<Kind>,
+impl Topic {
+    /// Kind of its messages, whose type is in the spelling of ROS 2 or ROS 1.
+    pub fn kind(&self) -> Option<Kind> {
+        let parts = self.message.split_once("/msg/").or(self.message.split_once('/'));
+        Kind::ALL.into_iter().find(|(name, _)| name.split_once('/') == parts).map(|(_, kind)| kind)
+    }
+}
+
+/// Calls `each` with the topic and the data of each message, in the order of the file.
+fn each_message(bytes: &[u8], mut each: impl FnMut(&Topic, &[u8]) -> Result<(), Message>) -> Result<(), Message> {
+    match is_database(bytes) {
+        true => each_row(bytes, &mut each),
+        false => mcap::each_message(bytes, &mut each),
+    }
 }
 
 /// Returns the topics of a recording, by name.
@@ -127,7 +117,7 @@ pub(crate) fn texts(bytes: &[u8], wanted: &[&str]) -> Result<Vec<Result<String, 
         wanted.iter().map(|topic| (*topic, Ok(Table::default()))).collect();
     each_message(bytes, |topic, data| {
         if !names.contains_key(&topic.name) {
-            names.insert(topic.name.clone(), topic.kind.is_some());
+            names.insert(topic.name.clone(), topic.kind().is_some());
         }
         if let Some(table) = tables.get_mut(topic.name.as_str())
             && let Ok(rows) = table
@@ -180,7 +170,7 @@ impl Table {
         if self.size > LARGEST_TOPIC {
             return Err(too_large(wanted));
         }
-        let Some(kind) = topic.kind else {
+        let Some(kind) = topic.kind() else {
             let known = Kind::ALL.map(|(name, _)| name);
             return Err(error!("topic-type-unknown", topic = wanted, message = topic.message, known));
         };
@@ -199,13 +189,13 @@ impl Table {
 
     /// Adds the row of a message.
     fn add(&mut self, kind: Kind, data: &[u8]) -> Result<(), Wrong> {
-        let mut from = Cdr::new(data).ok_or(Wrong::Cut)?;
+        let mut from = CdrReader::new(data).ok_or(Wrong::Cut)?;
         let row = self.row(kind, &mut from)?;
         self.rows.push(row);
         Ok(())
     }
 
-    fn row(&mut self, kind: Kind, from: &mut Cdr) -> Result<Vec<(usize, String)>, Wrong> {
+    fn row(&mut self, kind: Kind, from: &mut CdrReader) -> Result<Vec<(usize, String)>, Wrong> {
         let (seconds, nanoseconds) = (from.i32().ok_or(Wrong::Cut)?, from.u32().ok_or(Wrong::Cut)?);
         let frame = from.string().ok_or(Wrong::Cut)?;
         let mut row = vec![
@@ -219,13 +209,13 @@ impl Table {
         if kind != Kind::JointState {
             return Ok(row);
         }
-        let names = from.list(Cdr::string).ok_or(Wrong::Cut)?;
+        let names = from.list(CdrReader::string).ok_or(Wrong::Cut)?;
         let mut known = BTreeSet::new();
         if let Some(twice) = names.iter().find(|name| !known.insert(name.as_str())) {
             return Err(Wrong::Twice(twice.clone()));
         }
         for quantity in ["position", "velocity", "effort"] {
-            let values = from.list(Cdr::f64).ok_or(Wrong::Cut)?;
+            let values = from.list(CdrReader::f64).ok_or(Wrong::Cut)?;
             // JointState.msg: an array is as long as the names, or empty
             if quantity == "position" && !values.is_empty() && values.len() != names.len() {
                 return Err(Wrong::Lengths { names: names.len(), positions: values.len() });
@@ -286,9 +276,6 @@ fn one_cell(name: &str) -> String {
     name.replace(char::is_control, " ")
 }
 
-/// Receiver of the topic and the data of each message.
-type EachMessage<'a> = dyn FnMut(&Topic, &[u8]) -> Result<(), Message> + 'a;
-
 /// Calls `each` with the topic and the data of each message of a database, in the order of the
 /// file.
 ///
@@ -304,9 +291,8 @@ fn each_row(bytes: &[u8], each: &mut EachMessage) -> Result<(), Message> {
     database.each_row(topics, &mut |(id, values)| {
         let text = |at: usize| values.get(at).and_then(Value::text);
         let (Some(name), Some(message), Some(encoding)) = (text(1), text(2), text(3)) else { return Err(foreign()) };
-        let kind = Kind::named(message);
-        let topic = Topic { name: name.to_owned(), message: message.to_owned(), encoding: encoding.to_owned(), kind };
-        known.insert(id, topic);
+        let [name, message, encoding] = [name, message, encoding].map(str::to_owned);
+        known.insert(id, Topic { name, message, encoding });
         Ok(())
     })?;
     database.each_row(messages, &mut |(_, values)| {
@@ -316,231 +302,6 @@ fn each_row(bytes: &[u8], each: &mut EachMessage) -> Result<(), Message> {
             _ => Err(foreign()),
         }
     })
-}
-
-/// Calls `each` with the topic and the data of each message, in the order of the file.
-fn each_message(bytes: &[u8], mut each: impl FnMut(&Topic, &[u8]) -> Result<(), Message>) -> Result<(), Message> {
-    if is_database(bytes) {
-        return each_row(bytes, &mut each);
-    }
-    check_chunks(bytes)?;
-    let mut known = Known::default();
-    let mut left = bytes.strip_prefix(MAGIC).ok_or_else(|| unreadable("end"))?;
-    loop {
-        let (kind, body) = record(&mut left).ok_or_else(|| unreadable("end"))?;
-        match kind {
-            // the summary behind the data repeats channels
-            DATA_END => return Ok(()),
-            CHUNK => {
-                let unpacked = unpacked(body)?;
-                let mut inside = &*unpacked;
-                while !inside.is_empty() {
-                    let (kind, body) = record(&mut inside).ok_or_else(|| unreadable("end"))?;
-                    known.take(kind, body, &mut each)?;
-                }
-            }
-            _ => known.take(kind, body, &mut each)?,
-        }
-    }
-}
-
-/// Checks the sizes that the chunks declare before the first is unpacked.
-fn check_chunks(bytes: &[u8]) -> Result<(), Message> {
-    let budget = Budget::new("recording", bytes.len(), LARGEST_CHUNKS);
-    let mut left = bytes.strip_prefix(MAGIC).unwrap_or_default();
-    let mut declared = 0_u64;
-    // a record that ends early is reported when it is read
-    while let Some((kind, mut body)) = record(&mut left).filter(|(kind, _)| *kind != DATA_END) {
-        if kind == CHUNK
-            && let Some((size, ..)) = chunk_head(&mut body)
-        {
-            declared = declared.saturating_add(size as u64);
-            budget.check(declared)?;
-        }
-    }
-    Ok(())
-}
-
-/// Kinds of records.
-const SCHEMA: u8 = 0x03;
-const CHANNEL: u8 = 0x04;
-const MESSAGE: u8 = 0x05;
-const CHUNK: u8 = 0x06;
-const DATA_END: u8 = 0x0f;
-
-fn unreadable(fault: &str) -> Message {
-    error!("recording-unreadable", fault)
-}
-
-/// Takes a record off the bytes: its kind, and its content behind the length.
-fn record<'a>(left: &mut &'a [u8]) -> Option<(u8, &'a [u8])> {
-    let kind = *left.first()?;
-    let mut behind = &left[1..];
-    let length = usize::try_from(u64::from_le_bytes(*taken(&mut behind)?)).ok()?;
-    let (body, rest) = behind.split_at_checked(length)?;
-    *left = rest;
-    Some((kind, body))
-}
-
-/// Takes a number of bytes off the bytes.
-fn taken<'a, const N: usize>(left: &mut &'a [u8]) -> Option<&'a [u8; N]> {
-    let (first, rest) = left.split_first_chunk()?;
-    *left = rest;
-    Some(first)
-}
-
-/// Takes a text with its length off the bytes.
-fn named(left: &mut &[u8]) -> Option<String> {
-    let length = u32::from_le_bytes(*taken(left)?) as usize;
-    let (text, rest) = left.split_at_checked(length)?;
-    *left = rest;
-    String::from_utf8(text.to_vec()).ok()
-}
-
-/// Takes unpacked size, checksum, compression and packed records of a chunk off the bytes.
-fn chunk_head<'a>(left: &mut &'a [u8]) -> Option<(usize, u32, String, &'a [u8])> {
-    let (_from, _to) = (taken::<8>(left)?, taken::<8>(left)?);
-    let size = usize::try_from(u64::from_le_bytes(*taken(left)?)).ok()?;
-    let checksum = u32::from_le_bytes(*taken(left)?);
-    let compression = named(left)?;
-    let length = usize::try_from(u64::from_le_bytes(*taken(left)?)).ok()?;
-    let data: &'a [u8] = left;
-    Some((size, checksum, compression, data.get(..length)?))
-}
-
-/// Returns the records of a chunk, after a check of their size and checksum.
-fn unpacked(body: &[u8]) -> Result<Cow<'_, [u8]>, Message> {
-    let mut left = body;
-    let (size, checksum, compression, packed) = chunk_head(&mut left).ok_or_else(|| unreadable("end"))?;
-    if size > LARGEST_CHUNK {
-        return Err(unreadable("size"));
-    }
-    let most = size as u64 + 1;
-    let mut out = Vec::new();
-    let records = match compression.as_str() {
-        "" => Cow::Borrowed(packed),
-        "lz4" => {
-            let decoder = lz4::Decoder::new(packed).map_err(|_| unreadable("unpack"))?;
-            decoder.take(most).read_to_end(&mut out).map_err(|_| unreadable("unpack"))?;
-            Cow::Owned(out)
-        }
-        "zstd" => {
-            let decoder = zstd::Decoder::new(packed).map_err(|_| unreadable("unpack"))?;
-            decoder.take(most).read_to_end(&mut out).map_err(|_| unreadable("unpack"))?;
-            Cow::Owned(out)
-        }
-        _ => return Err(unreadable("compression")),
-    };
-    // a checksum of 0 means that there is no checksum
-    if records.len() != size || checksum != 0 && crc32fast::hash(&records) != checksum {
-        return Err(unreadable("checksum"));
-    }
-    Ok(records)
-}
-
-/// Schemas and channels of a recording.
-#[derive(Default)]
-struct Known {
-    /// Message type of each schema.
-    schemas: BTreeMap<u16, String>,
-    channels: BTreeMap<u16, Topic>,
-}
-
-impl Known {
-    /// Takes a schema or channel in, and calls `each` with a message.
-    fn take(
-        &mut self,
-        kind: u8,
-        mut body: &[u8],
-        each: &mut impl FnMut(&Topic, &[u8]) -> Result<(), Message>,
-    ) -> Result<(), Message> {
-        let cut = || unreadable("end");
-        if !matches!(kind, SCHEMA | CHANNEL | MESSAGE) {
-            return Ok(());
-        }
-        let left = &mut body;
-        let id = u16::from_le_bytes(*taken(left).ok_or_else(cut)?);
-        match kind {
-            SCHEMA => {
-                self.schemas.insert(id, named(left).ok_or_else(cut)?);
-            }
-            CHANNEL => {
-                let schema = u16::from_le_bytes(*taken(left).ok_or_else(cut)?);
-                let name = named(left).ok_or_else(cut)?;
-                let encoding = named(left).ok_or_else(cut)?;
-                let message = self.schemas.get(&schema).cloned().unwrap_or_default();
-                let kind = Kind::named(&message);
-                self.channels.insert(id, Topic { name, message, encoding, kind });
-            }
-            _ => {
-                let (_sequence, _logged, _published) = (taken::<4>(left), taken::<8>(left), taken::<8>(left));
-                let topic = self.channels.get(&id).ok_or_else(|| unreadable("channel"))?;
-                each(topic, left)?;
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Reader of a message in CDR version 1.
-struct Cdr<'a> {
-    /// Data behind the encapsulation: alignment counts from here.
-    data: &'a [u8],
-    at: usize,
-    is_big_endian: bool,
-}
-
-impl<'a> Cdr<'a> {
-    /// Returns a reader behind the encapsulation: 0 is big endian, 1 little endian.
-    fn new(message: &'a [u8]) -> Option<Self> {
-        let (start, data) = message.split_at_checked(4)?;
-        let is_big_endian = match start[..2] {
-            [0, 0] => true,
-            [0, 1] => false,
-            _ => return None,
-        };
-        Some(Self { data, at: 0, is_big_endian })
-    }
-
-    fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let start = self.at.next_multiple_of(N);
-        let mut bytes: [u8; N] = self.data.get(start..start + N)?.try_into().ok()?;
-        self.at = start + N;
-        if self.is_big_endian {
-            bytes.reverse();
-        }
-        Some(bytes)
-    }
-
-    fn i32(&mut self) -> Option<i32> {
-        self.bytes().map(i32::from_le_bytes)
-    }
-
-    fn u32(&mut self) -> Option<u32> {
-        self.bytes().map(u32::from_le_bytes)
-    }
-
-    fn f64(&mut self) -> Option<f64> {
-        self.bytes().map(f64::from_le_bytes)
-    }
-
-    /// Returns a text, whose length counts its closing zero.
-    fn string(&mut self) -> Option<String> {
-        let length = self.u32()? as usize;
-        let bytes = self.data.get(self.at..self.at.checked_add(length)?)?;
-        self.at += length;
-        let bytes = bytes.strip_suffix(b"\0").unwrap_or(bytes);
-        String::from_utf8(bytes.to_vec()).ok()
-    }
-
-    /// Returns a sequence; a count that the data cannot hold is no count.
-    fn list<T>(&mut self, each: fn(&mut Self) -> Option<T>) -> Option<Vec<T>> {
-        let count = self.u32()? as usize;
-        if count > self.data.len() {
-            return None;
-        }
-        (0..count).map(|_| each(self)).collect()
-    }
 }
 
 #[cfg(test)]
@@ -638,7 +399,7 @@ mod tests {
         let checksum = crc32fast::hash(&inside).to_le_bytes();
         let chunk = [&[0; 16][..], &size, &checksum, &named(compression), &length, &packed].concat();
         let head = record(1, &[named("ros2"), named("test")].concat());
-        [MAGIC, &head, &record(6, &chunk), &record(15, &[0; 4]), &record(2, &[0; 20]), MAGIC].concat()
+        [mcap::MAGIC, &head, &record(6, &chunk), &record(15, &[0; 4]), &record(2, &[0; 20]), mcap::MAGIC].concat()
     }
 
     fn sample(compression: &str) -> Vec<u8> {

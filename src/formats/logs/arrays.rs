@@ -28,6 +28,31 @@ pub(super) struct Array {
     pub by_columns: bool,
 }
 
+/// An array that is written.
+pub struct NewArray {
+    /// Name.
+    pub name: &'static str,
+    /// Values.
+    pub content: Content,
+}
+
+/// Values of an array that is written.
+pub enum Content {
+    /// A list of texts.
+    Texts(Vec<String>),
+    /// A list of numbers.
+    Numbers(Vec<f64>),
+    /// A list of counts or indices.
+    Counts(Vec<u64>),
+    /// A square matrix, row by row.
+    Matrix(Vec<Vec<f64>>),
+}
+
+/// Returns the bytes of all values.
+pub(super) fn encode<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+    values.iter().flat_map(|value| bytes(*value)).collect()
+}
+
 /// Spelling of a part of an array: `q[:,0]` of NumPy, `q(:,1)` of MATLAB.
 #[derive(Clone, Copy)]
 pub(super) struct Spelling {
@@ -184,9 +209,47 @@ pub(super) fn table(arrays: &[Array], wanted: &[&str], spelling: Spelling) -> Re
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+    use etalon_base::noise::Noise;
     use etalon_base::phrase;
+
+    /// Writes drawn arrays and reads them back; a list has `columns` columns (0: one axis). Texts
+    /// are left out when they are read.
+    pub fn read_back(written: impl Fn(&[NewArray]) -> Vec<Array>, columns: usize) {
+        let mut noise = Noise::new(5, 1);
+        let mut draw = |count: f64| noise.uniform(count / 2.0) + count / 2.0;
+        for _ in 0..200 {
+            // any bits: infinities and NaN too
+            let mut numbers =
+                |count: usize| (0..count).map(|_| f64::from_bits(draw(1.8e19) as u64)).collect::<Vec<f64>>();
+            let size = numbers(1)[0].to_bits() as usize % 7;
+            let (list, matrix) = (numbers(3 * size), (0..size).map(|_| numbers(size)).collect::<Vec<_>>());
+            let counts: Vec<u64> = (0..size as u64).map(|i| i * i).collect();
+            let new = |name, content| NewArray { name, content };
+            let read = written(&[
+                new("text", Content::Texts(vec!["a\u{e9}".to_owned(); size])),
+                new("list", Content::Numbers(list.clone())),
+                new("counts", Content::Counts(counts.clone())),
+                new("matrix", Content::Matrix(matrix.clone())),
+            ]);
+            assert_eq!(read.iter().map(|array| array.name.as_str()).collect::<Vec<_>>(), ["list", "counts", "matrix"]);
+            let shape = |count: usize| if columns == 0 { vec![count] } else { vec![count, columns] };
+            let shapes = [shape(3 * size), shape(size), vec![size, size]];
+            assert_eq!(read.iter().map(|array| array.shape.clone()).collect::<Vec<_>>(), shapes);
+            let bits = |array: &Array, part| {
+                let (count, start, step) = array.run(part).unwrap();
+                let Numbers::Real(values) = &array.numbers else { panic!("{array:?}") };
+                (0..count).map(|i| values[start + i * step].to_bits()).collect::<Vec<u64>>()
+            };
+            let right = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<u64>>();
+            assert_eq!(bits(&read[0], Part::All), right(&list));
+            assert_eq!(bits(&read[1], Part::All), right(&counts.iter().map(|n| *n as f64).collect::<Vec<f64>>()));
+            for (i, row) in matrix.iter().enumerate() {
+                assert_eq!(bits(&read[2], Part::Row(i)), right(row));
+            }
+        }
+    }
 
     const NUMPY: Spelling = Spelling { open: '[', close: ']', first: 0 };
     const MATLAB: Spelling = Spelling { open: '(', close: ')', first: 1 };

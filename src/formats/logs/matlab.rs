@@ -4,7 +4,7 @@
 //! A column is stated as in MATLAB: `t` of a vector, `q(:,1)` of a matrix, `data.q(:,1)` of a
 //! structure. Source: MathWorks, "MAT-File Format", chapter 1 (level 5).
 
-use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
+use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
 use super::{About, LogFormat};
 use crate::magic;
 use crate::unpack::Budget;
@@ -52,12 +52,20 @@ impl LogFormat for Matlab {
 
 /// Data types of elements.
 mod element {
+    pub const INT8: u32 = 1;
+    pub const INT32: u32 = 5;
+    pub const UINT32: u32 = 6;
+    pub const DOUBLE: u32 = 9;
     pub const MATRIX: u32 = 14;
     pub const COMPRESSED: u32 = 15;
+    pub const UTF16: u32 = 17;
 }
 
-/// Class of a structure; classes from 6 to 15 are numbers.
+/// Classes of matrices; classes from 6 to 15 are numbers.
+const CELLS: u8 = 1;
 const STRUCTURE: u8 = 2;
+const CHARACTERS: u8 = 4;
+const DOUBLES: u8 = 6;
 
 fn damaged() -> Message {
     error!("arrays-unreadable", format = "matlab")
@@ -195,7 +203,7 @@ fn matrix(mut inside: Elements, name_of_field: &str, depth: usize, all: &mut Vec
     if class == STRUCTURE {
         return if count == 1 && depth < DEEPEST { fields(inside, name, depth, all) } else { Some(()) };
     }
-    if class < 6 || is_complex {
+    if class < DOUBLES || is_complex {
         return Some(());
     }
     // no column is a part of more than two axes
@@ -232,10 +240,66 @@ fn fields(mut inside: Elements, name: &str, depth: usize, all: &mut Vec<Array>) 
     Some(())
 }
 
+/// Returns arrays as an uncompressed file, whose first bytes contain a text.
+pub fn write(about: &str, arrays: &[NewArray]) -> Vec<u8> {
+    let mut out = [magic::MATLAB, b", ", about.as_bytes()].concat();
+    out.resize(124, b' ');
+    out.extend([0x00, 0x01, b'I', b'M']);
+    for NewArray { name, content } in arrays {
+        out.extend(match content {
+            Content::Texts(texts) => {
+                let cells: Vec<u8> = texts.iter().flat_map(|text| write_text(text)).collect();
+                write_matrix(CELLS, [texts.len(), 1], name, &cells)
+            }
+            Content::Numbers(numbers) => write_numbers([numbers.len(), 1], name, numbers),
+            Content::Counts(counts) => {
+                let numbers: Vec<f64> = counts.iter().map(|count| *count as f64).collect();
+                write_numbers([numbers.len(), 1], name, &numbers)
+            }
+            // numbers of a column are neighbours
+            Content::Matrix(rows) => {
+                let columns = (0..rows.len()).flat_map(|j| rows.iter().map(move |row| row[j]));
+                write_numbers([rows.len(), rows.len()], name, &columns.collect::<Vec<f64>>())
+            }
+        });
+    }
+    out
+}
+
+fn write_text(text: &str) -> Vec<u8> {
+    let units: Vec<u16> = text.encode_utf16().collect();
+    let data = write_element(element::UTF16, &encode(&units, u16::to_le_bytes));
+    write_matrix(CHARACTERS, [1, units.len()], "", &data)
+}
+
+fn write_numbers(size: [usize; 2], name: &str, values: &[f64]) -> Vec<u8> {
+    write_matrix(DOUBLES, size, name, &write_element(element::DOUBLE, &encode(values, f64::to_le_bytes)))
+}
+
+fn write_matrix(class: u8, size: [usize; 2], name: &str, data: &[u8]) -> Vec<u8> {
+    let flags = write_element(element::UINT32, &encode(&[u32::from(class), 0], u32::to_le_bytes));
+    let size = write_element(element::INT32, &encode(&size, |n| (n as u32).to_le_bytes()));
+    let name = write_element(element::INT8, name.as_bytes());
+    write_element(element::MATRIX, &[&flags, &size, &name, data].concat())
+}
+
+/// Returns a tag and its data, padded to a multiple of eight bytes.
+fn write_element(kind: u32, data: &[u8]) -> Vec<u8> {
+    let mut out = encode(&[kind, data.len() as u32], u32::to_le_bytes);
+    out.extend(data);
+    out.resize(out.len().next_multiple_of(8), 0);
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::io::Write as _;
+
+    #[test]
+    fn drawn_arrays_read_back_bit_for_bit() {
+        arrays::tests::read_back(|drawn| variables(&write("drawn", drawn)).unwrap(), 1);
+    }
 
     /// An element by the specification, little endian.
     fn element(kind: u32, data: &[u8]) -> Vec<u8> {

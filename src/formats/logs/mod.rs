@@ -1,12 +1,12 @@
 //! Logs of controllers: the section `[log]` of a campaign, the reader, and the formats (one file
 //! each).
 
-mod arrays;
+pub mod arrays;
 mod galil;
 mod joint_log;
 mod kuka_rsi;
-mod matlab;
-mod numpy;
+pub mod matlab;
+pub mod numpy;
 mod ros;
 mod sheet;
 pub mod standstill;

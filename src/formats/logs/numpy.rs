@@ -3,12 +3,15 @@
 //! A column is stated as in Python: `t` of one axis, `q[:,0]` of two. The array of an `.npy` file
 //! has no name: `[:,0]`.
 
-use super::arrays::{self, Array, ArrayParts, LARGEST, Numbers, Spelling};
+use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
 use super::{About, LogFormat};
 use crate::magic;
 use crate::unpack::Budget;
 use etalon_base::error;
 use etalon_base::message::Message;
+use std::io::{Cursor, Write as _};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
 
 /// Arrays of NumPy.
 pub(super) struct Numpy;
@@ -147,11 +150,58 @@ fn whole<const N: usize>(data: &[u8], is_big_endian: bool, of: impl Fn([u8; N]) 
     Numbers::Whole(numbers(data, is_big_endian, of))
 }
 
+/// Returns arrays as an archive (`.npz`).
+pub fn write(arrays: &[NewArray]) -> std::io::Result<Vec<u8>> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    // without a time, so that equal arrays give equal bytes
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .last_modified_time(zip::DateTime::default());
+    for array in arrays {
+        archive.start_file(format!("{}.npy", array.name), options)?;
+        archive.write_all(&write_array(&array.content))?;
+    }
+    Ok(archive.finish()?.into_inner())
+}
+
+/// Returns an array as a file of format 1.0.
+fn write_array(content: &Content) -> Vec<u8> {
+    let (kind, shape, data) = match content {
+        Content::Texts(texts) => {
+            let longest = texts.iter().map(|text| text.chars().count()).max().unwrap_or(1).max(1);
+            let padded = texts.iter().flat_map(|text| text.chars().chain(std::iter::repeat('\0')).take(longest));
+            let characters: Vec<u32> = padded.map(u32::from).collect();
+            (format!("<U{longest}"), format!("({},)", texts.len()), encode(&characters, u32::to_le_bytes))
+        }
+        Content::Numbers(numbers) => {
+            ("<f8".to_owned(), format!("({},)", numbers.len()), encode(numbers, f64::to_le_bytes))
+        }
+        Content::Counts(counts) => ("<u8".to_owned(), format!("({},)", counts.len()), encode(counts, u64::to_le_bytes)),
+        Content::Matrix(rows) => {
+            let shape = format!("({0}, {0})", rows.len());
+            ("<f8".to_owned(), shape, encode(&rows.concat(), f64::to_le_bytes))
+        }
+    };
+    let mut header = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
+    // data start at a multiple of 64 bytes
+    let padding = 63 - (10 + header.len()) % 64;
+    header.extend(std::iter::repeat_n(' ', padding));
+    header.push('\n');
+    let mut out = [magic::NUMPY, &[1, 0]].concat();
+    out.extend((header.len() as u16).to_le_bytes());
+    out.extend(header.as_bytes());
+    out.extend(data);
+    out
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::Cursor;
-    use std::io::Write as _;
+
+    #[test]
+    fn drawn_arrays_read_back_bit_for_bit() {
+        arrays::tests::read_back(|drawn| arrays(&write(drawn).unwrap()).unwrap(), 0);
+    }
 
     /// A file by NEP 1.
     fn npy(kind: &str, order: &str, shape: &str, data: &[u8]) -> Vec<u8> {

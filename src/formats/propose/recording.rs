@@ -4,7 +4,8 @@
 use super::motion::Motion;
 use super::with_remarks;
 use crate::dialect::quoted;
-use crate::ros_bag::{self, Kind, POSITION, STAMP, Topic};
+use crate::mcap::Topic;
+use crate::ros_bag::{self, Kind, POSITION, STAMP};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
@@ -24,7 +25,7 @@ pub(super) fn propose_recording(
     robot: Option<&dyn Robot>,
 ) -> Result<FormatsDocument, Message> {
     let topics = ros_bag::topics(bytes)?;
-    let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind?))).collect();
+    let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind()?))).collect();
     if known.is_empty() {
         let found: Vec<String> = topics.iter().map(|topic| format!("{} ({})", topic.name, topic.message)).collect();
         return Err(error!("recording-without-known-topics", found));
@@ -84,7 +85,7 @@ pub(super) fn propose_recording(
 /// Returns the motion of the first topic of joint values.
 pub(super) fn motion(bytes: &[u8]) -> Option<Motion> {
     let topics = ros_bag::topics(bytes).ok()?;
-    let topic = topics.iter().find(|topic| topic.kind == Some(Kind::JointState))?;
+    let topic = topics.iter().find(|topic| topic.kind() == Some(Kind::JointState))?;
     let text = ros_bag::text(bytes, &topic.name).ok()?;
     let mut lines = text.lines();
     let head: Vec<&str> = lines.next()?.split('\t').collect();
