@@ -1,7 +1,7 @@
 //! One form for every table: the same cells give the same numbers, and the same refusals at the same places, in an export, a log and a table
 //! of observations.
 
-use super::recordings::{mat, npy, variable};
+use super::recordings::{Cdr, mat, npy, recording, variable};
 use super::source;
 use etalon::base::message::{Problems, SourceText};
 use etalon::formats::{Export, Format, Log, TableReading, file_text, log, observations_with};
@@ -24,9 +24,22 @@ fn refused(problems: &Problems) -> Read {
     Read::Refused(problems.0.iter().map(one).collect())
 }
 
-fn of_export(text: &str, keys: &str) -> Read {
+/// Headings of three columns of lengths, and their unit.
+#[derive(Clone, Copy)]
+struct Columns {
+    names: [&'static str; 3],
+    unit: &'static str,
+}
+
+/// Columns of the tables that are written here.
+const LETTERS: Columns = Columns { names: ["A", "B", "C"], unit: "mm" };
+/// Columns of a topic of points (`geometry_msgs/PointStamped`, REP 103).
+const POINT: Columns = Columns { names: ["point.x", "point.y", "point.z"], unit: "m" };
+
+fn of_export(text: &str, keys: &str, Columns { names: [x, y, z], unit }: Columns) -> Read {
     let stated = format!(
-        "file = \"t.csv\"\nunit = \"mm\"\nformat = {{ {}, columns = {{ x = \"A\", y = \"B\", z = \"C\" }} }}",
+        "file = \"t.csv\"\nunit = \"{unit}\"\n\
+         format = {{ {}, columns = {{ x = \"{x}\", y = \"{y}\", z = \"{z}\" }} }}",
         keys.replace('\n', ", ")
     );
     let stated: Export = match toml::from_str(&stated) {
@@ -42,8 +55,9 @@ fn of_export(text: &str, keys: &str) -> Read {
     Read::Numbers(measured.map(|p| (p.line as usize, p.xyz_mm[0])).collect())
 }
 
-fn of_log(text: &str, keys: &str) -> Read {
-    let stated = format!("file = \"t.csv\"\n{keys}\ncolumns = {{ rho1_mm = \"A\", rho2_mm = \"B\", rho3_mm = \"C\" }}");
+fn of_log(text: &str, keys: &str, Columns { names: [x, y, z], unit }: Columns) -> Read {
+    let columns = format!("columns = {{ rho1_{unit} = \"{x}\", rho2_{unit} = \"{y}\", rho3_{unit} = \"{z}\" }}");
+    let stated = format!("file = \"t.csv\"\n{keys}\n{columns}");
     let definition: Log = toml::from_str(&stated).unwrap_or_else(|error| panic!("{keys}: {error}"));
     let place = SourceText { name: "campaign.toml", text: &stated };
     match log(place, &definition, text, &mut source()) {
@@ -52,8 +66,9 @@ fn of_log(text: &str, keys: &str) -> Read {
     }
 }
 
-fn of_observations(text: &str, keys: &str) -> Read {
-    let columns = "columns = { x_mm = \"A\", y_mm = \"B\", z_mm = \"C\" }\npose = \"row\"\ntarget = \"K\"";
+fn of_observations(text: &str, keys: &str, Columns { names: [x, y, z], unit }: Columns) -> Read {
+    let columns = format!("columns = {{ x_{unit} = \"{x}\", y_{unit} = \"{y}\", z_{unit} = \"{z}\" }}");
+    let columns = format!("{columns}\npose = \"row\"\ntarget = \"K\"");
     let stated: etalon::campaign::ObservationsDefinition =
         toml::from_str(&format!("file = \"t.csv\"\n{keys}\n{columns}"))
             .unwrap_or_else(|error| panic!("{keys}: {error}"));
@@ -68,11 +83,16 @@ fn of_observations(text: &str, keys: &str) -> Read {
     }
 }
 
+/// Reads a text in every section that takes a table.
+fn all(text: &str, keys: &str, columns: Columns) -> [Read; 3] {
+    [of_export(text, keys, columns), of_log(text, keys, columns), of_observations(text, keys, columns)]
+}
+
 /// Reads a table of three columns and two rows, of which the second begins with `cell`.
 fn same(name: &str, keys: &str, delimiter: &str, before: &str, cell: &str) {
     let rows = [["A", "B", "C"], ["0", "1", "2"], [cell, "1", "2"], ["3", "4", "5"]];
     let text = before.to_owned() + &rows.map(|row| row.join(delimiter) + "\n").concat();
-    let all = [of_export(&text, keys), of_log(&text, keys), of_observations(&text, keys)];
+    let all = all(&text, keys, LETTERS);
     assert!(all.iter().all(|read| *read == all[0]), "{name} {cell:?}: {all:#?}");
 }
 
@@ -132,7 +152,7 @@ fn ambiguous_marks_are_refused_in_every_table() {
         "delimiter = \",\"\nthousands = \",\"\nheader = 1",
         "delimiter = \" \"\nthousands = \" \"\nheader = 1",
     ] {
-        for read in [of_export(text, keys), of_log(text, keys), of_observations(text, keys)] {
+        for read in all(text, keys, LETTERS) {
             assert_eq!(read, Read::Refused(vec![("thousands-mark-ambiguous".to_owned(), None)]), "{keys}");
         }
     }
@@ -196,8 +216,15 @@ fn packed(files: impl IntoIterator<Item = (String, Vec<u8>)>) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// The same numbers as files of other programs, with the key that names their table; arrays mark with NaN what was not measured.
-fn files(rows: &Numbers) -> Vec<(&'static str, Vec<u8>)> {
+/// The file of a program with the key that names its table.
+struct File {
+    keys: &'static str,
+    columns: Columns,
+    bytes: Vec<u8>,
+}
+
+/// The same numbers as files of other programs; arrays mark with NaN what was not measured.
+fn files(rows: &Numbers) -> Vec<File> {
     let column = |at: usize| rows.iter().map(|row| row[at].unwrap_or(f64::NAN)).collect::<Vec<f64>>();
     let names = ["A", "B", "C"];
     let bytes = |at: usize| column(at).iter().flat_map(|v| v.to_le_bytes()).collect::<Vec<u8>>();
@@ -206,21 +233,38 @@ fn files(rows: &Numbers) -> Vec<(&'static str, Vec<u8>)> {
     let cell = |value: &Option<f64>| value.map_or(String::new(), |value| value.to_string());
     let line = |row: &[Option<f64>; 3]| row.each_ref().map(cell).join(",") + "\n";
     let text = "A,B,C\n".to_owned() + &rows.iter().map(line).collect::<String>();
+    let sheet = |bytes| File { keys: "sheet = \"A\"", columns: LETTERS, bytes };
     vec![
-        ("delimiter = \",\"", text.into_bytes()),
-        ("sheet = \"A\"", packed((0..3).map(array))),
-        ("sheet = \"A\"", mat(&variables)),
-        ("sheet = \"A\"", workbook(rows)),
+        File { keys: "delimiter = \",\"", columns: LETTERS, bytes: text.into_bytes() },
+        sheet(packed((0..3).map(array))),
+        sheet(mat(&variables)),
+        sheet(workbook(rows)),
     ]
 }
 
+/// Messages with these numbers (m) in a recording. A message definition has no mark of a missing value.
+fn topic(rows: &[[f64; 3]]) -> File {
+    let message = |(i, row): (i32, &[f64; 3])| ("/points", "geometry_msgs/msg/PointStamped", Cdr::point((i, 0), *row));
+    let messages: Vec<_> = (1..).zip(rows).map(message).collect();
+    File { keys: "topic = \"/points\"", columns: POINT, bytes: recording(&messages) }
+}
+
 /// Reads a file in every section that takes a table.
-fn in_every_section(keys: &str, bytes: &[u8]) -> [Read; 3] {
+fn in_every_section(File { keys, columns, bytes }: &File) -> [Read; 3] {
     let form: Form = toml::from_str(keys).unwrap();
     let text =
         file_text(Path::new("t.csv"), bytes, None, &Format::from(form)).unwrap_or_else(|e| panic!("{keys}: {e}"));
-    let keys = format!("{keys}\nheader = 1");
-    [of_export(&text, &keys), of_log(&text, &keys), of_observations(&text, &keys)]
+    all(&text, &format!("{keys}\nheader = 1"), *columns)
+}
+
+/// The file reads as these numbers (mm), bit for bit.
+fn reads_as(file: &File, numbers: impl Iterator<Item = f64>) {
+    let right: Vec<(usize, u64)> = (2..).zip(numbers.map(f64::to_bits)).collect();
+    for read in in_every_section(file) {
+        let Read::Numbers(read) = &read else { panic!("{}: {read:?}", file.keys) };
+        let bits: Vec<(usize, u64)> = read.iter().map(|(line, value)| (*line, value.to_bits())).collect();
+        assert_eq!(bits, right, "{}", file.keys);
+    }
 }
 
 #[test]
@@ -228,24 +272,19 @@ fn numbers_are_the_same_from_every_kind_of_file() {
     let numbers =
         [0.1 + 0.2, -1.0 / 3.0, 1e-300, 5e-324, -1.797e308, 123_456_789.123_456_79, 9_007_199_254_740_993.0, -0.0, 3.0];
     let rows: Vec<[Option<f64>; 3]> = numbers.iter().map(|value| [Some(*value), Some(1.0), Some(2.5)]).collect();
-    let right = Read::Numbers((2..).zip(numbers).collect());
-    for (keys, bytes) in files(&rows) {
-        for read in in_every_section(keys, &bytes) {
-            let bits = |read: &Read| match read {
-                Read::Numbers(all) => all.iter().map(|(line, value)| (*line, value.to_bits())).collect::<Vec<_>>(),
-                Read::Refused(all) => panic!("{keys}: {all:?}"),
-            };
-            assert_eq!(bits(&read), bits(&right), "{keys}");
-        }
-    }
+    files(&rows).iter().for_each(|file| reads_as(file, numbers.into_iter()));
+    // in mm, the largest number would be infinite
+    let numbers = numbers.into_iter().filter(|value| (1000.0 * value).is_finite());
+    let rows: Vec<[f64; 3]> = numbers.clone().map(|value| [value, 1.0, 2.5]).collect();
+    reads_as(&topic(&rows), numbers.map(|value| 1000.0 * value));
 }
 
 #[test]
 fn rows_without_a_value_are_left_out_from_every_kind_of_file() {
     let rows = [[Some(1.5), Some(1.0), Some(2.0)], [None, Some(1.0), Some(2.0)], [Some(2.5), Some(1.0), Some(2.0)]];
-    for (keys, bytes) in files(&rows) {
-        for read in in_every_section(keys, &bytes) {
-            assert_eq!(read, Read::Numbers(vec![(2, 1.5), (4, 2.5)]), "{keys}");
+    for file in files(&rows) {
+        for read in in_every_section(&file) {
+            assert_eq!(read, Read::Numbers(vec![(2, 1.5), (4, 2.5)]), "{}", file.keys);
         }
     }
 }
@@ -253,9 +292,10 @@ fn rows_without_a_value_are_left_out_from_every_kind_of_file() {
 #[test]
 fn numbers_that_are_not_finite_are_refused_in_every_kind_of_file() {
     let rows = [[Some(1.5), Some(1.0), Some(2.0)], [Some(f64::INFINITY), Some(1.0), Some(2.0)]];
-    for (keys, bytes) in files(&rows).into_iter().take(3) {
-        for read in in_every_section(keys, &bytes) {
-            assert_eq!(read, Read::Refused(vec![("not-a-number".to_owned(), Some(3))]), "{keys}");
+    let topic = topic(&rows.map(|row| row.map(|value| value.unwrap_or(f64::NAN))));
+    for file in files(&rows).into_iter().take(3).chain([topic]) {
+        for read in in_every_section(&file) {
+            assert_eq!(read, Read::Refused(vec![("not-a-number".to_owned(), Some(3))]), "{}", file.keys);
         }
     }
 }

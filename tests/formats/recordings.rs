@@ -42,6 +42,10 @@ impl Cdr {
     fn pose(stamp: (i32, u32), values: [f64; 7]) -> Vec<u8> {
         Self::new(stamp).numbers(&values).0
     }
+
+    pub(crate) fn point(stamp: (i32, u32), values: [f64; 3]) -> Vec<u8> {
+        Self::new(stamp).numbers(&values).0
+    }
 }
 
 /// A recording without chunks: topic, type and data of each message.
