@@ -6,9 +6,9 @@
 #![allow(clippy::print_stdout)] // a benchmark prints
 
 use etalon::campaign::{Campaign, read_robot};
-use etalon::cli::in_memory::{self, Inputs, Table};
 use etalon::fit::{Element, FitSettings, element};
 use etalon::run::walk::{Observed, observed};
+use etalon::tasks::{self, IdentifyOptions, Inputs, Table};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
@@ -69,10 +69,10 @@ fn identification(python: &mut Child, sample: &Path, folder: &Path) {
     std::fs::write(folder.join("robot.toml"), &toml).expect("robot");
     let given = Inputs {
         robot: &robot,
-        stated: Table { name: "robot", text: &toml },
-        table: Table { name: "observations", text: &csv },
+        stated: Table::Text { name: "robot", text: &toml },
+        table: Table::Text { name: "observations", text: &csv },
     };
-    let ours = || drop(black_box(in_memory::identify(&given, &[]).expect("identified")));
+    let ours = || drop(black_box(tasks::identify(&given, &IdentifyOptions::default()).expect("identified")));
     report("identify, IRB 120, 688 poses", python, "identify", ours);
 }
 

@@ -42,7 +42,7 @@ fn main() {
     for (what, rigid) in [("check, targets at one place", false), ("check, a rigid part at one place", true)] {
         growth(what, &[84, 334, 1667], |targets| {
             let folder = coinciding(targets, rigid);
-            drop(etalon::cli::in_memory::check(folder.path()));
+            drop(etalon::tasks::check(folder.path()));
         });
     }
     growth("formats, columns", &[3_000, 12_000, 50_000], |columns| {

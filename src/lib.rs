@@ -7,8 +7,8 @@
 //!
 //! # Where things are
 //!
-//! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`] and
-//! [`cli`], which belong to the program. `docs/architecture.md` lists the crates with their
+//! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`],
+//! [`tasks`] and [`cli`], which belong to the program. `docs/architecture.md` lists the crates with their
 //! dependencies, and follows one measured point from the export to the report. [`run::walk`] shows
 //! the order of the stages.
 //!
@@ -62,3 +62,4 @@ pub mod cli;
 pub mod run;
 pub mod simulate;
 pub mod stages;
+pub mod tasks;

@@ -14,7 +14,7 @@ const IMPURE: [&str; 9] =
     ["serde", "serde_json", "schemars", "toml", "polars", "polars-io", "csv", "clap", "quick-xml"];
 
 /// Modules of the root package, from below: each may name those before it.
-const PROGRAM: [&str; 4] = ["stages", "simulate", "run", "cli"];
+const PROGRAM: [&str; 5] = ["stages", "simulate", "run", "tasks", "cli"];
 
 /// Rows of the table of crates in docs/architecture.md: name, dependencies inside the workspace, external ones.
 fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {

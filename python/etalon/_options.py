@@ -1,4 +1,4 @@
-"""Keyword arguments as the options of the program's commands."""
+"""Keyword arguments as options of a command line."""
 
 from __future__ import annotations
 
@@ -21,8 +21,3 @@ def options_of(**stated: Any) -> list[str]:
             for item in value if isinstance(value, (list, tuple)) else [value]:
                 words.append(f"{option}={item}")
     return words
-
-
-def joined(values: Any) -> str | None:
-    """Return values as one text with commas, for options that take a list."""
-    return None if values is None else values if isinstance(values, str) else ",".join(str(value) for value in values)

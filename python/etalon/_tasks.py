@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 from collections.abc import Sequence
@@ -9,7 +10,6 @@ from typing import Any
 
 from . import _etalon, documents
 from ._errors import Error, warn_if_implausible
-from ._options import joined, options_of
 from ._robot import Robot, Targets, robot_of
 from ._tables import named
 from .documents import load
@@ -70,7 +70,7 @@ def identify(
     Warns:
         ImplausibleWarning: The parameters can be those of no such robot: a column may be wrong.
     """
-    options = options_of(
+    options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
         common_uncertainty_um=common_uncertainty_um,
         rotation_uncertainty_deg=rotation_uncertainty_deg,
@@ -79,7 +79,7 @@ def identify(
         hold=list(hold),
         exclude=list(exclude),
         exclude_rows=list(exclude_rows),
-        effects=joined(effects),
+        effects=_listed(effects),
         prior=prior,
         target=target,
         pose=pose,
@@ -138,18 +138,18 @@ def plan(
     Raises:
         Error: The table does not belong to the robot, or has too few candidates.
     """
-    options = options_of(
+    options = _json(
         positions=positions,
         index=index,
         single=single,
-        start=joined(start) or None,
-        compare=joined(compare) or None,
+        start=_listed(start),
+        compare=_listed(compare),
         starts=starts,
         nodes=nodes,
         seed=seed,
         standard_uncertainty_um=standard_uncertainty_um,
         hold=list(hold),
-        effects=joined(effects),
+        effects=_listed(effects),
         prior=prior,
         **_marks(candidates, delimiter, decimal),
     )
@@ -189,7 +189,7 @@ def verify(
     Raises:
         Error: The table or the parameters do not belong to the robot.
     """
-    options = options_of(
+    options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
         target=target,
         pose=pose,
@@ -232,10 +232,10 @@ def axes(
     Raises:
         Error: The table does not read, or a sweep determines no axis.
     """
-    options = options_of(
-        joints=joined(joints) or None,
-        prismatic=joined(prismatic) or None,
-        backwards=joined(backwards) or None,
+    options = _json(
+        joints=_listed(joints),
+        prismatic=_listed(prismatic),
+        backwards=_listed(backwards),
         standard_uncertainty_um=standard_uncertainty_um,
         convention=convention,
         column=_headings(columns),
@@ -278,7 +278,7 @@ def cell(
     Raises:
         Error: The table does not read, or leaves a direction open.
     """
-    options = options_of(
+    options = _json(
         solve=solve,
         orientation=orientation,
         measured_orientation=measured_orientation,
@@ -325,17 +325,16 @@ def iso9283(
     Raises:
         Error: A table does not read, or the tables do not belong together.
     """
-    options = options_of(
+    options = _json(
         expanded_uncertainty_um=expanded_uncertainty_um,
         ap_limit_mm=ap_limit_mm,
         rp_limit_mm=rp_limit_mm,
         decision_rule=decision_rule,
         drift_set=drift_set,
         rotation_order=rotation_order,
-        seed=seed,
-        all=True,
     )
-    return load(_etalon.iso9283(_tables(attained=attained, commanded=commanded, reference=reference), options))  # type: ignore[return-value]
+    tables = _tables(commanded=commanded, reference=reference)
+    return load(_etalon.iso9283(named(attained, "attained"), tables, options, seed))  # type: ignore[return-value]
 
 
 def iso9283_path(
@@ -375,7 +374,7 @@ def iso9283_path(
     Raises:
         Error: A table does not read, or the recording does not show the motion.
     """
-    options = options_of(
+    options = _json(
         rate_hz=rate_hz,
         still_mm=still_mm,
         still_s=still_s,
@@ -384,9 +383,9 @@ def iso9283_path(
         path_points=path_points,
         velocity_mm_s=velocity_mm_s,
         central_percent=central_percent,
-        seed=seed,
     )
-    return load(_etalon.iso9283_path(_tables(recording=recording, commanded=commanded, path=path), options))  # type: ignore[return-value]
+    tables = _tables(commanded=commanded, path=path)
+    return load(_etalon.iso9283_path(named(recording, "recording"), tables, options, seed))  # type: ignore[return-value]
 
 
 def iso230(positions: Any) -> documents.AxisDocument:
@@ -405,6 +404,19 @@ def iso230(positions: Any) -> documents.AxisDocument:
     return load(_etalon.iso230(named(positions, "table")))  # type: ignore[return-value]
 
 
+def _json(**options: Any) -> str:
+    """Return options as JSON text, which the types of the tasks read; None is left out."""
+    stated = {name: value for name, value in options.items() if value is not None}
+    return json.dumps(stated, default=lambda value: value.tolist() if hasattr(value, "tolist") else str(value))
+
+
+def _listed(values: Any) -> list[Any] | None:
+    """Return the values of an option that also takes a text with commas."""
+    if isinstance(values, str):
+        return values.split(",")
+    return None if values is None else list(values)
+
+
 def _tables(**tables: Any) -> list[tuple[str, str] | None]:
     return [None if table is None else named(table, name) for name, table in tables.items()]
 
@@ -415,10 +427,10 @@ def _marks(table: Any, delimiter: str | None, decimal: str | None) -> dict[str, 
     return {"delimiter": delimiter, "decimal": decimal}
 
 
-def _headings(columns: dict[str, str] | None) -> list[str]:
+def _headings(columns: dict[str, str] | None) -> dict[str, str]:
     # words such as "pose" may be headings; names with a unit are etalon's
     unit = re.compile(r".*_(deg|rad|mm)")
     swapped = {heading: name for name, heading in (columns or {}).items() if unit.fullmatch(heading) and "_" not in name}
     if swapped:
         raise Error(f"`columns` has etalon's names as values: write columns={swapped}, from etalon's name to the heading of the table")
-    return [f"{name}={heading}" for name, heading in (columns or {}).items()]
+    return columns or {}

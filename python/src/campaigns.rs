@@ -1,12 +1,12 @@
 //! Campaigns in folders.
 
 use crate::errors::{failed, json, refused};
-use etalon::cli::in_memory;
 use etalon::run::documents::parse_parameters;
 use etalon::run::pipeline::{Wanted, run_for};
 use etalon::run::{batch as batches, validation};
 use etalon::stages::uncertainty::monte_carlo::Draws;
 use etalon::stages::verify::validation::Validation;
+use etalon::tasks;
 use etalon_base::folder::Durability;
 use etalon_base::message::Message;
 use etalon_campaign::Campaign;
@@ -33,21 +33,16 @@ pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, Pa
 /// Everything that is wrong with a campaign.
 #[pyfunction]
 pub fn check(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
-    json(&py.detach(|| in_memory::check(&folder)))
+    json(&py.detach(|| tasks::check(&folder)))
 }
 
 /// Given parameters on the data of a campaign; nominal ones without.
 #[pyfunction]
 pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frames: &str) -> PyResult<String> {
-    let frames = match frames {
-        "refit" => FrameOrigin::Refit,
-        "given" => FrameOrigin::Given,
-        "prior" => FrameOrigin::Prior,
-        other => {
-            let message = Message::error(format!("`{other}` does not say where frames come from"));
-            return Err(refused(message.expected("refit, given or prior").into()));
-        }
-    };
+    let frames: FrameOrigin = serde_json::from_value(frames.into()).map_err(|error| {
+        let message = Message::error(format!("`frames`: {error}"));
+        refused(message.into())
+    })?;
     let validated = py.detach(|| {
         let campaign = Campaign::read(&folder)?;
         let parameters = parameters.map(|text| parse_parameters("parameters", text)).transpose()?;

@@ -2,12 +2,11 @@
 
 use crate::errors::refused;
 use crate::robot::{Robot, kinematics};
-use etalon::cli::in_memory::set_parameters;
 use etalon::run::documents::parse_parameters;
-use etalon_base::catalogue::Phrase;
+use etalon::tasks::{self, set_parameters};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Pose;
-use etalon_robots::{Kinematics, Robot as Model};
+use etalon_robots::Robot as Model;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -91,13 +90,9 @@ pub fn inverse<'py>(
     let mut model = robot.model()?;
     set_parameters(model.as_mut(), parameters).map_err(refused)?;
     let arm = kinematics(model.as_ref())?;
-    if search.all && arm.joints().len() > 6 {
-        let message = Message::error(format!("{} joints reach a pose in infinitely many ways", arm.joints().len()));
-        return Err(refused(message.hint("leave `all_solutions` out: the nearest is found").into()));
-    }
-    let poses = crate::fit::rows::<POSE>(&poses)?;
-    let near = search.near.as_ref().map(|near| inward(arm, near)).transpose()?;
-    let found = py.detach(|| solve(arm, poses, near.as_deref(), search.all));
+    let starts = search.near.as_ref().map(|near| inward(arm, near)).transpose()?.unwrap_or_default();
+    let poses: Vec<Pose> = crate::fit::rows::<POSE>(&poses)?.iter().map(pose).collect();
+    let found = py.detach(|| tasks::inverse(arm, &poses, &starts, !search.all)).map_err(refused)?;
     let mut missing = Vec::new();
     let (mut rows, mut values) = (Vec::new(), Vec::new());
     let width = values_of(arm);
@@ -117,34 +112,9 @@ pub fn inverse<'py>(
     Ok((rows, values, missing))
 }
 
-/// The solutions of each pose, or why there is none.
-fn solve(
-    arm: &dyn Kinematics,
-    poses: &[[f64; POSE]],
-    near: Option<&[Vec<f64>]>,
-    all: bool,
-) -> Vec<Result<Vec<Vec<f64>>, Phrase>> {
-    let nominal = arm.nominal();
-    let mut last = vec![0.0; arm.joints().len()];
-    let solved = |p: &[f64; POSE], near: &[f64]| {
-        let [x, y, z, qw, qx, qy, qz] = *p;
-        let pose = Pose { translation_mm: [x, y, z], ..Pose::from_quaternion([qw, qx, qy, qz]) };
-        if !all {
-            return Ok(vec![arm.nearest_joints(&nominal, &pose, near)?]);
-        }
-        arm.solutions(&nominal, &pose, near)
-    };
-    let mut answers = Vec::new();
-    for (row, pose) in poses.iter().enumerate() {
-        let start = near.map_or(&last, |near| if near.len() == 1 { &near[0] } else { &near[row] });
-        let answer = solved(pose, start);
-        if let Ok([first, ..]) = answer.as_deref() {
-            let joints = last.len();
-            last.copy_from_slice(&first[..joints]);
-        }
-        answers.push(answer);
-    }
-    answers
+/// The pose of a row of numbers.
+fn pose(&[x, y, z, qw, qx, qy, qz]: &[f64; POSE]) -> Pose {
+    Pose { translation_mm: [x, y, z], ..Pose::from_quaternion([qw, qx, qy, qz]) }
 }
 
 /// Numbers of a row of joint values: the assembly mode is behind the joints.

@@ -1,7 +1,7 @@
 //! Robots: from robot.toml, a URDF, or the table of known ones.
 
 use crate::errors::{failed, refused};
-use etalon::cli::in_memory::{Inputs, Prediction, Table, known_names, known_text, urdf_text};
+use etalon::tasks::{Inputs, Prediction, Table, known_names, known_text, urdf_text};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::{RobotFile, parse_robot, read_urdf};
@@ -39,15 +39,15 @@ impl Robot {
         Prediction::new(&self.file, document, target)
     }
 
-    /// The robot and a table that a command is given.
-    pub fn given<'a>(&'a self, table: Table<'a>) -> Inputs<'a> {
-        Inputs { robot: &self.file, stated: Table { name: &self.name, text: &self.text }, table }
+    /// The robot and a table.
+    pub fn inputs<'a>(&'a self, table: Table<'a>) -> Inputs<'a> {
+        Inputs { robot: &self.file, stated: Table::Text { name: &self.name, text: &self.text }, table }
     }
 }
 
 /// The kinematics of a model.
 pub fn kinematics(model: &dyn Model) -> PyResult<&dyn Kinematics> {
-    etalon::cli::in_memory::whole_pose(model).map_err(refused)
+    etalon::tasks::whole_pose(model).map_err(refused)
 }
 
 #[pymethods]

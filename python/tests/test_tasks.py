@@ -82,6 +82,19 @@ def test_options_reach_the_identification(arm):
         etalon.identify(robot, table, effects=["nonsense"])
 
 
+def test_a_wrong_value_is_named_with_the_valid_ones(arm):
+    robot, table, _ = arm
+    with pytest.raises(etalon.Error, match="`prior`: .*`tolerances`"):
+        etalon.identify(robot, table, prior="no")
+    with pytest.raises(etalon.Error, match="`positions`: "):
+        etalon.plan(robot, table, "many")
+    with pytest.raises(etalon.Error, match="`solve`: .*`hand-eye`"):
+        etalon.cell(table, "nonsense")
+    # numbers of NumPy are numbers
+    found = etalon.plan(robot, table, np.int64(20), nodes=10, starts=1, standard_uncertainty_um=np.float64(15))
+    assert len(found.chosen) == 20
+
+
 def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
     robot, table, _ = arm
     without = {name: column for name, column in table.items() if name != "q3_deg"}

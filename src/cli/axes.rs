@@ -1,16 +1,11 @@
 //! Command `etalon axes`.
 
-use super::bound::BoundOption;
-use super::inputs::Table;
-use super::text_format::TableFormat;
-use super::{Verdict, check_positive, print, print_text, remark};
-use crate::stages::sweeps::{self, SweepsStated, TableConvention};
-use crate::stages::table_file::TableFile;
+use super::{Output, Verdict};
+use crate::tasks::{AxesOptions, Table, axes};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Result, Severity};
+use etalon_base::message::Severity;
 use etalon_base::phrase;
 use etalon_documents::{AxesDocument, AxisEntry, MotionByNoise, to_json};
-use etalon_formats::table::XYZ;
 use std::path::PathBuf;
 
 /// Find the axes of joints from sweeps of one joint at a time, and a robot without a nominal model
@@ -25,76 +20,33 @@ positive direction.")]
 pub struct AxesCommand {
     /// Table of the sweeps (CSV).
     table: PathBuf,
-    /// Joints from the base; by default in the order of their numbers (q1, q2 ...).
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
-    joints: Vec<String>,
-    /// Prismatic joints without a column of joint values, whose unit would show it; all others are
-    /// revolute.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
-    prismatic: Vec<String>,
-    /// Joints that were swept in negative direction, without joint values.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
-    backwards: Vec<String>,
-    /// Standard uncertainty (k = 1) of a measured coordinate in micrometres; by default from the
-    /// residuals of each sweep.
-    #[arg(long, value_name = "UM")]
-    standard_uncertainty_um: Option<f64>,
-    /// Convention of robot.toml.
-    #[arg(long, value_enum, default_value_t)]
-    convention: TableConvention,
+    #[command(flatten)]
+    options: AxesOptions,
     /// Print robot.toml instead of the axes.
     #[arg(long, conflicts_with = "json")]
     toml: bool,
-    #[command(flatten)]
-    bound: BoundOption,
-    /// Write robot.toml of sweeps whose unit is named as wrong, or whose uncertainty exceeds its
-    /// bound.
-    #[arg(long)]
-    force: bool,
-    #[command(flatten)]
-    format: TableFormat,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
 }
 
 impl AxesCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let document = self.found(&self.format.read_poses(&self.table)?)?;
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
+        let document = axes(Table::File(&self.table), &self.options)?;
         if !self.json {
-            remark(&document.messages);
+            out.remark(&document.messages);
         }
         let met = document.messages.iter().all(|m| m.severity != Severity::Error);
         match (self.json, self.toml) {
-            (true, _) => print(to_json(&document)?)?,
-            (false, false) => print_text(&text(&document))?,
+            (true, _) => out.print(to_json(&document)?)?,
+            (false, false) => out.print_text(&text(&document))?,
             (false, true) => match &document.robot {
-                Some(robot) => print_text(&robot.robot_toml)?,
+                Some(robot) => out.print_text(&robot.robot_toml)?,
                 None if met => return Ok(Verdict::NotRun),
                 None => {}
             },
         }
         Ok(Verdict::new(met))
-    }
-
-    /// The answer from a table in memory.
-    pub(super) fn in_memory(&self, table: &Table) -> Result<AxesDocument> {
-        self.found(&self.format.parse_poses(table.name, table.text)?)
-    }
-
-    fn found(&self, file: &TableFile) -> Result<AxesDocument> {
-        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        let stated = SweepsStated {
-            joints: self.joints.clone(),
-            prismatic: self.prismatic.clone(),
-            backwards: self.backwards.clone(),
-            standard_uncertainty_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            convention: self.convention,
-            source_of_x: self.format.source(XYZ[0])?,
-            force: self.force,
-            bound: self.bound.stated()?,
-        };
-        sweeps::axes(file, &stated)
     }
 }
 

@@ -1,10 +1,12 @@
 //! Command `etalon axis-table`.
 
 use super::export::Exported;
-use super::kinematics::{identified, joint_names, whole_pose};
-use super::{Verdict, print, remark, say};
+use super::kinematics::joint_names;
+use super::{Output, Verdict};
 use crate::run::documents::Documents;
 use crate::stages::table_file::TableFile;
+use crate::tasks::kinematics::identified;
+use crate::tasks::whole_pose;
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;
 use etalon_base::message::{Place, Problems, Result, Severity};
@@ -216,9 +218,9 @@ enum Read {
 }
 
 impl AxisTable {
-    pub(super) fn run(mut self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(mut self, out: &Output) -> anyhow::Result<Verdict> {
         self.consistent()?;
-        let (read, header) = self.read()?;
+        let (read, header) = self.read(out)?;
         let calibrated;
         let source = match &read {
             Read::Parameters(exported) => {
@@ -235,13 +237,13 @@ impl AxisTable {
         let largest = rows.iter().flatten().flatten().fold(0.0, |most: f64, v| most.max(v.abs()));
         let count = rows.iter().map(Vec::len).sum::<usize>();
         let unit = unit(self.corrected());
-        say(phrase!("axis-table-largest", count, largest, unit));
+        out.say(phrase!("axis-table-largest", count, largest, unit));
         let backlash = rows.iter().flatten().map(|[forward, backward]| backward - forward);
         let backlash = backlash.fold(0.0, |most: f64, b| if b.abs() > most.abs() { b } else { most });
         if backlash != 0.0 && !self.to.has_directions() {
-            remark(&[warning!("backlash-not-in-table", axis = self.corrected(), backlash, unit)]);
+            out.remark(&[warning!("backlash-not-in-table", axis = self.corrected(), backlash, unit)]);
         }
-        print(self.text(rows, &header)?)?;
+        out.print(self.text(rows, &header)?)?;
         Ok(Verdict::Met)
     }
 
@@ -278,7 +280,7 @@ impl AxisTable {
     }
 
     /// Reads the source, and creates the header of its table.
-    fn read(&self) -> Result<(Read, Vec<String>)> {
+    fn read(&self, out: &Output) -> Result<(Read, Vec<String>)> {
         let units = unit_words(self.to);
         if self.source.extension().is_some_and(|ending| ending == "csv") {
             let file = TableFile::read(&self.source)?;
@@ -292,7 +294,7 @@ impl AxisTable {
             let header = axis_tables::header(self.about(), units, "geometric.json", &bytes);
             return Ok((Read::Leads(Box::new(geometric)), header));
         }
-        let exported = Exported::read(&self.source, self.robot.as_deref(), false)?;
+        let exported = Exported::read(&self.source, self.robot.as_deref(), false, out)?;
         let given = exported.input(false);
         given.check()?;
         let header = given.header(units)?;

@@ -1,7 +1,7 @@
 //! Command `etalon batch`.
 
 use super::report::Branding;
-use super::{Verdict, print_after_writing, progress, say};
+use super::{Output, Verdict, progress};
 use crate::run::batch::{Batch as Batched, batch, folders};
 use crate::run::pipeline::Wanted;
 use etalon_base::catalogue::Phrase;
@@ -42,7 +42,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let campaigns = folders(&self.campaigns)?;
         let presentation = self.branding.over(Presentation::default())?;
         let age = |path: &PathBuf| std::fs::metadata(path).and_then(|file| file.modified());
@@ -55,7 +55,7 @@ impl Batch {
             let ended = ended.fetch_add(1, Ordering::Relaxed) + 1;
             if let Some(message) = &entry.message {
                 let (ended, campaign) = (end(entry.ended), printable(&entry.campaign).to_string());
-                say(format_args!("{}\n{message}\n", phrase!("batch-not-done", ended, campaign)));
+                out.say(format_args!("{}\n{message}\n", phrase!("batch-not-done", ended, campaign)));
             }
             progress(ended, campaigns.len());
         };
@@ -70,7 +70,7 @@ impl Batch {
             _ => Verdict::NotRun,
         };
         let data = if self.json { to_json(&document)? } else { as_text(&document).into_bytes() };
-        Ok(print_after_writing(data, verdict))
+        Ok(out.print_after_writing(data, verdict))
     }
 }
 

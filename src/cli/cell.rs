@@ -1,19 +1,14 @@
 //! Command `etalon cell`.
 
-use super::bound::BoundOption;
-use super::inputs::Table;
 use super::report::Reports;
-use super::text_format::TableFormat;
-use super::{Verdict, check_positive, print, print_text, remark};
+use super::{Output, Verdict};
 use crate::run::documents::read_cell;
-use crate::stages::cell::{self, CellKind, CellMounting, CellStated};
-use crate::stages::orientations::AngleOrder;
-use crate::stages::table_file::TableFile;
+use crate::tasks::{CellOptions, Table, cell};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Result};
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
-use etalon_controllers::cell::{self as controllers, CellOptions, CellText};
+use etalon_controllers::cell::{self as controllers, CellText};
 use etalon_documents::{CellDocument, CellFrameEntry, CellPointEntry, Presentation, to_json};
 use etalon_report::{CellLines, Renderer};
 use std::path::PathBuf;
@@ -41,35 +36,12 @@ Controllers, by answer:
 pub struct CellCommand {
     /// Table of the readings (CSV).
     table: PathBuf,
-    /// Problem to solve.
-    #[arg(long, value_enum, value_name = "KIND")]
-    solve: CellKind,
-    /// Order of the angles `flange_a_deg`, `flange_b_deg`, `flange_c_deg`: "zyx" (successively
-    /// about the axes of the flange), "fixed xyz" ...
-    #[arg(long, value_name = "ORDER")]
-    orientation: Option<String>,
-    /// Order of the angles `a_deg`, `b_deg`, `c_deg` of measured poses.
-    #[arg(long, value_name = "ORDER")]
-    measured_orientation: Option<String>,
-    /// Part of the measuring system that is on the robot (hand-eye).
-    #[arg(long, value_enum, value_name = "PART")]
-    mounting: Option<CellMounting>,
-    /// Standard uncertainty (k = 1) of a coordinate in micrometres, robot and measurement together;
-    /// columns `ux_mm`, `uy_mm`, `uz_mm` add to it. By default from the residuals.
-    #[arg(long, value_name = "UM")]
-    standard_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) of an orientation about any axis in degrees; by default from
-    /// the residuals.
-    #[arg(long, value_name = "DEG")]
-    rotation_uncertainty_deg: Option<f64>,
     #[command(flatten)]
-    bound: BoundOption,
+    options: CellOptions,
     #[command(flatten)]
     data: ControllerOptions,
     #[command(flatten)]
     reports: Reports,
-    #[command(flatten)]
-    format: TableFormat,
     /// Print the answer as JSON.
     #[arg(long)]
     json: bool,
@@ -99,55 +71,28 @@ struct ControllerOptions {
     force: bool,
 }
 
-/// Order of angles of an option.
-fn order(option: &str, text: Option<&str>) -> Result<Option<AngleOrder>> {
-    let order = text.map(str::parse).transpose();
-    order.map_err(|m: Message| Problems::from(m.at(Place::file(option))))
-}
-
 impl CellCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         self.check_tool_length()?;
         self.reports.check([Some(&self.table), self.data.with.as_ref()].into_iter().flatten())?;
-        let document = self.solved(&self.format.read_poses(&self.table)?)?;
+        let document = cell(Table::File(&self.table), &self.options)?;
         let second = self.data.with.as_deref().map(read_cell).transpose()?;
         let of_second: Vec<Message> = second.iter().flat_map(CellDocument::errors).cloned().collect();
         let fit = document.errors().next().is_none() && of_second.is_empty();
         let lines = self.lines(&document, second)?.filter(|_| fit || self.data.force);
         if !self.json {
-            remark(&document.messages);
-            remark(&of_second);
-            remark(lines.as_ref().map_or(&[], |lines| &lines.messages));
+            out.remark(&document.messages);
+            out.remark(&of_second);
+            out.remark(lines.as_ref().map_or(&[], |lines| &lines.messages));
         }
         self.report(&document, lines.as_ref())?;
         match (lines, self.data.controller.as_deref()) {
-            _ if self.json => print(to_json(&document)?)?,
-            (Some(lines), _) => print(lines.text)?,
-            (None, Some(maker)) => remark(&[error!("cell-data-withheld", maker)]),
-            (None, None) => print_text(&text(&document))?,
+            _ if self.json => out.print(to_json(&document)?)?,
+            (Some(lines), _) => out.print(lines.text)?,
+            (None, Some(maker)) => out.remark(&[error!("cell-data-withheld", maker)]),
+            (None, None) => out.print_text(&text(&document))?,
         }
         Ok(Verdict::new(fit))
-    }
-
-    /// The answer from a table in memory.
-    pub(super) fn in_memory(&self, table: &Table) -> Result<CellDocument> {
-        self.solved(&self.format.parse_poses(table.name, table.text)?)
-    }
-
-    fn solved(&self, file: &TableFile) -> Result<CellDocument> {
-        check_positive("--standard-uncertainty-um", self.standard_uncertainty_um)?;
-        check_positive("--rotation-uncertainty-deg", self.rotation_uncertainty_deg)?;
-        let stated = CellStated {
-            solve: self.solve,
-            order: order("--orientation", self.orientation.as_deref())?,
-            measured_order: order("--measured-orientation", self.measured_orientation.as_deref())?,
-            mounting: self.mounting,
-            position_mm: self.standard_uncertainty_um.map(|u| u / 1000.0),
-            rotation_rad: self.rotation_uncertainty_deg.map(f64::to_radians),
-            columns: self.format.named()?,
-            bound: self.bound.stated()?,
-        };
-        cell::cell(file, &stated)
     }
 
     fn check_tool_length(&self) -> Result<()> {
@@ -160,7 +105,7 @@ impl CellCommand {
     /// Data of the stated controller.
     fn lines(&self, document: &CellDocument, second: Option<CellDocument>) -> Result<Option<CellText>> {
         let Some(format) = self.data.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
-        let options = CellOptions {
+        let options = controllers::CellOptions {
             name: self.data.name.clone(),
             number: self.data.number,
             second,

@@ -1,7 +1,7 @@
 //! Command `etalon check`.
 
-use super::in_memory::{check, find};
-use super::{Verdict, next_step, print_text, print_with, remark, shell_word};
+use super::{Output, Verdict, shell_word};
+use crate::tasks::{check, find};
 use etalon_base::message::printable;
 use etalon_base::phrase;
 use etalon_documents::JointTravel;
@@ -18,31 +18,31 @@ pub struct Check {
 }
 
 impl Check {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         if self.json {
             let document = check(&self.campaign);
             let verdict = if document.errors.is_empty() { Verdict::Met } else { Verdict::NotRun };
-            return print_with(etalon_documents::to_json(&document)?, verdict);
+            return out.print_with(etalon_documents::to_json(&document)?, verdict);
         }
         let (checked, problems) = find(&self.campaign);
         let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
         let joints = joints.unwrap_or_default();
         let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
-        remark(&document.messages);
+        out.remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
             let (file, dialect) = (printable(&source.file), printable(source.dialect.english()));
             let line = phrase!("check-source", file, rows = source.rows_read, refused, dialect);
-            print_text(&format!("{line}\n"))?;
+            out.print_text(&format!("{line}\n"))?;
         }
         for JointTravel { column, lowest, highest } in &joints {
-            print_text(&format!("{}: {lowest:.2} .. {highest:.2}\n", printable(column)))?;
+            out.print_text(&format!("{}: {lowest:.2} .. {highest:.2}\n", printable(column)))?;
         }
         let next = format!("`etalon run {}`", shell_word(&self.campaign));
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };
         let file = printable(&path.display().to_string());
-        print_text(&format!("{}\n", phrase!("check-verdict", file, warnings = document.messages.len())))?;
-        next_step(self.json, next);
+        out.print_text(&format!("{}\n", phrase!("check-verdict", file, warnings = document.messages.len())))?;
+        out.next_step(self.json, next);
         Ok(Verdict::Met)
     }
 }

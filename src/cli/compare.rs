@@ -1,7 +1,7 @@
 //! Command `etalon compare`.
 
 use super::report::Reports;
-use super::{Verdict, answer, remark};
+use super::{Output, Verdict};
 use crate::run::documents::{self, Documents};
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
@@ -29,7 +29,7 @@ pub struct Compare {
 }
 
 impl Compare {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let mut problems = Problems::default();
         if let Err(more) = self.reports.check([]) {
             problems.0.extend(more.0);
@@ -47,11 +47,11 @@ impl Compare {
         }
         problems.check()?;
         let document = compare(&all)?;
-        remark(&document.messages);
+        out.remark(&document.messages);
         let campaign = all.into_iter().next().map(|first| first.campaign.report).unwrap_or_default();
         let renderer = Renderer::comparison(&document, self.reports.over(campaign)?)?;
         self.reports.write(&renderer)?;
-        answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
+        out.answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
     }
 }
 

@@ -1,12 +1,13 @@
 //! Command `etalon compensate`.
 
-use super::bound::BoundOption;
 use super::export::Exported;
-use super::kinematics::{cell, identified, joint_names, poses, starts, whole_pose};
-use super::{Verdict, print_with, remark, say};
+use super::kinematics::{cell, joint_names, poses, starts};
+use super::{Output, Verdict};
 use crate::run::documents::read_field;
 use crate::stages::table_file::TableFile;
 use crate::stages::uncertainty::bounds::poses_beyond_bound;
+use crate::tasks::kinematics::identified;
+use crate::tasks::{BoundOption, whole_pose};
 use clap::ValueEnum;
 use etalon_base::bounds::option_at_most;
 use etalon_base::catalogue::Phrase;
@@ -172,8 +173,8 @@ struct Compensator<'a> {
 }
 
 impl Compensate {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let exported = Exported::read(&self.parameters, Some(&self.robot), false)?;
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
+        let exported = Exported::read(&self.parameters, Some(&self.robot), false, out)?;
         let given = exported.input(false);
         given.check()?;
         let arm = given.robot.map_or_else(|| Err(Problems::default()), whole_pose)?;
@@ -201,17 +202,17 @@ impl Compensate {
                 compensator.program(&given, &commands, &answer, source.program.as_ref())?
             }
         };
-        remark(&refused);
-        remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
-        remark(uncertain.as_slice());
+        out.remark(&refused);
+        out.remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
+        out.remark(uncertain.as_slice());
         if let Some(ProgramSource { program, .. }) = &source.program {
-            say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
+            out.say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
             if !program.computed.is_empty() {
                 let names: Vec<&String> = program.computed.iter().collect();
-                remark(&[warning!("poses-computed-by-program", names)]);
+                out.remark(&[warning!("poses-computed-by-program", names)]);
             }
         }
-        print_with(data, Verdict::new(refused.is_empty() && uncertain.is_none()))
+        out.print_with(data, Verdict::new(refused.is_empty() && uncertain.is_none()))
     }
 
     /// Reads the targets of the table or program.

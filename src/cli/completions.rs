@@ -1,6 +1,6 @@
 //! `etalon completions`.
 
-use super::{Verdict, print};
+use super::{Output, Verdict};
 use clap_complete::aot::{Shell, generate};
 
 /// Print the completions of a shell.
@@ -16,10 +16,10 @@ pub struct Completions {
 }
 
 impl Completions {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let mut script = Vec::new();
         generate(self.shell, &mut super::command(), "etalon", &mut script);
-        print(script)?;
+        out.print(script)?;
         Ok(Verdict::Met)
     }
 }

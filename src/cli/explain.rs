@@ -1,6 +1,6 @@
 //! Command `etalon explain`.
 
-use super::{Verdict, print, print_text};
+use super::{Output, Verdict};
 use etalon_base::catalogue::{Entry, entries};
 use etalon_base::error;
 use etalon_base::message::Problems;
@@ -21,11 +21,11 @@ pub struct Explain {
 }
 
 impl Explain {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let messages: Vec<Entry> = entries().into_iter().filter(Entry::is_message).collect();
         let Some(id) = &self.id else {
             let document = ExplanationDocument::new(&messages);
-            return answer(self.json, &document, |all| {
+            return answer(self.json, out, &document, |all| {
                 all.iter().map(|message| format!("{}: {}\n", message.id, message.text)).collect()
             });
         };
@@ -33,18 +33,19 @@ impl Explain {
             let message = error!("message-unknown", id);
             Problems::from(message.hint_names(id, messages.iter().map(|entry| entry.id)))
         })?;
-        answer(self.json, &ExplanationDocument::new([entry]), |all| all.iter().map(explained).collect())
+        answer(self.json, out, &ExplanationDocument::new([entry]), |all| all.iter().map(explained).collect())
     }
 }
 
 fn answer(
     json: bool,
+    out: &Output,
     document: &ExplanationDocument,
     text: impl Fn(&[Explanation]) -> String,
 ) -> anyhow::Result<Verdict> {
     match json {
-        true => print(etalon_documents::to_json(document)?)?,
-        false => print_text(&text(&document.messages))?,
+        true => out.print(etalon_documents::to_json(document)?)?,
+        false => out.print_text(&text(&document.messages))?,
     }
     Ok(Verdict::Met)
 }

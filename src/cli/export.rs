@@ -1,6 +1,6 @@
 //! Command `etalon export`.
 
-use super::{Verdict, lines, print_after_writing, progress, remark, validity};
+use super::{Output, Verdict, lines, progress, validity};
 use crate::run::controller_formats::template_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::validation::{Recommended, identify_recommended};
@@ -66,7 +66,7 @@ enum Which {
 }
 
 impl ExportCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let folder = self.source.parent().unwrap_or(Path::new("")).to_owned();
         let to = self.to.unwrap_or(folder);
         // before the parameters are read, so that a concurrent run is noticed
@@ -75,8 +75,8 @@ impl ExportCommand {
         let exporters = exporters(&self.format, &own)?;
         let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
         let exported = match self.parameters {
-            Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors)?,
-            Which::Recommended => Exported::recommended(&self.source, &exporters)?,
+            Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors, out)?,
+            Which::Recommended => Exported::recommended(&self.source, &exporters, out)?,
         };
         let hash = self.controller_hash.as_deref();
         if hash.is_some() && !exporters.iter().any(|exporter| exporter.states_controller_hash()) {
@@ -101,12 +101,12 @@ impl ExportCommand {
             Some(run) => run.write(files)?,
             None => beside_no_run(&to, &files)?,
         };
-        remark(&controllers.iter().flat_map(|file| &file.messages).cloned().collect::<Vec<_>>());
+        out.remark(&controllers.iter().flat_map(|file| &file.messages).cloned().collect::<Vec<_>>());
         let data = match self.json {
             true => to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?,
             false => lines(&written).into_bytes(),
         };
-        Ok(print_after_writing(data, Verdict::Met))
+        Ok(out.print_after_writing(data, Verdict::Met))
     }
 }
 
@@ -177,11 +177,11 @@ pub(super) struct Exported {
 impl Exported {
     /// Reads parameters, their campaign, robot.toml if named, and the errors of the points if asked
     /// for.
-    pub fn read(parameters: &Path, robot: Option<&Path>, with_errors: bool) -> Result<Self, Problems> {
+    pub fn read(parameters: &Path, robot: Option<&Path>, with_errors: bool, out: &Output) -> Result<Self, Problems> {
         let (document, run) = read_parameters_and_run(parameters)?;
         let file = robot.map(read_robot).transpose()?;
         if let Some(robot) = robot {
-            remark(unknown_geometry(&document, &files::sha256(&files::read(robot)?)).as_slice());
+            out.remark(unknown_geometry(&document, &files::sha256(&files::read(robot)?)).as_slice());
         }
         let mut exported = Self::new(document, file, None)?;
         if let Some(run) = run {
@@ -193,17 +193,17 @@ impl Exported {
                 exported.errors = accuracy.map(|accuracy| run.errors(accuracy)).transpose()?;
             }
         }
-        remark(validity::expired(&exported.parameters, exported.summary.as_ref()).as_slice());
+        out.remark(validity::expired(&exported.parameters, exported.summary.as_ref()).as_slice());
         Ok(exported)
     }
 
     /// Identifies the recommended parameters of a campaign, for these formats.
-    fn recommended(campaign: &Path, exporters: &[&dyn Exporter]) -> Result<Self, Problems> {
+    fn recommended(campaign: &Path, exporters: &[&dyn Exporter], out: &Output) -> Result<Self, Problems> {
         let campaign = Campaign::read(campaign)?;
         let formats: Vec<(&str, &dyn Exporter)> = exporters.iter().map(|&e| (e.name(), e)).collect();
         let Recommended { found, controllers, summary, messages } =
             identify_recommended(&campaign, &formats, &mut progress)?;
-        remark(&messages);
+        out.remark(&messages);
         let exported = Self::new(found.parameters, Some(campaign.robot), Some(summary))?;
         Ok(Self { accuracy: Some(found.accuracy), errors: Some(found.errors), controllers, ..exported })
     }

@@ -2,9 +2,10 @@
 
 use super::fit_text::as_text;
 use super::fit_tracim;
-use super::text_format::{TextFormat, word};
-use super::{Verdict, print, print_text, remark, say_message};
+use super::{Output, Verdict};
 use crate::stages::observe::qif_fit::{ProbeStated, refit};
+use crate::tasks::text_format::word;
+use crate::tasks::{Table, TextFormat};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;
@@ -88,9 +89,9 @@ struct ProbeOptions {
 }
 
 impl FitCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         if self.test.tracim {
-            print_text(&fit_tracim::answer(Path::new(&self.element), self.test.customer.as_deref())?)?;
+            out.print_text(&fit_tracim::answer(Path::new(&self.element), self.test.customer.as_deref(), out)?)?;
             return Ok(Verdict::Met);
         }
         let (documents, qif) = match self.plain()? {
@@ -98,14 +99,14 @@ impl FitCommand {
             None => {
                 let texts = self.texts()?;
                 let qif = texts.iter().any(|(_, text)| etalon_formats::qif::is_xml(text));
-                (if qif { self.measured_features(&texts)? } else { self.groups(&texts)? }, qif)
+                (if qif { self.measured_features(&texts, out)? } else { self.groups(&texts, out)? }, qif)
             }
         };
-        documents.iter().flat_map(|d| &d.messages).for_each(say_message);
+        documents.iter().flat_map(|d| &d.messages).for_each(|message| out.say_message(message));
         match (&documents[..], self.json) {
-            ([one], true) if !self.by_label && !qif => print(to_json(one)?)?,
-            (all, true) => print(to_json(&all)?)?,
-            (all, false) => print_text(&all.iter().map(as_text).collect::<String>())?,
+            ([one], true) if !self.by_label && !qif => out.print(to_json(one)?)?,
+            (all, true) => out.print(to_json(&all)?)?,
+            (all, false) => out.print_text(&all.iter().map(as_text).collect::<String>())?,
         }
         Ok(Verdict::Met)
     }
@@ -115,7 +116,8 @@ impl FitCommand {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
         let format = self.format()?;
-        let texts = paths.iter().map(|path| Ok((path.display().to_string(), self.text.text(path, &format)?)));
+        let texts =
+            paths.iter().map(|path| Ok((path.display().to_string(), self.text.text(Table::File(path), &format)?)));
         let texts: Vec<_> = texts.collect::<Result<_, Problems>>()?;
         if texts.is_empty() {
             return Err(error!("fit-file-missing", element = self.element).into());
@@ -133,8 +135,8 @@ impl FitCommand {
     }
 
     /// Fits all points together, or each label separately.
-    fn groups(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
-        let points = self.read(texts)?;
+    fn groups(&self, texts: &[(String, String)], out: &Output) -> Result<Vec<FitDocument>, Problems> {
+        let points = self.read(texts, out)?;
         let mut groups: Vec<(String, Vec<Vector>)> = Vec::new();
         for (label, p) in points {
             let name = if self.by_label { label } else { String::new() };
@@ -151,7 +153,7 @@ impl FitCommand {
 
     /// Fits the measured features of QIF files; features that cannot be fitted are reported and
     /// omitted.
-    fn measured_features(&self, texts: &[(String, String)]) -> Result<Vec<FitDocument>, Problems> {
+    fn measured_features(&self, texts: &[(String, String)], out: &Output) -> Result<Vec<FitDocument>, Problems> {
         if self.radius_mm.is_some() || self.text.stated() {
             return Err(error!("qif-with-columns").into());
         }
@@ -165,7 +167,7 @@ impl FitCommand {
         let mut seen = Vec::new();
         for (file, text) in texts {
             let read = etalon_formats::qif::read(file, text, unit.map(Unit::in_mm))?;
-            remark(&read.messages);
+            out.remark(&read.messages);
             for feature in &read.features {
                 seen.extend(feature.element().map(Element::name).filter(|_| !feature.points_mm.is_empty()));
                 if wanted.is_some_and(|w| feature.element() != Some(w)) {
@@ -173,7 +175,7 @@ impl FitCommand {
                 }
                 match refit(feature, &self.settings(None), probe) {
                     Ok(document) => documents.extend(document),
-                    Err(problems) => problems.0.iter().for_each(say_message),
+                    Err(problems) => problems.0.iter().for_each(|message| out.say_message(message)),
                 }
             }
         }
@@ -216,12 +218,12 @@ impl FitCommand {
     }
 
     /// Labels and points of all files (mm).
-    fn read(&self, texts: &[(String, String)]) -> Result<Vec<(String, Vector)>, Problems> {
+    fn read(&self, texts: &[(String, String)], out: &Output) -> Result<Vec<(String, Vector)>, Problems> {
         let (unit, format) = (self.text.unit()?, self.format()?);
         let mut all = Vec::new();
         for (file, text) in texts {
             let (points, refused) = etalon_formats::points_and_refused(file, text, &format, unit)?;
-            refused.iter().for_each(say_message);
+            refused.iter().for_each(|message| out.say_message(message));
             all.extend(points);
         }
         Ok(all)

@@ -1,5 +1,6 @@
 //! Answers to tests of TraCIM.
 
+use super::Output;
 use etalon_base::message::{Place, Problems};
 use etalon_base::{error, files, phrase, warning};
 use etalon_fit::{CircleMethod, Element, Fit, FitSettings, MinimumZone, Source};
@@ -10,7 +11,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// Fails if the file is not a test, or if an element is unknown or cannot be fitted.
-pub(super) fn answer(path: &Path, customer: Option<&str>) -> Result<String, Problems> {
+pub(super) fn answer(path: &Path, customer: Option<&str>, out: &Output) -> Result<String, Problems> {
     let name = path.display().to_string();
     let request = Request::read(&name, &files::read_text(path)?)?;
     let mut problems = Problems::default();
@@ -20,10 +21,10 @@ pub(super) fn answer(path: &Path, customer: Option<&str>) -> Result<String, Prob
     let results: Vec<Quantities> = request.sets.iter().filter_map(fitted).collect();
     problems.check()?;
     if customer.is_none() {
-        super::say_message(&warning!("tracim-customer-missing"));
+        out.say_message(&warning!("tracim-customer-missing"));
     }
     if request.package == Package::Chebyshev {
-        super::say_message(&warning!("tracim-form-name"));
+        out.say_message(&warning!("tracim-form-name"));
     }
     Ok(request.answer(customer.unwrap_or_default(), env!("CARGO_PKG_VERSION"), &results))
 }

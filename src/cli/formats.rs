@@ -1,7 +1,7 @@
 //! Command `etalon formats`.
 
 use super::init::refusal_of_lines;
-use super::{Verdict, next_step, print};
+use super::{Output, Verdict};
 use etalon_base::phrase;
 use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
@@ -22,7 +22,7 @@ pub struct Formats {
 }
 
 impl Formats {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let robot = match &self.robot {
             Some(path) => {
                 let robot = read_robot(path)?;
@@ -38,7 +38,7 @@ impl Formats {
                 let document = propose_file_for(file, robot)?;
                 let text = document.toml.clone().into_bytes();
                 lines.clone_from(&document.toml);
-                print(if self.json { etalon_documents::to_json(&document)? } else { text })?;
+                out.print(if self.json { etalon_documents::to_json(&document)? } else { text })?;
             }
             files => {
                 let FilesProposal { documents, toml, .. } = propose_files(files, robot)?;
@@ -46,7 +46,7 @@ impl Formats {
                     refusal = refusal_of_lines(path, files, &toml);
                 }
                 lines.clone_from(&toml);
-                print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
+                out.print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
             }
         }
         if toml::from_str::<toml::Table>(&lines).is_ok_and(|stated| stated.is_empty()) {
@@ -55,8 +55,8 @@ impl Formats {
         }
         let next = phrase!("next-paste");
         match refusal {
-            Some(reasons) => next_step(self.json, phrase!("next-paste-refused", next, reasons)),
-            None => next_step(self.json, next),
+            Some(reasons) => out.next_step(self.json, phrase!("next-paste-refused", next, reasons)),
+            None => out.next_step(self.json, next),
         }
         Ok(Verdict::Met)
     }

@@ -8,15 +8,14 @@ mod trial;
 
 pub(super) use trial::refusal_of_lines;
 
-use super::{Verdict, next_step, print_written, shell_word};
+use super::{Output, Verdict, shell_word};
+use crate::tasks::known_robots::known_robot;
+use crate::tasks::urdf_text;
 use etalon_base::files;
 use etalon_base::message::Problems;
 use etalon_base::{error, phrase};
-use etalon_campaign::{parse, read_urdf};
+use etalon_campaign::read_urdf;
 use etalon_robots::{Joint, Quantity, TreeChain};
-use schemars::JsonSchema;
-use serde::Deserialize;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Write a commented campaign to start from.
@@ -53,7 +52,6 @@ const ROBOT: &str = include_str!("init/robot.toml");
 /// Line of a proposed campaign that its folder names.
 const UNTITLED: &str = "name = \"First campaign\"";
 const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
-const ROBOTS: &str = include_str!("init/robots.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
 /// Line of the template, a comment, that states synthetic data.
@@ -61,31 +59,31 @@ const SYNTHETIC: &str = "# synthetic = \"how the data were made\"";
 const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nobody measured them\"";
 
 impl Init {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         if !self.from.is_empty() {
             let files = self.described_by(from::campaign(&self.from, self.robot_files()?)?);
-            print_written(files::write_new(&self.folder, &files)?, self.json)?;
+            out.print_written(files::write_new(&self.folder, &files)?, self.json)?;
             let (_, text) = &files[0];
             if !self.json {
                 let robot =
                     files.iter().find(|(name, _)| name == "robot.toml").map_or(&[][..], |(_, text)| text.as_slice());
                 let [text, robot] = [text.as_slice(), robot].map(String::from_utf8_lossy);
-                next_step(self.json, trial::next(&self.folder, &text, &robot));
+                out.next_step(self.json, trial::next(&self.folder, &text, &robot));
             }
             return Ok(Verdict::Met);
         }
         if let Some(path) = &self.urdf {
-            return self.describe(path);
+            return self.describe(path, out);
         }
         if let Some(name) = &self.robot {
-            return self.known(name);
+            return self.known(name, out);
         }
         let mut texts = vec![("campaign.toml", CAMPAIGN.into()), ("robot.toml", ROBOT.into())];
         if self.synthetic {
             texts[0].1 = CAMPAIGN.replace(SYNTHETIC, MADE).into_bytes();
             texts.push(("truth.toml", TRUTH.into()));
         }
-        self.write(&texts)
+        self.write(&texts, out)
     }
 
     /// Adds the schemas that the first lines name; a campaign is named after its folder.
@@ -109,16 +107,16 @@ impl Init {
     }
 
     /// Writes the files, and says what comes next.
-    fn write(&self, texts: &[(&str, Vec<u8>)]) -> anyhow::Result<Verdict> {
+    fn write(&self, texts: &[(&str, Vec<u8>)], out: &Output) -> anyhow::Result<Verdict> {
         let texts = texts.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
         let all = self.described_by(texts);
-        print_written(files::write_new(&self.folder, &all)?, self.json)?;
+        out.print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {
-            true => next_step(self.json, phrase!("next-simulate", command = format!("`etalon simulate {folder}`"))),
+            true => out.next_step(self.json, phrase!("next-simulate", command = format!("`etalon simulate {folder}`"))),
             false => {
                 let command = format!("`etalon check {folder}`");
-                next_step(self.json, phrase!("next-copy", folder, command));
+                out.next_step(self.json, phrase!("next-copy", folder, command));
             }
         }
         Ok(Verdict::Met)
@@ -150,7 +148,7 @@ impl Init {
     }
 
     /// A campaign of the robot of a URDF file.
-    fn describe(&self, path: &Path) -> anyhow::Result<Verdict> {
+    fn describe(&self, path: &Path, out: &Output) -> anyhow::Result<Verdict> {
         let Described { name, robot, text, joints, .. } = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
@@ -163,11 +161,11 @@ impl Init {
             ("robot.toml", robot),
             (name.as_str(), text),
         ];
-        self.write(&texts)
+        self.write(&texts, out)
     }
 
     /// A campaign for a robot of the user's robot.toml.
-    fn with_robot_file(&self, robot: from::RobotFiles) -> anyhow::Result<Verdict> {
+    fn with_robot_file(&self, robot: from::RobotFiles, out: &Output) -> anyhow::Result<Verdict> {
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
             format!("{} = {}\n", toml::Value::from(key.as_str()), toml::Value::from(joint))
@@ -177,13 +175,13 @@ impl Init {
         let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
         let campaign = ("campaign.toml", campaign(robot.controllers, &columns, targets));
         let files = robot.files.iter().map(|(name, text)| (name.as_str(), text.clone()));
-        self.write(&std::iter::once(campaign).chain(files).collect::<Vec<_>>())
+        self.write(&std::iter::once(campaign).chain(files).collect::<Vec<_>>(), out)
     }
 
     /// Creates a campaign for a robot of the built-in table.
-    fn known(&self, name: &str) -> anyhow::Result<Verdict> {
+    fn known(&self, name: &str, out: &Output) -> anyhow::Result<Verdict> {
         if let Some(path) = robot_toml::path(name) {
-            return self.with_robot_file(robot_toml::robot_files(&path)?);
+            return self.with_robot_file(robot_toml::robot_files(&path)?, out);
         }
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
@@ -192,7 +190,7 @@ impl Init {
         let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
         let texts =
             [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
-        self.write(&texts)
+        self.write(&texts, out)
     }
 }
 
@@ -208,30 +206,6 @@ struct Described {
     joints: Vec<String>,
     /// Targets of its branches.
     targets: Vec<String>,
-}
-
-/// Names of the robots of the table.
-pub fn known_names() -> Result<Vec<String>, Problems> {
-    let Known { robots } = parse("robots.toml", ROBOTS)?;
-    Ok(robots.into_iter().map(|robot| robot.name).collect())
-}
-
-/// The robot.toml of a robot of the table.
-pub fn known_text(name: &str) -> Result<String, Problems> {
-    Ok(known_robot(name)?.text())
-}
-
-/// The robot.toml of a chain of a URDF file.
-pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
-    let quoted = |text: &str| toml::Value::from(text).to_string();
-    format!(
-        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
-         # bending = [{}]    # joints that bend under the masses of the URDF\n",
-        quoted(file),
-        quoted(&chain.base_link),
-        quoted(&chain.tool_link),
-        quoted(&chain.joints[0].name),
-    )
 }
 
 /// Path of the schema of an input file in the folder of a campaign, for editors.
@@ -255,113 +229,10 @@ fn joint_keys(chain: &TreeChain) -> Vec<String> {
     chain.joints.iter().map(key).collect()
 }
 
-/// The robot of this name in the table.
-fn known_robot(name: &str) -> Result<KnownRobot, Problems> {
-    let Known { mut robots } = parse("robots.toml", ROBOTS)?;
-    let Some(at) = robots.iter().position(|robot| robot.name == name) else {
-        let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-        return Err(error!("robot-not-in-table", name, names).into());
-    };
-    Ok(robots.swap_remove(at))
-}
-
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
 
 /// Campaign of a robot with these joint columns.
 fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
     let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
     text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()
-}
-
-/// Robots with known geometry.
-#[derive(Deserialize, JsonSchema)]
-struct Known {
-    #[serde(rename = "robot")]
-    robots: Vec<KnownRobot>,
-}
-
-/// A robot described by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), by
-/// screw axes, or by the text of its robot.toml.
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct KnownRobot {
-    name: String,
-    title: String,
-    /// Source of the geometry.
-    source: String,
-    note: Option<String>,
-    /// Source of the limits.
-    limits_source: Option<String>,
-    /// Lower and upper limit of each joint (deg); empty if no source states it.
-    #[serde(default)]
-    limits_deg: Vec<Vec<f64>>,
-    #[serde(default)]
-    dh: Vec<[f64; 4]>,
-    #[serde(default)]
-    mdh: Vec<[f64; 4]>,
-    #[serde(default)]
-    poe: Vec<Axis>,
-    flange_xyz_mm: Option<[f64; 3]>,
-    flange_rpy_deg: Option<[f64; 3]>,
-    #[serde(default)]
-    joints: Vec<String>,
-    #[serde(default)]
-    targets: Vec<String>,
-    #[serde(default)]
-    toml: String,
-}
-
-#[derive(Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct Axis {
-    direction: [f64; 3],
-    point_mm: [f64; 3],
-}
-
-impl KnownRobot {
-    /// Names of the joints' columns.
-    fn joints(&self) -> Vec<String> {
-        let count = self.dh.len() + self.mdh.len() + self.poe.len();
-        if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
-    }
-
-    /// Limits of joint `i` in the text of robot.toml; empty if no source states them.
-    fn limits(&self, i: usize) -> String {
-        let stated = self.limits_deg.get(i).filter(|ends| !ends.is_empty());
-        stated.map_or_else(String::new, |ends| format!(", limits_deg = {ends:?}"))
-    }
-
-    /// Text of robot.toml.
-    fn text(&self) -> String {
-        let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
-        text.extend(self.limits_source.iter().map(|source| format!("# Limits: {source}.\n")));
-        text.extend(self.note.iter().map(|note| format!("# {note}\n")));
-        let _ = writeln!(text, "name = {:?}", self.title);
-        for (convention, rows) in [("dh", &self.dh), ("mdh", &self.mdh)] {
-            if !rows.is_empty() {
-                let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
-            }
-            for (i, [alpha, a, theta, d]) in rows.iter().enumerate() {
-                let _ = writeln!(
-                    text,
-                    "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?}{} }},",
-                    self.limits(i)
-                );
-            }
-        }
-        if let (Some(xyz), Some(rpy)) = (self.flange_xyz_mm, self.flange_rpy_deg) {
-            let _ = writeln!(
-                text,
-                "model = \"serial\"\nconvention = \"poe\"                           # axes at zero joints, in the base\n\
-                 flange_xyz_mm = {xyz:?}\nflange_rpy_deg = {rpy:?}\njoint = ["
-            );
-            for (i, Axis { direction, point_mm }) in self.poe.iter().enumerate() {
-                let limits = self.limits(i);
-                let _ = writeln!(text, "    {{ direction = {direction:?}, point_mm = {point_mm:?}{limits} }},");
-            }
-        }
-        let end = "]\n# bending = [2, 3]                          # joints that bend under gravity\n\
-                   # tolerance = { length_mm = 5.0 }           # how far from nominal the arm may be\n";
-        text + if self.toml.is_empty() { end } else { self.toml.trim_start() }
-    }
 }

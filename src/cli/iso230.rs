@@ -1,12 +1,10 @@
 //! Command `etalon iso230`.
 
-use super::{Verdict, print};
-use crate::stages::table_file::TableFile;
-use etalon_base::message::Result;
-use etalon_base::{error, phrase};
-use etalon_controllers::axis_tables::{self, Deviation};
-use etalon_documents::{AxisDocument, AxisPositioning, to_json};
-use etalon_standards::iso230::{Approach, AxisPosition};
+use super::{Output, Verdict};
+use crate::tasks::{Table, evaluate_axis};
+use etalon_base::phrase;
+use etalon_controllers::axis_tables;
+use etalon_documents::{AxisPositioning, to_json};
 use std::path::PathBuf;
 
 /// Evaluate positioning accuracy and repeatability of a linear axis (ISO 230-2:2014), or write its
@@ -47,61 +45,26 @@ enum Controller {
 }
 
 impl Iso230 {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
-        let file = TableFile::read(&self.table)?;
-        let (document, deviations) = evaluate(&file)?;
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
+        let file = Table::File(&self.table).read()?;
+        let (document, deviations) = evaluate_axis(&file)?;
         let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());
         match self.compensation {
-            Some(Controller::Linuxcnc) => print(axis_tables::linuxcnc(&deviations)?)?,
+            Some(Controller::Linuxcnc) => out.print(axis_tables::linuxcnc(&deviations)?)?,
             Some(Controller::Beckhoff) => {
                 let header = header("measured minus programmed in 0.1 um");
-                print(axis_tables::beckhoff(&deviations, &self.axis, &header))?;
+                out.print(axis_tables::beckhoff(&deviations, &self.axis, &header))?;
             }
             Some(Controller::Sinumerik) => {
                 let reversal = document.axis.mean_reversal_mm;
                 let units = format!("mm, mean of both directions; without the mean reversal error of {reversal:.6} mm");
-                print(axis_tables::sinumerik(&deviations, &self.axis, &header(&units))?)?;
+                out.print(axis_tables::sinumerik(&deviations, &self.axis, &header(&units))?)?;
             }
-            None if self.json => print(to_json(&document)?)?,
-            None => print(text(&document.axis))?,
+            None if self.json => out.print(to_json(&document)?)?,
+            None => out.print(text(&document.axis))?,
         }
         Ok(Verdict::Met)
     }
-}
-
-/// The answer from a table, and the deviations that a compensation table is made of.
-pub(super) fn evaluate(file: &TableFile) -> Result<(AxisDocument, Vec<Deviation>)> {
-    let positions = positions(file).map_err(|problems| file.place(problems))?;
-    let document = AxisDocument::new(&positions);
-    let deviations: Vec<Deviation> = document.positions.iter().map(Deviation::from).collect();
-    axis_tables::plausible(&deviations).map_err(|problems| file.place(problems))?;
-    Ok((document, deviations))
-}
-
-/// Positions in ascending order, each with its runs in both directions.
-fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
-    file.table.require(["position_mm", "measured_mm", "direction"])?;
-    let column = |name: &str| file.table.numbers(name);
-    let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
-    if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
-        return Err(error!("iso230-row-incomplete").into());
-    }
-    let mut all = programmed.clone();
-    all.sort_by(f64::total_cmp);
-    all.dedup();
-    if all.is_empty() {
-        return Err(error!("data-rows-missing").into());
-    }
-    let position = |at: f64| {
-        let runs = |side: f64| {
-            let rows = (0..programmed.len()).filter(|&i| programmed[i] == at && direction[i] == side);
-            let approach = Approach::new(&rows.map(|i| measured[i] - at).collect::<Vec<_>>());
-            let direction = format!("{side:+}");
-            approach.ok_or_else(|| error!("iso230-few-runs", position = at, direction))
-        };
-        Ok(AxisPosition::new(at, runs(1.0)?, runs(-1.0)?))
-    };
-    all.into_iter().map(position).collect()
 }
 
 fn text(axis: &AxisPositioning) -> String {

@@ -3,21 +3,16 @@
 mod plan;
 mod stream;
 
-use super::inputs::Table;
-use super::table_file::TableFile;
-use super::text_format::TableFormat;
-use super::{Verdict, answer, check_positive, remark};
-use crate::stages::iso9283::pose::PoseTables;
-use crate::stages::iso9283::{limits, load};
-use etalon_base::message::Problems;
-use etalon_base::{error, warning};
-use etalon_campaign::Limits;
-use etalon_documents::{Characteristics, DecisionRule, Iso9283Document, Iso9283StreamDocument, to_json};
+use super::{Output, Verdict};
+use crate::stages::iso9283::load;
+use crate::stages::table_file::TableFile;
+use crate::tasks::{PoseOptions, Table, TableFormat, TestTables, iso9283};
+use etalon_base::message::Message;
+use etalon_documents::{Characteristics, to_json};
 use etalon_report::Renderer;
-use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
 use plan::PlanOptions;
 use std::path::{Path, PathBuf};
-use stream::StreamOptions;
+use stream::Motion;
 
 /// Evaluate accuracy, repeatability and other characteristics by ISO 9283.
 ///
@@ -50,7 +45,7 @@ enum Test {
         #[arg(long, value_name = "FILE")]
         commanded: Option<PathBuf>,
         #[command(flatten)]
-        options: PoseOptions,
+        test: PoseTest,
         #[command(flatten)]
         format: TableFormat,
         /// Seed of the bootstrap intervals.
@@ -69,7 +64,7 @@ enum Test {
         #[arg(long, value_name = "FILE")]
         commanded: Option<PathBuf>,
         #[command(flatten)]
-        options: StreamOptions,
+        motion: Motion,
         /// Seed of the bootstrap intervals.
         #[arg(long, default_value_t = 1)]
         seed: u64,
@@ -109,7 +104,7 @@ struct ByOptions {
     #[arg(long, value_name = "FILE")]
     commanded: Option<PathBuf>,
     #[command(flatten)]
-    pose: PoseOptions,
+    pose: PoseTest,
     /// Seed of the bootstrap intervals.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -123,7 +118,7 @@ struct ByOptions {
     #[arg(long, value_name = "FILE")]
     stream: Option<PathBuf>,
     #[command(flatten)]
-    motion: StreamOptions,
+    motion: Motion,
     /// Lay out a test, as for `plan`.
     #[arg(long, requires = "workspace_mm")]
     plan: bool,
@@ -131,34 +126,15 @@ struct ByOptions {
     layout: PlanOptions,
 }
 
-/// Options of a test of poses.
+/// Options and files of a test of poses.
 #[derive(Debug, clap::Args)]
-struct PoseOptions {
-    /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals and,
-    /// as that of a position, for the 25 % rule.
-    #[arg(long, value_name = "UM")]
-    expanded_uncertainty_um: Option<f64>,
-    /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1
-    /// unless conforming.
-    #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
-    ap_limit_mm: Option<f64>,
-    /// Limit of RP, decided like that of AP.
-    #[arg(long, value_name = "MM", requires = "poses")]
-    rp_limit_mm: Option<f64>,
-    /// Decision rule for limits.
-    #[arg(long, value_enum, default_value_t, value_name = "RULE", requires = "poses")]
-    decision_rule: DecisionRule,
+struct PoseTest {
+    #[command(flatten)]
+    options: PoseOptions,
     /// Stationary reference targets: cycle,target,x_mm,y_mm[,z_mm], measured from time to time.
     /// Positions, and angles of stated order, are compensated for drift.
     #[arg(long, value_name = "FILE", requires = "poses")]
     reference: Option<PathBuf>,
-    /// Number of cycles in one set of a drift test, e.g. 10.
-    #[arg(long, value_name = "CYCLES")]
-    drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference
-    /// used to compensate angles.
-    #[arg(long, value_name = "TEXT")]
-    rotation_order: Option<String>,
     /// Evaluate distances, approaches, drift, exchangeability and coplanarity too; with --json one
     /// object instead of a list.
     #[arg(long)]
@@ -166,40 +142,78 @@ struct PoseOptions {
 }
 
 impl Iso9283 {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let by_options = self.by_options;
         match self.test {
-            Some(Test::Pose { poses, commanded, options, format, seed, json }) => {
-                let read = |path: &Path| format.read_poses(path);
-                options.run(PoseFiles { poses: &poses, commanded: commanded.as_deref() }, &read, seed, json)
+            Some(Test::Pose { poses, commanded, test, format, seed, json }) => {
+                let files = PoseFiles { poses: &poses, commanded: commanded.as_deref() };
+                test.evaluate(files, &format, seed)?.print(json, out)
             }
-            Some(Test::Path { stream, commanded, options, seed, json }) => {
-                options.run(&stream, commanded.as_deref(), seed, json)
+            Some(Test::Path { stream, commanded, motion, seed, json }) => {
+                motion.evaluate(&stream, commanded.as_deref(), seed)?.print(json, out)
             }
-            Some(Test::Compliance { table, format, json }) => compliance(format.read_other(&table)?, json),
-            Some(Test::Plan { options, json }) => options.run(json),
-            None => by_options.run(),
+            Some(Test::Compliance { table, format, json }) => {
+                compliance(format.read_other(Table::File(&table))?)?.print(json, out)
+            }
+            Some(Test::Plan { options, json }) => options.run(json, out),
+            None => by_options.run(out),
         }
     }
 }
 
 impl ByOptions {
-    fn run(self) -> anyhow::Result<Verdict> {
-        let commanded = self.commanded.as_deref();
-        match (&self.stream, &self.compliance, &self.poses) {
-            _ if self.plan => self.layout.run(self.json),
-            (_, Some(table), _) => compliance(self.motion.form().read(table)?, self.json),
-            (Some(stream), ..) => self.motion.run(stream, commanded, self.seed, self.json),
+    fn run(self, out: &Output) -> anyhow::Result<Verdict> {
+        if self.plan {
+            return self.layout.run(self.json, out);
+        }
+        let (form, commanded) = (self.motion.options.text.form(), self.commanded.as_deref());
+        let evaluated = match (&self.stream, &self.compliance, &self.poses) {
+            (_, Some(table), _) => compliance(form.read(Table::File(table))?)?,
+            (Some(stream), ..) => self.motion.evaluate(stream, commanded, self.seed)?,
             (.., poses) => {
                 let poses = poses.as_deref().unwrap_or(Path::new("")); // clap requires one of these
-                let read = |path: &Path| self.motion.form().read(path);
-                self.pose.run(PoseFiles { poses, commanded }, &read, self.seed, self.json)
+                self.pose.evaluate(PoseFiles { poses, commanded }, &form.into(), self.seed)?
             }
-        }
+        };
+        evaluated.print(self.json, out)
     }
 }
 
-/// Tables of a test of poses.
+/// Characteristics of a test.
+struct Evaluated {
+    messages: Vec<Message>,
+    tested: Characteristics,
+    json: Vec<u8>,
+}
+
+impl Evaluated {
+    fn print(self, json: bool, out: &Output) -> anyhow::Result<Verdict> {
+        out.remark(&self.messages);
+        out.answer(&Renderer::test(&self.tested), json.then_some(self.json))
+    }
+}
+
+impl PoseTest {
+    /// Characteristics of poses.
+    fn evaluate(&self, files: PoseFiles, format: &TableFormat, seed: u64) -> anyhow::Result<Evaluated> {
+        let tables = TestTables {
+            attained: Table::File(files.poses),
+            commanded: files.commanded.map(Table::File),
+            reference: self.reference.as_deref().map(Table::File),
+        };
+        let document = iso9283(&tables, format, &self.options, seed)?;
+        let messages = document.messages.clone();
+        let all = self.all || self.options.drift_set.is_some();
+        let json = match all {
+            true => to_json(&document)?,
+            false => to_json(&document.poses)?,
+        };
+        let poses = Some(if all { document } else { document.keep_pose_characteristics() });
+        Ok(Evaluated { messages, tested: Characteristics { poses, ..Characteristics::default() }, json })
+    }
+}
+
+/// Files of a test of poses.
 struct PoseFiles<'a> {
     /// Attained poses.
     poses: &'a Path,
@@ -207,98 +221,13 @@ struct PoseFiles<'a> {
     commanded: Option<&'a Path>,
 }
 
-impl PoseOptions {
-    /// Characteristics of poses.
-    fn run(
-        &self,
-        files: PoseFiles,
-        read: &dyn Fn(&Path) -> Result<TableFile, Problems>,
-        seed: u64,
-        json: bool,
-    ) -> anyhow::Result<Verdict> {
-        let PoseFiles { poses, commanded } = files;
-        self.check()?;
-        let tables = PoseTables::read([Some(poses), commanded, self.reference.as_deref()], read)?;
-        let document = self.evaluate(&tables, commanded.is_some(), seed)?;
-        remark(&document.messages);
-        let all = self.all || self.drift_set.is_some();
-        let data = match all {
-            true => to_json(&document)?,
-            false => to_json(&document.poses)?,
-        };
-        let poses = Some(if all { document } else { document.keep_pose_characteristics() });
-        answer(&Renderer::test(&Characteristics { poses, ..Characteristics::default() }), json.then_some(data))
-    }
-
-    fn check(&self) -> Result<(), Problems> {
-        check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
-        check_positive("--ap-limit-mm", self.ap_limit_mm)?;
-        check_positive("--rp-limit-mm", self.rp_limit_mm)?;
-        if self.drift_set.is_some_and(|size| size < 2) {
-            return Err(error!("drift-set-too-small", option = "--drift-set").into());
-        }
-        Ok(())
-    }
-
-    /// The answer from tables that are read.
-    fn evaluate(&self, tables: &PoseTables, commanded: bool, seed: u64) -> Result<Iso9283Document, Problems> {
-        let mut document = tables.test(self.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
-            expanded_uncertainty_mm: self.expanded_uncertainty_um.map(|u| u / 1000.0),
-            drift_set: self.drift_set,
-            rotation_order: self.rotation_order.clone(),
-            seed,
-            draws: DRAWS,
-            ap_limit_mm: self.ap_limit_mm,
-            rp_limit_mm: self.rp_limit_mm,
-            position_uncertainty_mm: None,
-            decision_rule: self.decision_rule.into(),
-        })?;
-        let stated = Limits {
-            accuracy_max_mm: self.ap_limit_mm,
-            repeatability_max_mm: self.rp_limit_mm,
-            decision_rule: Some(self.decision_rule),
-            ..Limits::default()
-        };
-        // a pose without such a value is undecided
-        document.limits = limits(&stated, &document.poses).unwrap_or_default();
-        if !commanded {
-            document.messages.push(warning!("commanded-missing"));
-        }
-        Ok(document)
-    }
-}
-
-impl Iso9283 {
-    /// Evaluates `pose` from tables in memory: attained poses, commanded poses, reference targets.
-    pub(super) fn poses_in_memory(
-        &self,
-        attained: &Table,
-        commanded: Option<&Table>,
-        reference: Option<&Table>,
-    ) -> Result<Iso9283Document, Problems> {
-        let ByOptions { pose, seed, .. } = &self.by_options;
-        pose.check()?;
-        let parse = |table: Option<&Table>| table.map(Table::parse).transpose();
-        let tables = PoseTables::new(attained.parse()?, parse(commanded)?, parse(reference)?);
-        pose.evaluate(&tables, commanded.is_some(), *seed)
-    }
-
-    /// The answer of `path` from tables in memory: a recording, commanded poses, a commanded path.
-    pub(super) fn path_in_memory(
-        &self,
-        recording: &Table,
-        commanded: Option<&Table>,
-        path: Option<&Table>,
-    ) -> Result<Iso9283StreamDocument, Problems> {
-        let ByOptions { motion, seed, .. } = &self.by_options;
-        motion.in_memory(recording, commanded, path, *seed)
-    }
-}
-
 /// Evaluates static compliance from a table of loads.
-fn compliance(table: TableFile, json: bool) -> anyhow::Result<Verdict> {
+fn compliance(table: TableFile) -> anyhow::Result<Evaluated> {
     let document = load::evaluate(&table.table).map_err(|p| table.place(p))?;
-    remark(&document.messages);
-    let json = json.then(|| to_json(&document)).transpose()?;
-    answer(&Renderer::test(&Characteristics { compliance: Some(document), ..Characteristics::default() }), json)
+    let (messages, json) = (document.messages.clone(), to_json(&document)?);
+    Ok(Evaluated {
+        messages,
+        tested: Characteristics { compliance: Some(document), ..Characteristics::default() },
+        json,
+    })
 }

@@ -1,21 +1,21 @@
 //! Command `etalon kinematics`.
 
-use super::text_format::TableFormat;
-use super::{Verdict, print_with, remark};
+use super::{Output, Verdict};
 use crate::run::documents::read_parameters;
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
-use crate::stages::verify::earlier_parameters::robot_values;
+use crate::tasks::kinematics::identified;
+use crate::tasks::{Table, TableFormat, inverse, whole_pose};
 use etalon_base::cell;
-use etalon_base::message::{Place, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::read_robot;
-use etalon_documents::{KinematicsDocument, KinematicsEntry, ParametersDocument, UnreachablePose, to_json};
+use etalon_documents::{KinematicsDocument, KinematicsEntry, UnreachablePose, to_json};
 use etalon_formats::table::{ASSEMBLY, QUATERNION, XYZ};
 use etalon_formats::tables::joints::{joint_column, stated_modes};
-use etalon_robots::{Kinematics, Robot, Role};
-use std::path::{Path, PathBuf};
+use etalon_robots::Kinematics;
+use std::path::PathBuf;
 
 /// Tolerance of a quaternion's length, as it is stated with a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
@@ -61,7 +61,7 @@ enum Direction {
 }
 
 impl KinematicsCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         // the model needs a target, whose position is not that of the tool
         let file = read_robot(&self.robot)?;
         let mut robot = file.build(&file.targets_or("tool"))?;
@@ -70,7 +70,7 @@ impl KinematicsCommand {
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;
-        let file = self.format.read_other(&self.table)?;
+        let file = self.format.read_other(Table::File(&self.table))?;
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
             robot: arm.model().to_owned(),
@@ -86,66 +86,39 @@ impl KinematicsCommand {
         let said = |u: &UnreachablePose| warning!("pose-unreachable", pose = u.pose, reason = u.reason);
         let families = document.poses.iter().filter(|entry| !entry.free_joints.is_empty());
         let families = families.map(|entry| warning!("pose-singular", pose = entry.pose, joints = entry.free_joints));
-        remark(&document.unreachable.iter().map(said).chain(families).collect::<Vec<_>>());
+        out.remark(&document.unreachable.iter().map(said).chain(families).collect::<Vec<_>>());
         let verdict = Verdict::new(document.unreachable.is_empty());
         let inverse = self.direction == Direction::Inverse;
         let answer = if self.json { to_json(&document)? } else { csv(&document, inverse).into_bytes() };
-        print_with(answer, verdict)
+        out.print_with(answer, verdict)
     }
 
     fn inverse(&self, arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
-        let nominal = arm.nominal();
-        if !self.nearest && arm.joints().len() > 6 {
-            return Err(error!("infinite-solutions", joints = arm.joints().len()).into());
-        }
-        let starts = starts(arm, file)?;
-        let mut last = vec![0.0; arm.joints().len()];
-        let all = poses(arm, file)?;
-        for (row, (pose, name)) in all.into_iter().zip(file.table.poses()?).enumerate() {
-            let near = starts.as_ref().map_or(&last, |starts| &starts[row]);
-            let found = match self.nearest {
-                true => arm.nearest_joints(&nominal, &pose, near).map(|q| vec![q]),
-                false => arm.solutions(&nominal, &pose, near),
-            };
+        let (nominal, names) = (arm.nominal(), file.table.poses()?);
+        let starts = starts(arm, file)?.unwrap_or_default();
+        let poses = poses(arm, file)?;
+        let solutions = inverse(arm, &poses, &starts, self.nearest)?;
+        for ((pose, name), found) in poses.iter().zip(names).zip(solutions) {
             let found = found.unwrap_or_else(|reason| {
                 document.unreachable.push(UnreachablePose::new(name, reason));
                 Vec::new()
             });
-            if let Some(first) = found.first() {
-                last.copy_from_slice(&first[..arm.joints().len()]);
-            }
             // each pose of a redundant arm leaves joints free
             let redundant = arm.joints().len() > 6;
             for joints in found {
                 let free = if redundant { Vec::new() } else { arm.free_joints(&nominal, &joints) };
                 let free_joints = free.into_iter().map(|joint| arm.joints()[joint].name.clone()).collect();
-                document.poses.push(KinematicsEntry { free_joints, ..entry(arm, name, &joints, &pose) });
+                document.poses.push(KinematicsEntry { free_joints, ..entry(arm, name, &joints, pose) });
             }
         }
         Ok(())
     }
 }
 
-/// Kinematics of a robot; an error if the robot has no inverse kinematics of a whole pose.
-pub(super) fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
-    let none = || match robot.branches() {
-        [] => error!("no-whole-pose", model = robot.model()).into(),
-        links => error!("several-branches", links).into(),
-    };
-    robot.kinematics().ok_or_else(none)
-}
-
 /// Columns of joint values and of the assembly mode.
 pub(super) fn joint_names(arm: &dyn Kinematics) -> Vec<String> {
     let modes = arm.has_assembly_modes().then(|| ASSEMBLY.to_owned());
     arm.joints().iter().map(|joint| joint.column()).chain(modes).collect()
-}
-
-/// Parameters of a run: those of the robot, and of its base if identified. Targets have their
-/// nominal positions.
-pub(super) fn identified(robot: &dyn Robot, document: &ParametersDocument, path: &Path) -> Result<Vec<f64>> {
-    let values = robot_values(robot, document, &[Role::Robot, Role::Base]);
-    values.map_err(|problems| problems.at(&Place::file(path.display().to_string())))
 }
 
 /// Joint values of a table (rad or mm), row by row, followed by the assembly mode.

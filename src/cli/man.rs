@@ -1,6 +1,6 @@
 //! `etalon man`.
 
-use super::{Verdict, print_written};
+use super::{Output, Verdict};
 use clap::Command;
 use etalon_base::files;
 use std::path::PathBuf;
@@ -16,12 +16,12 @@ pub struct Man {
 }
 
 impl Man {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let mut command = super::command().disable_help_subcommand(true).disable_help_flag(true);
         command.build();
         let mut files = Vec::new();
         pages(&command, &mut files)?;
-        print_written(files::write_all(&self.folder, &files)?, self.json)?;
+        out.print_written(files::write_all(&self.folder, &files)?, self.json)?;
         Ok(Verdict::Met)
     }
 }

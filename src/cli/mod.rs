@@ -6,8 +6,6 @@
 mod axes;
 mod axis_table;
 mod batch;
-mod bound;
-mod capture;
 mod cell;
 mod check;
 mod compare;
@@ -22,13 +20,12 @@ mod fit_tracim;
 mod formats;
 mod groups;
 mod identify;
-pub mod in_memory;
 mod init;
-mod inputs;
 mod iso230;
 mod iso9283;
 mod kinematics;
 mod man;
+mod output;
 mod plan;
 mod progress;
 mod recommend;
@@ -39,24 +36,22 @@ mod schema;
 mod selftest;
 mod simulate;
 mod study;
-mod text_format;
 mod uncertainty;
 mod validate;
 mod validity;
 mod verify;
 
-use crate::stages::table_file;
+pub use output::Answer;
+
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use etalon_base::files::shell_word;
-use etalon_base::message::{Message, Problems, printable, printable_lines};
-use etalon_base::{error, phrase};
-use etalon_documents::WrittenDocument;
-use etalon_report::Renderer;
+use etalon_base::message::Problems;
+use output::{Output, lines};
 use progress::progress;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::ops::ControlFlow;
 
 /// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and
 /// a report out.
@@ -130,143 +125,90 @@ pub fn command() -> clap::Command {
 
 /// Runs the program with these arguments, the first of which is its name; returns the exit code.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    run(arguments, &Output::terminal())
+}
+
+/// Runs the program like [`main`], in the process of another program; nothing is printed.
+///
+/// Paths begin at the working folder of the process.
+pub fn answer(arguments: impl IntoIterator<Item = OsString>) -> Answer {
+    let out = Output::collected();
+    let code = run(arguments, &out);
+    out.into_answer(code)
+}
+
+/// Runs the program like [`answer`], with `--json` where the command has this option.
+pub fn answer_in_json(mut words: Vec<String>) -> Answer {
     let mut command = command();
-    let matches = command.try_get_matches_from_mut(arguments);
-    let read = matches.and_then(|found| Arguments::from_arg_matches(&found).map_err(|e| e.format(&mut command)));
-    match read {
-        Ok(arguments) => {
-            let _bar = progress::Bar::start();
-            run(arguments.command)
-        }
-        Err(error) => refuse(&error),
+    command.build();
+    let found = words.iter().skip(1).try_fold(&command, |found, word| match found.find_subcommand(word) {
+        Some(inner) => ControlFlow::Continue(inner),
+        None => ControlFlow::Break(found),
+    });
+    let (ControlFlow::Continue(found) | ControlFlow::Break(found)) = found;
+    let has_json = found.get_arguments().any(|argument| argument.get_long() == Some("json"));
+    if has_json && !words.iter().any(|word| word == "--json") {
+        words.push("--json".to_owned());
     }
+    answer(words.into_iter().map(Into::into))
 }
 
 /// Runs one command; errors go to stderr.
-fn run(command: Command) -> u8 {
-    match environment::check().map_err(anyhow::Error::from).and_then(|()| dispatch(command)) {
+fn run(arguments: impl IntoIterator<Item = OsString>, out: &Output) -> u8 {
+    let mut command = command();
+    let matches = command.try_get_matches_from_mut(arguments);
+    let read = matches.and_then(|found| Arguments::from_arg_matches(&found).map_err(|e| e.format(&mut command)));
+    let command = match read {
+        Ok(arguments) => arguments.command,
+        Err(error) => return out.refuse(&error),
+    };
+    let _bar = progress::Bar::start();
+    match environment::check().map_err(anyhow::Error::from).and_then(|()| dispatch(command, out)) {
         Ok(Verdict::Met) => 0,
         Ok(Verdict::LimitNotMet) => 1,
         Ok(Verdict::NotRun) => 2,
         Err(error) => {
-            match error.downcast_ref::<etalon_base::message::Problems>() {
-                Some(problems) => {
-                    capture::add(|answer| answer.messages.extend_from_slice(&problems.0));
-                    say(problems);
-                }
-                None => say(format_args!("error: {error:#}")),
+            match error.downcast_ref::<Problems>() {
+                Some(problems) => out.say_problems(problems),
+                None => out.say(format_args!("error: {error:#}")),
             }
             2
         }
     }
 }
 
-fn dispatch(command: Command) -> anyhow::Result<Verdict> {
+fn dispatch(command: Command, out: &Output) -> anyhow::Result<Verdict> {
     match command {
-        Command::Init(command) => command.run(),
-        Command::Check(command) => command.run(),
-        Command::Formats(command) => command.run(),
-        Command::Fit(command) => command.run(),
-        Command::Axes(command) => command.run(),
-        Command::Cell(command) => command.run(),
-        Command::Run(command) => command.run(),
-        Command::Batch(command) => command.run(),
-        Command::Identify(command) => command.run(),
-        Command::Recommend(command) => command.run(),
-        Command::Validate(command) => command.run(),
-        Command::Verify(command) => command.run(),
-        Command::Uncertainty(command) => command.run(),
-        Command::Kinematics(command) => command.run(),
-        Command::Robot(command) => command.run(),
-        Command::Compensate(command) => command.run(),
-        Command::AxisTable(command) => command.run(),
-        Command::Plan(command) => command.run(),
-        Command::Iso230(command) => command.run(),
-        Command::Iso9283(command) => command.run(),
-        Command::Report(command) => command.run(),
-        Command::Compare(command) => command.run(),
-        Command::Export(command) => command.run(),
-        Command::Explain(command) => command.run(),
-        Command::Simulate(command) => command.run(),
-        Command::Study(command) => command.run(),
-        Command::Schema(command) => command.run(),
-        Command::Selftest(command) => command.run(),
-        Command::Completions(command) => command.run(),
-        Command::Man(command) => command.run(),
-    }
-}
-
-/// Prints errors of the arguments, or the requested help. Names in the arguments cannot control the
-/// terminal.
-fn refuse(error: &clap::Error) -> u8 {
-    let text = error.render().to_string();
-    let shown = |answer: &mut capture::Answer| match error.use_stderr() {
-        true => answer.stderr.push_str(&text),
-        false => answer.stdout.extend_from_slice(text.as_bytes()),
-    };
-    if capture::add(shown) {
-        return u8::try_from(error.exit_code()).unwrap_or(2);
-    }
-    match printable_lines(&text) {
-        shown if shown == text => drop(error.print()),
-        shown => drop(write!(std::io::stderr().lock(), "{shown}")),
-    }
-    u8::try_from(error.exit_code()).unwrap_or(2)
-}
-
-/// Prints data to stdout; a reader who has closed it is not an error.
-fn print(data: impl AsRef<[u8]>) -> anyhow::Result<()> {
-    if capture::add(|answer| answer.stdout.extend_from_slice(data.as_ref())) {
-        return Ok(());
-    }
-    let write = || {
-        let mut out = std::io::stdout().lock();
-        out.write_all(data.as_ref()).and_then(|()| out.flush())
-    };
-    match progress::beside(write) {
-        Err(e) if e.kind() != ErrorKind::BrokenPipe => {
-            Err(anyhow::Error::new(e).context(phrase!("stdout-not-written")))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// Prints text to stdout; names in it cannot control the terminal.
-fn print_text(text: &str) -> anyhow::Result<()> {
-    print(printable_lines(text))
-}
-
-/// Prints to stdout; the exit code is the verdict's even if printing fails.
-fn print_with(data: impl AsRef<[u8]>, verdict: Verdict) -> anyhow::Result<Verdict> {
-    match (print(data), verdict) {
-        (Err(error), Verdict::Met) => Err(error),
-        (Err(error), verdict) => {
-            say(format_args!("error: {error:#}"));
-            Ok(verdict)
-        }
-        (Ok(()), verdict) => Ok(verdict),
-    }
-}
-
-/// Prints names or figures of files that are written; the exit code is the verdict's even if
-/// printing fails.
-fn print_after_writing(data: impl AsRef<[u8]>, verdict: Verdict) -> Verdict {
-    if let Err(error) = print(data) {
-        say(format_args!("error: {error:#}"));
-    }
-    verdict
-}
-
-/// Prints a report on the terminal, or the given JSON.
-fn answer(renderer: &Renderer, json: Option<Vec<u8>>) -> anyhow::Result<Verdict> {
-    print_with(json.unwrap_or_else(|| renderer.terminal().into_bytes()), Verdict::new(renderer.passes()))
-}
-
-/// Checks that the number of an option, if stated, is positive.
-fn check_positive(option: &str, stated: Option<f64>) -> Result<(), Problems> {
-    match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
-        true => Ok(()),
-        false => Err(error!("option-not-positive", option).into()),
+        Command::Init(command) => command.run(out),
+        Command::Check(command) => command.run(out),
+        Command::Formats(command) => command.run(out),
+        Command::Fit(command) => command.run(out),
+        Command::Axes(command) => command.run(out),
+        Command::Cell(command) => command.run(out),
+        Command::Run(command) => command.run(out),
+        Command::Batch(command) => command.run(out),
+        Command::Identify(command) => command.run(out),
+        Command::Recommend(command) => command.run(out),
+        Command::Validate(command) => command.run(out),
+        Command::Verify(command) => command.run(out),
+        Command::Uncertainty(command) => command.run(out),
+        Command::Kinematics(command) => command.run(out),
+        Command::Robot(command) => command.run(out),
+        Command::Compensate(command) => command.run(out),
+        Command::AxisTable(command) => command.run(out),
+        Command::Plan(command) => command.run(out),
+        Command::Iso230(command) => command.run(out),
+        Command::Iso9283(command) => command.run(out),
+        Command::Report(command) => command.run(out),
+        Command::Compare(command) => command.run(out),
+        Command::Export(command) => command.run(out),
+        Command::Explain(command) => command.run(out),
+        Command::Simulate(command) => command.run(out),
+        Command::Study(command) => command.run(out),
+        Command::Schema(command) => command.run(out),
+        Command::Selftest(command) => command.run(out),
+        Command::Completions(command) => command.run(out),
+        Command::Man(command) => command.run(out),
     }
 }
 
@@ -277,50 +219,6 @@ fn pose_table<'a, P: Display>(columns: &[&str], rows: impl Iterator<Item = (P, &
         format!("{pose},{}\n", cells.join(","))
     };
     format!("pose,{}\n", columns.join(",")) + &rows.map(row).collect::<String>()
-}
-
-/// Prints messages to stderr: those that need action first, with similar rows merged.
-fn remark(messages: &[Message]) {
-    let mut grouped = Problems(messages.to_vec()).grouped().0;
-    grouped.sort_by_key(|message| message.rank);
-    grouped.iter().for_each(say_message);
-}
-
-/// Prints the names of written files, as lines or as JSON.
-fn print_written(files: Vec<String>, json: bool) -> anyhow::Result<()> {
-    let data = match json {
-        true => etalon_documents::to_json(&WrittenDocument::new(files))?,
-        false => lines(&files).into_bytes(),
-    };
-    print_after_writing(data, Verdict::Met);
-    Ok(())
-}
-
-/// Names of files, one a line.
-fn lines(files: &[String]) -> String {
-    files.iter().map(|file| format!("{}\n", printable(file))).collect()
-}
-
-/// Prints a message to stderr.
-fn say_message(message: &Message) {
-    capture::add(|answer| answer.messages.push(message.clone()));
-    say(format_args!("{message}\n"));
-}
-
-/// Prints text to stderr; names in it cannot control the terminal. A closed stderr is not an error.
-fn say(text: impl Display) {
-    let text = printable_lines(&text.to_string());
-    if capture::add(|answer| answer.stderr += &format!("{text}\n")) {
-        return;
-    }
-    progress::beside(|| drop(writeln!(std::io::stderr().lock(), "{text}")));
-}
-
-/// Names the next command on stderr, unless the caller asked for JSON.
-fn next_step(json: bool, step: impl Display) {
-    if !json {
-        say(format_args!("next: {step}"));
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Command `etalon recommend`.
 
 use super::report::Reports;
-use super::{Verdict, answer, progress, remark};
+use super::{Output, Verdict, progress};
 use crate::run::validation::recommend;
 use crate::run::walk::presentation;
 use etalon_base::error;
@@ -32,19 +32,19 @@ pub struct Recommend {
 }
 
 impl Recommend {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         if let Some(path) = self.write.as_deref().filter(|path| path.exists()) {
             return Err(Problems::from(error!("file-exists", file = path.display().to_string())).into());
         }
         self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;
         let found = recommend(&campaign, &mut progress)?;
-        remark(&found.messages);
+        out.remark(&found.messages);
         if let Some(path) = &self.write {
             files::write(path, &to_json(&found.recommended)?)?;
         }
         let renderer = Renderer::recommendation(&found, self.reports.over(presentation(&campaign)?)?)?;
         self.reports.write(&renderer)?;
-        answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
+        out.answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
     }
 }

@@ -1,6 +1,6 @@
 //! Command `etalon report`.
 
-use super::{Verdict, print_written};
+use super::{Output, Verdict};
 use crate::run::documents::{self, Documents};
 use crate::run::results;
 use etalon_base::error;
@@ -101,7 +101,7 @@ fn kind(path: &Path) -> Result<String> {
 }
 
 impl ReportCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let written = match &self.write_templates {
             Some(folder) => {
                 let templates = etalon_report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
@@ -109,7 +109,7 @@ impl ReportCommand {
             }
             None => write_report(&self.folder.unwrap_or_default(), &self.branding, self.certificate)?,
         };
-        print_written(written, self.json)?;
+        out.print_written(written, self.json)?;
         Ok(Verdict::Met)
     }
 }

@@ -1,9 +1,9 @@
 //! Command `etalon robot`.
 
-use super::kinematics::identified;
-use super::{Verdict, print_text, remark};
+use super::{Output, Verdict};
 use crate::run::documents::read_parameters;
 use crate::stages::sweeps::not_held;
+use crate::tasks::kinematics::identified;
 use etalon_base::message::{Message, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, minus, norm};
@@ -60,7 +60,7 @@ enum Target {
 }
 
 impl RobotCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let Task::Convert(convert) = self.task;
         let file = read_robot(&convert.robot)?;
         let mut robot = file.build(&file.targets_or("tool"))?;
@@ -69,8 +69,8 @@ impl RobotCommand {
             robot.definition_mut().set_nominal(&values);
         }
         let (text, messages) = converted(robot.as_ref(), convert.to)?;
-        remark(&messages);
-        print_text(&text)?;
+        out.remark(&messages);
+        out.print_text(&text)?;
         Ok(Verdict::Met)
     }
 }

@@ -1,6 +1,6 @@
 //! Command `etalon run`.
 
-use super::{Verdict, next_step, print_after_writing, remark, say, shell_word};
+use super::{Output, Verdict, shell_word};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
@@ -24,32 +24,32 @@ pub struct Run {
 }
 
 impl Run {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let (campaign, problems) = Campaign::recover(&self.campaign)?;
         let Some(campaign) = campaign else { return Err(problems.into()) };
         if let Some(name) = campaign.missing_variable().filter(|_| self.skip_missing && problems.0.is_empty()) {
-            say(phrase!("run-skipped", campaign = printable(&campaign.path), name));
+            out.say(phrase!("run-skipped", campaign = printable(&campaign.path), name));
             return Ok(Verdict::Met);
         }
         match problems.check().and_then(|_| pipeline::run(&campaign)) {
-            Ok(outcome) => self.answer(&campaign, outcome),
+            Ok(outcome) => self.answer(&campaign, outcome, out),
             Err(problems) => {
                 let earlier = campaign.output().and_then(|folder| Documents::open(&folder)).ok();
                 let report = earlier.map(|earlier| earlier.path("report.html"));
                 if let Some(report) = report.filter(|report| report.is_file()) {
-                    remark(&[warning!("earlier-run-left", report = report.display().to_string())]);
+                    out.remark(&[warning!("earlier-run-left", report = report.display().to_string())]);
                 }
                 Err(problems.into())
             }
         }
     }
 
-    fn answer(&self, campaign: &Campaign, outcome: Outcome) -> anyhow::Result<Verdict> {
+    fn answer(&self, campaign: &Campaign, outcome: Outcome, out: &Output) -> anyhow::Result<Verdict> {
         let Outcome { results, renderer, .. } = outcome;
-        remark(&results.messages().cloned().collect::<Vec<_>>());
+        out.remark(&results.messages().cloned().collect::<Vec<_>>());
         let Results { identified, tested, verdict, .. } = &results;
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
-            say(phrase!("no-controller-files"));
+            out.say(phrase!("no-controller-files"));
         }
         let next = identified.as_ref().map(|_| {
             let folder = shell_word(&self.campaign);
@@ -67,8 +67,8 @@ impl Run {
             (true, None, None, None) => to_json(&tested.compliance)?,
         };
         let met = verdict.passes();
-        let verdict = print_after_writing(data, Verdict::new(met));
-        next.filter(|_| met).inspect(|next| next_step(self.json, next));
+        let verdict = out.print_after_writing(data, Verdict::new(met));
+        next.filter(|_| met).inspect(|next| out.next_step(self.json, next));
         Ok(verdict)
     }
 }

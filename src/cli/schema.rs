@@ -1,6 +1,6 @@
 //! Command `etalon schema`.
 
-use super::{Verdict, print};
+use super::{Output, Verdict};
 use etalon_base::error;
 use etalon_base::message::Problems;
 
@@ -25,13 +25,13 @@ pub struct Schema {
 }
 
 impl Schema {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let all = [etalon_campaign::schemas(), etalon_documents::schema::all()].concat();
         let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
             let message = error!("schema-unknown", name = self.name);
             Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))
         })?;
-        print(text)?;
+        out.print(text)?;
         Ok(Verdict::Met)
     }
 }

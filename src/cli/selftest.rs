@@ -1,7 +1,7 @@
 //! Command `etalon selftest`.
 
 use super::report::Reports;
-use super::{Verdict, answer, progress};
+use super::{Output, Verdict, progress};
 use crate::run::selftest::{performance, selftest};
 use etalon_base::phrase;
 use etalon_documents::{Presentation, to_json};
@@ -46,7 +46,7 @@ fn sha256(text: &str) -> Result<String, String> {
 }
 
 impl Selftest {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         self.reports.check(self.expected.as_ref())?;
         let performance = match (&self.campaign, &self.expected) {
             (Some(campaign), Some(expected)) => Some(performance::performance(campaign, expected)?),
@@ -58,6 +58,6 @@ impl Selftest {
         let json = if self.json { Some(to_json(&document)?) } else { None };
         let renderer = Renderer::selftest(&document, self.reports.over(Presentation::default())?)?;
         self.reports.write(&renderer)?;
-        answer(&renderer, json)
+        out.answer(&renderer, json)
     }
 }

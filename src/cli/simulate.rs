@@ -1,6 +1,6 @@
 //! Command `etalon simulate`.
 
-use super::{Verdict, print_written, say};
+use super::{Output, Verdict};
 use crate::simulate::Truth;
 use etalon_base::phrase;
 use etalon_campaign::Campaign;
@@ -24,14 +24,14 @@ pub struct Simulate {
 }
 
 impl Simulate {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         let mut truth = Truth::read(&self.truth.unwrap_or_else(|| campaign.folder.join("truth.toml")))?;
         truth.seed = self.seed.unwrap_or(truth.seed);
         for error in truth.unmodelled.iter().flat_map(|unmodelled| unmodelled.stated()) {
-            say(phrase!("unmodelled-said", error));
+            out.say(phrase!("unmodelled-said", error));
         }
-        print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
+        out.print_written(crate::simulate::simulate(&campaign, &truth)?, self.json)?;
         Ok(Verdict::Met)
     }
 }

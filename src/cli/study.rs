@@ -1,6 +1,6 @@
 //! Command `etalon study`.
 
-use super::{Verdict, print, say};
+use super::{Output, Verdict};
 use crate::simulate::study::StudyFile;
 use etalon_base::{files, phrase};
 use etalon_campaign::read_robot;
@@ -19,7 +19,7 @@ pub struct StudyCommand {
 }
 
 impl StudyCommand {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let file = StudyFile::read(&self.study)?;
         let folder = self.study.parent().unwrap_or(Path::new("."));
         let robot_path = folder.join(&file.robot);
@@ -27,7 +27,7 @@ impl StudyCommand {
         let (mut begun, of) = (0, file.sets.len() * file.noise_um.len());
         let designs = file.run(robot.as_ref(), folder, |name| {
             begun += 1;
-            say(format_args!("{begun} of {of}: {name}, {} draws", file.draws));
+            out.say(format_args!("{begun} of {of}: {name}, {} draws", file.draws));
         })?;
         let tables = file.tables().map(|table| folder.join(table));
         let inputs: Vec<PathBuf> = [self.study.clone(), robot_path].into_iter().chain(tables).collect();
@@ -44,7 +44,7 @@ impl StudyCommand {
                 seed: Some(file.seed),
             },
         };
-        print(if self.json { to_json(&document)? } else { text(&document).into_bytes() })?;
+        out.print(if self.json { to_json(&document)? } else { text(&document).into_bytes() })?;
         Ok(Verdict::Met)
     }
 }

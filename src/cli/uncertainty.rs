@@ -1,7 +1,7 @@
 //! Command `etalon uncertainty`.
 
 use super::report::Reports;
-use super::{Verdict, answer, progress, remark};
+use super::{Output, Verdict, progress};
 use crate::run::validation::uncertainty;
 use crate::run::walk::presentation;
 use crate::stages::uncertainty::monte_carlo::Draws;
@@ -38,15 +38,15 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         self.reports.check(None)?;
         let draws = Draws { most: self.draws as usize, resamples: self.resamples as usize, seed: self.seed };
         let document = uncertainty(&campaign, draws, &mut progress)?;
-        remark(&document.messages);
+        out.remark(&document.messages);
         let json = if self.json { Some(to_json(&document)?) } else { None };
         let renderer = Renderer::uncertainty(&document, self.reports.over(presentation(&campaign)?)?)?;
         self.reports.write(&renderer)?;
-        answer(&renderer, json)
+        out.answer(&renderer, json)
     }
 }

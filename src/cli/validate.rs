@@ -1,7 +1,7 @@
 //! Command `etalon validate`.
 
 use super::report::Reports;
-use super::{Verdict, answer, remark};
+use super::{Output, Verdict};
 use crate::run::documents::{read_field, read_parameters};
 use crate::run::validation::validate;
 use crate::run::walk::presentation;
@@ -39,7 +39,7 @@ pub struct Validate {
 }
 
 impl Validate {
-    pub(super) fn run(self) -> anyhow::Result<Verdict> {
+    pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         self.reports.check(&self.parameters)?;
         let document = self.parameters.as_deref().map(read_parameters).transpose()?;
@@ -53,9 +53,9 @@ impl Validate {
             provenance.inputs.extend(files::sha256_by_name(&self.parameters)?);
             provenance.inputs.extend(files::sha256_by_name(&self.field)?);
         }
-        remark(&messages);
+        out.remark(&messages);
         let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
         self.reports.write(&renderer)?;
-        answer(&renderer, self.json.then(|| to_json(&accuracy)).transpose()?)
+        out.answer(&renderer, self.json.then(|| to_json(&accuracy)).transpose()?)
     }
 }

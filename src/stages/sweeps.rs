@@ -21,7 +21,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
 /// Convention of the robot file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum TableConvention {
     /// Screw axes in the base at zero joints: represents every arm exactly.
     #[default]

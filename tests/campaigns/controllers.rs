@@ -231,7 +231,7 @@ fn table(convention: &str, rows: &[[f64; 4]]) -> String {
 
 /// Geometry of makers, as `etalon init --robot` has it: name, key of the table, rows.
 fn published() -> Vec<(String, String, toml::Value)> {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/cli/init/robots.toml")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/tasks/known_robots.toml")).unwrap();
     let all: toml::Table = text.parse().unwrap();
     let of = |robot: &toml::Value| {
         let key = ["dh", "mdh", "poe"].into_iter().find(|key| robot.get(key).is_some())?;

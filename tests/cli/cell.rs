@@ -4,7 +4,7 @@ use etalon::base::angle_order::AngleOrder;
 use etalon::base::catalogue::Argument;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
-use etalon::cli::in_memory::{Answer, answer};
+use etalon::cli::{Answer, answer};
 use etalon::documents::CellDocument;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Commands on robots and tables in memory.
 
-use etalon::cli::in_memory::{self, Inputs, Prediction, Table};
+use etalon::tasks::{self, IdentifyOptions, Inputs, PlanOptions, Prediction, Table, parse_options};
 
 /// The robot.toml of an arm of three joints, and synthetic observations of its target.
 fn three_axes() -> (String, String) {
@@ -31,10 +31,11 @@ fn a_predicted_position_has_the_covariance_of_its_parameters() {
     let file = etalon::campaign::parse_robot("robot.toml".as_ref(), &text).unwrap();
     let given = Inputs {
         robot: &file,
-        stated: Table { name: "robot.toml", text: &text },
-        table: Table { name: "observations", text: &table },
+        stated: Table::Text { name: "robot.toml", text: &text },
+        table: Table::Text { name: "observations", text: &table },
     };
-    let document = in_memory::identify(&given, &["--standard-uncertainty-um=15".to_owned()]).unwrap();
+    let options = IdentifyOptions { standard_uncertainty_um: Some(15.0), ..IdentifyOptions::default() };
+    let document = tasks::identify(&given, &options).unwrap();
     let prediction = Prediction::new(&file, &document, "SMR").unwrap();
     let joints = [0.3, -0.4, 0.9];
     let found = prediction.at(&joints);
@@ -78,16 +79,17 @@ fn candidates_in_memory_have_the_marks_that_are_stated() {
     let (text, table) = three_axes();
     let file = etalon::campaign::parse_robot("robot.toml".as_ref(), &text).unwrap();
     let comma = table.replace(',', ";").replace('.', ",");
-    let plan = |table: &str, marks: &[&str]| {
-        let (stated, table) = (Table { name: "robot.toml", text: &text }, Table { name: "candidates", text: table });
-        let marks = marks.iter().map(|mark| (*mark).to_owned());
-        let options: Vec<String> = marks.chain(["--positions=12".to_owned(), "--starts=1".to_owned()]).collect();
-        in_memory::plan(&Inputs { robot: &file, stated, table }, &options)
+    let plan = |table: &str, options: &str| {
+        let (stated, table) =
+            (Table::Text { name: "robot.toml", text: &text }, Table::Text { name: "candidates", text: table });
+        let options: PlanOptions = parse_options(options).unwrap();
+        tasks::plan(&Inputs { robot: &file, stated, table }, &options, &|_, _| {})
     };
-    let [first, second] =
-        [plan(&table, &[]), plan(&comma, &["--delimiter=;", "--decimal=,"])].map(|plan| plan.unwrap());
+    let twelve = r#"{"positions": 12, "starts": 1}"#;
+    let marks = r#"{"positions": 12, "starts": 1, "delimiter": ";", "decimal": ","}"#;
+    let [first, second] = [plan(&table, twelve), plan(&comma, marks)].map(|plan| plan.unwrap());
     assert_eq!(first.optimality.value, second.optimality.value);
-    assert!(plan(&comma, &[]).is_err());
+    assert!(plan(&comma, twelve).is_err());
 }
 
 /// A target at the flange's origin does not show the zero of the last joint; where it is stated, the plan counts with it.
@@ -99,9 +101,10 @@ fn a_plan_counts_with_the_stated_position_of_a_target() {
     let stated = file.text_with_targets(&[position].into()).unwrap();
     let identifiable = |text: &str| {
         let file = etalon::campaign::parse_robot("robot.toml".as_ref(), text).unwrap();
-        let (stated, table) = (Table { name: "robot.toml", text }, Table { name: "candidates", text: &table });
-        let options = ["--positions=12", "--starts=1", "--hold=SMR_*"].map(str::to_owned);
-        let plan = in_memory::plan(&Inputs { robot: &file, stated, table }, &options).unwrap();
+        let (stated, table) =
+            (Table::Text { name: "robot.toml", text }, Table::Text { name: "candidates", text: &table });
+        let options = parse_options(r#"{"positions": 12, "starts": 1, "hold": ["SMR_*"]}"#).unwrap();
+        let plan = tasks::plan(&Inputs { robot: &file, stated, table }, &options, &|_, _| {}).unwrap();
         plan.prediction.parameters.iter().find(|p| p.name == "theta_3").unwrap().identifiable
     };
     assert_eq!([&text, &stated].map(|text| identifiable(text)), [false, true]);

@@ -52,9 +52,7 @@ fn of_residual_fields() {
 
 #[test]
 fn of_files_names_and_missing_data() {
-    let refused = etalon::cli::in_memory::iso9283([None, None, None], &[]).unwrap_err();
-    let table = etalon::cli::in_memory::Table { name: "t.csv", text: "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n" };
-    let unknown = etalon::cli::in_memory::iso9283([Some(&table), None, None], &["--nothing".to_owned()]).unwrap_err();
+    let unknown = etalon::tasks::parse_options::<etalon::tasks::PlanOptions>(r#"{"nothing": 1}"#).unwrap_err();
     let large = tempfile::NamedTempFile::new().unwrap();
     large.as_file().set_len(17 << 20).unwrap();
     let robot = etalon::robots::Prexyt::default();
@@ -65,10 +63,9 @@ fn of_files_names_and_missing_data() {
         ("not-utf8", of(etalon::base::files::text("campaign.toml".as_ref(), vec![b'a', 0xfc]))),
         ("pose-name-too-long", of(etalon::base::pose_name::PoseName::new(&"x".repeat(300)))),
         ("one-campaign", of(etalon::compare::compare(&[]))),
-        ("table-to-evaluate-missing", refused.downcast::<Problems>().unwrap().0),
         ("no-candidates", unreached),
         ("no-observations", nothing.messages()),
-        ("option-of-call-refused", unknown.downcast::<Problems>().unwrap().0),
+        ("option-of-call-refused", unknown.0),
         ("cannot-read-file", of(etalon::base::files::read("no/such/file".as_ref()))),
         ("file-too-large", of(etalon::base::files::read_text(large.path()))),
     ]);
@@ -282,7 +279,7 @@ fn of_robots_and_tables_of_programs() {
     parameters[robot.index("l_kl").unwrap()] = 0.0;
     let uneven = vec![Column::new("a".into(), [1.0]), Column::new("b".into(), [1.0, 2.0])];
     hold(vec![
-        ("no-whole-pose", of(etalon::cli::in_memory::whole_pose(&robot).map(|_| ()))),
+        ("no-whole-pose", of(etalon::tasks::whole_pose(&robot).map(|_| ()))),
         ("tool-targets-collinear", refused(point.in_base(&robot, &parameters, &joints))),
         ("table-failed", of(etalon::formats::parquet::frame(2, uneven))),
     ]);

@@ -17,7 +17,7 @@ mod tests_of_robots;
 
 use etalon::base::catalogue::Argument;
 use etalon::base::message::Message;
-use etalon::cli::in_memory::{Answer, answer};
+use etalon::cli::{Answer, answer};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,8 @@
 //! Branches of a URDF, by the files of measurements: the links whose chains reproduce the points of
 //! the targets, where these are on several links.
 
-use super::{joint_keys, urdf_text};
+use super::joint_keys;
+use crate::tasks::urdf_text;
 use etalon_base::message::printable;
 use etalon_base::{error, phrase};
 use etalon_campaign::parse_robot;

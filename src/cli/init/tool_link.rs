@@ -2,7 +2,8 @@
 //! whose kinematics the measured points fit.
 
 use super::branches::{BETTER, branches, names};
-use super::{Described, joint_keys, urdf_text};
+use super::{Described, joint_keys};
+use crate::tasks::urdf_text;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::printable;
 use etalon_base::phrase;

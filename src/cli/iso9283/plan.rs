@@ -1,6 +1,6 @@
 //! Command `etalon iso9283 plan`.
 
-use super::super::{Verdict, pose_table, print, print_written, remark};
+use super::super::{Output, Verdict, pose_table};
 use etalon_base::files;
 use etalon_base::message::Problems;
 use etalon_base::{error, phrase, warning};
@@ -38,7 +38,7 @@ pub(super) struct PlanOptions {
 }
 
 impl PlanOptions {
-    pub fn run(&self, json: bool) -> anyhow::Result<Verdict> {
+    pub fn run(&self, json: bool, out: &Output) -> anyhow::Result<Verdict> {
         let workspace_mm = match self.workspace_mm[..] {
             [x0, y0, x1, y1] => [[x0, y0, 0.0], [x1, y1, 0.0]],
             [x0, y0, z0, x1, y1, z1] => [[x0, y0, z0], [x1, y1, z1]],
@@ -66,16 +66,16 @@ impl PlanOptions {
         let unreached = |u: &Iso9283Unreached| {
             warning!("test-point-unreached", list = u.places, point = u.point, reason = u.reason)
         };
-        remark(&document.unreached.iter().map(unreached).collect::<Vec<_>>());
+        out.remark(&document.unreached.iter().map(unreached).collect::<Vec<_>>());
         let verdict = if document.unreached.is_empty() { Verdict::Met } else { Verdict::LimitNotMet };
         if let Some(folder) = &self.write {
             let written = write(folder, &document)?;
             if !json {
-                print_written(written, false)?;
+                out.print_written(written, false)?;
                 return Ok(verdict);
             }
         }
-        print(if json { to_json(&document)? } else { as_text(&document).into_bytes() })?;
+        out.print(if json { to_json(&document)? } else { as_text(&document).into_bytes() })?;
         Ok(verdict)
     }
 }

@@ -1,6 +1,6 @@
 //! Options of the measuring program of a plan.
 
-use super::super::check_positive;
+use crate::tasks::checks::check_positive;
 use etalon_base::error;
 use etalon_base::files;
 use etalon_base::message::Result;

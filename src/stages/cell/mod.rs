@@ -30,7 +30,8 @@ use readings::WrittenPoses;
 use std::collections::BTreeMap;
 
 /// Problem that is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum CellKind {
     /// Tool centre point from orientations about one fixed point.
     ToolPoint,
@@ -67,7 +68,8 @@ impl CellKind {
 }
 
 /// Place of the measuring system.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum CellMounting {
     /// The target is on the robot, the measuring system stands.
     Target,

@@ -13,7 +13,6 @@ use etalon_standards::iso9283::pose::PoseTestSettings;
 use etalon_standards::iso9283::pose::drift::drifts;
 use etalon_standards::iso9283::pose::rotations::RotationOrder;
 use etalon_standards::iso9283::pose::test::{AttainedPose, PoseTest, TestedPose};
-use std::path::Path;
 
 /// Tables of a test of poses: attained poses, commanded poses, and stationary targets.
 pub(crate) struct PoseTables {
@@ -30,14 +29,6 @@ pub(crate) struct PreparedTest {
 }
 
 impl PoseTables {
-    /// Tables of a command: attained, commanded and reference, each read by the same reader.
-    pub fn read(files: [Option<&Path>; 3], read: &dyn Fn(&Path) -> Result<TableFile>) -> Result<Self> {
-        let [attained, commanded, reference] = files;
-        let none = || error!("table-to-evaluate-missing");
-        let (commanded, reference) = (commanded.map(read).transpose()?, reference.map(read).transpose()?);
-        Ok(Self::new(read(attained.ok_or_else(none)?)?, commanded, reference))
-    }
-
     /// Tables that have been read before.
     pub fn new(attained: TableFile, commanded: Option<TableFile>, reference: Option<TableFile>) -> Self {
         Self { attained, commanded, reference }

@@ -3,8 +3,8 @@
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::parse_robot;
-use etalon::cli::in_memory::{known_names, known_text};
 use etalon::robots::{FiveBar, JointRange, Kinematics, Quantity, Robot};
+use etalon::tasks::{known_names, known_text};
 use rayon::prelude::*;
 use std::path::Path;
 

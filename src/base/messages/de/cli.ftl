@@ -235,8 +235,6 @@ tool-link-fits = `{ $link }` passt zu den Dateien: die Gelenke sind { $joints }
 nothing-recognised = in `{ $name }` wurde nichts erkannt
     .hint = `etalon formats { $path }` nennt, was seine Spalten sein können
 
-table-to-evaluate-missing = die auszuwertende Tabelle fehlt
-
 option-of-call-refused = { $reason }
 
 table-options-refused = { $fault ->

@@ -511,13 +511,7 @@ tool-link-fits = `{ $link }` fits the files: its joints are { $joints }
 nothing-recognised = no column of `{ $name }` is recognised
     .hint = `etalon formats { $path }` states what its columns could be
 
-# Means: A command in memory was called without the table that it evaluates.
-# Matters: There is nothing to evaluate.
-# Do: Pass the table.
-# Example: `etalon.iso9283()` in Python without a table
-table-to-evaluate-missing = the table to evaluate is missing
-
-# Means: An option of a command in memory is unknown or has a wrong value.
+# Means: An option of a call is unknown, has a wrong value, or lacks another option.
 # Matters: Options are checked as on the command line.
 # Do: Correct the option; `etalon COMMAND --help` lists all.
 # Example: `etalon.plan(robot, table, positions="many")` in Python

@@ -235,8 +235,6 @@ tool-link-fits = `{ $link }` convient aux fichiers : ses articulations sont { $j
 nothing-recognised = rien n’est reconnu dans `{ $name }`
     .hint = `etalon formats { $path }` indique ce que peuvent être ses colonnes
 
-table-to-evaluate-missing = le tableau à évaluer manque
-
 option-of-call-refused = { $reason }
 
 table-options-refused = { $fault ->

@@ -1,25 +1,31 @@
 //! Options for reading tables and texts of points: the keys of campaign.toml as options.
 
+use super::call::pairs;
+use super::inputs::Table;
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_formats::dialect::{ColumnRole, Columns, Dialect, Unit};
 use etalon_formats::{Format, TableReading};
 use etalon_tables::{Cells, ColumnSource, Constant, Form, Header, Missing, TableLayout};
+use serde::Deserialize;
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// Options of every table and text.
-#[derive(Debug, clap::Args)]
-pub(super) struct TextForm {
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
+pub struct TextForm {
     #[command(flatten)]
+    #[serde(flatten)]
     cells: CellForm,
     #[command(flatten)]
+    #[serde(flatten)]
     rows: RowForm,
 }
 
 /// Options for the cells of a table: marks and encoding of a text, or a sheet.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
 struct CellForm {
     /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
     #[arg(long)]
@@ -42,7 +48,8 @@ struct CellForm {
 }
 
 /// Options for the rows and columns of a table: header, names, missing cells, and rows to read.
-#[derive(Debug, clap::Args)]
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
 struct RowForm {
     /// Rows before the data: a number, or words of the last one, which names the columns.
     #[arg(long, value_name = "ROWS")]
@@ -55,6 +62,7 @@ struct RowForm {
     /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif"). Where
     /// several tables have different headings, state each: the heading that a table has applies.
     #[arg(long = "column", value_name = "NAME=HEADING")]
+    #[serde(rename = "column", deserialize_with = "pairs")]
     named: Vec<String>,
     /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
     #[arg(long, value_name = "TEXT,...", value_delimiter = ',', allow_hyphen_values = true)]
@@ -67,9 +75,11 @@ struct RowForm {
     end: Option<String>,
     /// Read only rows with one of these cells in this column; may be repeated.
     #[arg(long, value_name = "COLUMN=CELL,...")]
+    #[serde(deserialize_with = "pairs")]
     only: Vec<String>,
     /// Leave out rows with one of these cells in this column; may be repeated.
     #[arg(long, value_name = "COLUMN=CELL,...")]
+    #[serde(deserialize_with = "pairs")]
     without: Vec<String>,
 }
 
@@ -103,7 +113,7 @@ impl TextForm {
     /// heading that the table has.
     fn columns_in_table(
         &self,
-        path: &Path,
+        table: Table,
         reading: &TableReading,
     ) -> Result<BTreeMap<String, ColumnSource>, Problems> {
         let mut all: BTreeMap<String, Vec<ColumnSource>> = BTreeMap::new();
@@ -114,7 +124,7 @@ impl TextForm {
         let has = |name: &str, source: &ColumnSource| {
             let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
             let layout = TableLayout { columns, constants: BTreeMap::new(), ..reading.layout.clone() };
-            let read = table(path, &TableReading { layout, ..reading.clone() });
+            let read = read(table, &TableReading { layout, ..reading.clone() });
             read.is_ok_and(|read| read.table.has(name))
         };
         let mut columns = BTreeMap::new();
@@ -124,7 +134,7 @@ impl TextForm {
                 _ => sources.iter().filter(|source| has(&name, source)).collect(),
             };
             if let [ColumnSource::Heading(first), ColumnSource::Heading(second), ..] = own[..] {
-                let file = path.display().to_string();
+                let file = table.name();
                 return Err(error!("option-column-ambiguous", column = name, file, first, second).into());
             }
             columns.extend(own.first().copied().or(sources.last()).map(|source| (name, source.clone())));
@@ -139,16 +149,16 @@ impl TextForm {
     }
 
     /// Reads a table in the names of etalon, one of several for which the options are stated.
-    pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.one_of_several(path, self.reading()?)
+    pub(crate) fn read(&self, table: Table) -> Result<TableFile, Problems> {
+        self.one_of_several(table, self.reading()?)
     }
 
     /// Reads one of several tables for which the options are stated; columns that it lacks are left
     /// out.
-    fn one_of_several(&self, path: &Path, reading: TableReading) -> Result<TableFile, Problems> {
+    fn one_of_several(&self, table: Table, reading: TableReading) -> Result<TableFile, Problems> {
         let mut reading = TableReading { lenient: true, ..reading };
-        reading.layout.columns = self.columns_in_table(path, &reading)?;
-        table(path, &reading)
+        reading.layout.columns = self.columns_in_table(table, &reading)?;
+        read(table, &reading)
     }
 }
 
@@ -164,8 +174,9 @@ impl RowForm {
 }
 
 /// Unit and columns of a text of points.
-#[derive(Debug, clap::Args)]
-pub(super) struct TextFormat {
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
+pub struct TextFormat {
     /// Length unit of the files: `mm`, `m`, `um` or `inch`; never guessed (QIF states its own).
     #[arg(long)]
     unit: Option<String>,
@@ -173,17 +184,18 @@ pub(super) struct TextFormat {
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
     columns: Vec<String>,
     #[command(flatten)]
+    #[serde(flatten)]
     form: TextForm,
 }
 
 impl TextFormat {
     /// `true` if the contents of the columns are stated from the left.
-    pub fn in_order(&self) -> bool {
+    pub(crate) fn in_order(&self) -> bool {
         !self.columns.is_empty()
     }
 
     /// `true` if a form of text is stated.
-    pub fn stated(&self) -> bool {
+    pub(crate) fn stated(&self) -> bool {
         let CellForm { delimiter, widths, decimal, sheet, .. } = &self.form.cells;
         self.in_order()
             || delimiter.is_some()
@@ -194,27 +206,27 @@ impl TextFormat {
     }
 
     /// `true` if the text of a file depends on an encoding or a sheet.
-    pub fn is_of_plain_text(&self) -> bool {
+    pub(crate) fn is_of_plain_text(&self) -> bool {
         self.form.cells.encoding.is_none() && self.form.cells.sheet.is_none()
     }
 
     /// Stated unit, if any.
-    pub fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
+    pub(crate) fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
         self.unit.as_deref().map(|name| word("--unit", name)).transpose()
     }
 
     /// Mandatory unit.
-    pub fn unit(&self) -> Result<Unit, Problems> {
+    pub(crate) fn unit(&self) -> Result<Unit, Problems> {
         self.stated_unit()?.ok_or_else(|| error!("option-unit-missing").into())
     }
 
     /// Options of the tables beside a recording.
-    pub fn form(&self) -> &TextForm {
+    pub(crate) fn form(&self) -> &TextForm {
         &self.form
     }
 
     /// Stated columns, by default PolyWorks text.
-    pub fn format(&self) -> Result<Format, Problems> {
+    pub(crate) fn format(&self) -> Result<Format, Problems> {
         if !self.stated() {
             return Ok(Format::default());
         }
@@ -234,10 +246,11 @@ impl TextFormat {
     }
 
     /// Reads the text of a file of points.
-    pub fn text(&self, path: &Path, format: &Format) -> Result<String, Problems> {
-        match self.is_of_plain_text() {
-            true => etalon_formats::text_in(path, format),
-            false => {
+    pub(crate) fn text(&self, table: Table, format: &Format) -> Result<String, Problems> {
+        match table {
+            Table::Text { text, .. } => Ok(text.to_owned()),
+            Table::File(path) if self.is_of_plain_text() => etalon_formats::text_in(path, format),
+            Table::File(path) => {
                 let encoding = stated("--encoding", self.form.cells.encoding.as_deref())?;
                 etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, encoding, format)
             }
@@ -246,12 +259,15 @@ impl TextFormat {
 }
 
 /// Options for reading a table of observations, poses, loads or joints.
-#[derive(Debug, clap::Args)]
-pub(super) struct TableFormat {
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
+pub struct TableFormat {
     #[command(flatten)]
+    #[serde(flatten)]
     form: TextForm,
     /// Column with the same value in all rows; may be repeated.
     #[arg(long = "constant", value_name = "NAME=VALUE")]
+    #[serde(rename = "constant", deserialize_with = "pairs")]
     constants: Vec<String>,
     /// Coverage factor of the columns of uncertainties, if they are expanded.
     #[arg(long, value_name = "K")]
@@ -265,45 +281,41 @@ pub(super) struct TableFormat {
     pose: Option<String>,
 }
 
+impl From<&TextForm> for TableFormat {
+    fn from(form: &TextForm) -> Self {
+        Self { form: form.clone(), ..Self::default() }
+    }
+}
+
 impl TableFormat {
     /// Reads the table of observations in the file.
-    pub fn read(&self, path: &Path) -> Result<TableFile, Problems> {
-        table(path, &self.reading(false)?)
+    pub(crate) fn read(&self, table: Table) -> Result<TableFile, Problems> {
+        read(table, &self.reading(false)?)
     }
 
     /// Reads a table of poses, loads or joints.
-    pub fn read_other(&self, path: &Path) -> Result<TableFile, Problems> {
-        table(path, &self.reading(true)?)
+    pub(crate) fn read_other(&self, table: Table) -> Result<TableFile, Problems> {
+        read(table, &self.reading(true)?)
     }
 
     /// Reads one of several tables of poses; columns that it lacks are left out.
-    pub fn read_poses(&self, path: &Path) -> Result<TableFile, Problems> {
-        self.form.one_of_several(path, self.reading(true)?)
+    pub(crate) fn read_poses(&self, table: Table) -> Result<TableFile, Problems> {
+        self.form.one_of_several(table, self.reading(true)?)
     }
 
     /// Names of the columns whose source is stated.
-    pub fn named(&self) -> Result<Vec<String>, Problems> {
+    pub(crate) fn named(&self) -> Result<Vec<String>, Problems> {
         Ok(self.form.columns()?.into_keys().collect())
     }
 
     /// Stated source of a column as an operand of an expression, if any.
-    pub fn source(&self, column: &str) -> Result<Option<String>, Problems> {
+    pub(crate) fn source(&self, column: &str) -> Result<Option<String>, Problems> {
         Ok(self.form.columns()?.remove(column).map(|source| match source {
             ColumnSource::Number(number) => format!("${number}"),
             // an expression, or a heading with a mark of one
             ColumnSource::Heading(text) if text.contains(['+', '-', '*', '/']) => format!("({text})"),
             ColumnSource::Heading(text) => text,
         }))
-    }
-
-    /// The table in a text.
-    pub fn parse(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
-        TableFile::parse_with(name, text, &self.reading(false)?)
-    }
-
-    /// Table of poses in a text; columns that it lacks are left out.
-    pub fn parse_poses(&self, name: &str, text: &str) -> Result<TableFile, Problems> {
-        TableFile::parse_with(name, text, &TableReading { lenient: true, ..self.reading(true)? })
     }
 
     /// Table of observations, or one with any columns.
@@ -317,9 +329,12 @@ impl TableFormat {
     }
 }
 
-/// Reads a table of a file.
-fn table(path: &Path, reading: &TableReading) -> Result<TableFile, Problems> {
-    TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading)
+/// Reads a table in a layout.
+pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Problems> {
+    match table {
+        Table::File(path) => TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading),
+        Table::Text { name, text } => TableFile::parse_with(name, text, reading),
+    }
 }
 
 /// Value of an option, if it is stated.
@@ -376,7 +391,7 @@ fn parse_column_source(text: &str) -> ColumnSource {
 }
 
 /// A word of an option, as the campaign spells it.
-pub(super) fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
+pub(crate) fn word<T: serde::de::DeserializeOwned>(option: &str, text: &str) -> Result<T, Problems> {
     let value = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(text);
     T::deserialize(value).map_err(|e| error!("option-refused", option, reason = e.to_string()).into())
 }

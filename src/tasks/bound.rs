@@ -4,8 +4,9 @@ use etalon_base::message::{Place, Result};
 use etalon_identify::UncertaintyBound;
 
 /// Bound of the uncertainty of an answer that may be loaded.
-#[derive(Clone, Debug, Default, clap::Args)]
-pub(super) struct BoundOption {
+#[derive(Clone, Debug, Default, clap::Args, serde::Deserialize)]
+#[serde(default)]
+pub struct BoundOption {
     /// Largest expanded uncertainty (k = 2) of an answer that may be loaded: a length, an angle, or
     /// both ("0.5 mm, 0.1 deg"). By default ten times the uncertainty of a coordinate, at least 2 %
     /// and at most 5 % of the measured extent; for angles this share in radians, at least 0.5 %.
@@ -18,7 +19,7 @@ impl BoundOption {
     ///
     /// # Errors
     /// Fails if the text is not a bound.
-    pub(super) fn stated(&self) -> Result<UncertaintyBound> {
+    pub(crate) fn stated(&self) -> Result<UncertaintyBound> {
         let stated = self.uncertainty_bound.as_deref().map(str::parse).transpose();
         Ok(stated
             .map_err(|problems: etalon_base::message::Problems| problems.at(&Place::file("--uncertainty-bound")))?

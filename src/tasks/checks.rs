@@ -1,0 +1,36 @@
+//! Checks of options that several commands have.
+
+use crate::stages::orientations::AngleOrder;
+use etalon_base::error;
+use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_campaign::PLAUSIBLE_EXPANDED_UM;
+
+/// Checks that the number of an option, if stated, is positive.
+pub(crate) fn check_positive(option: &str, stated: Option<f64>) -> Result<()> {
+    match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
+        true => Ok(()),
+        false => Err(error!("option-not-positive", option).into()),
+    }
+}
+
+/// Rejects values that cannot be the standard uncertainty of a coordinate in micrometres.
+pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<()> {
+    match stated_um.is_none_or(|u| PLAUSIBLE_EXPANDED_UM.contains(&(2.0 * u))) {
+        true => Ok(()),
+        false => Err(error!("uncertainty-implausible", option).into()),
+    }
+}
+
+/// Rejects an option without another, on which it depends.
+pub(super) fn check_beside(option: &str, stated: bool, other: &str, other_stated: bool) -> Result<()> {
+    match stated && !other_stated {
+        false => Ok(()),
+        true => Err(error!("option-of-call-refused", reason = format!("`{option}` needs `{other}`")).into()),
+    }
+}
+
+/// Order of the angles of an option.
+pub(super) fn angle_order(option: &str, stated: Option<&str>) -> Result<Option<AngleOrder>> {
+    let order = stated.map(str::parse).transpose();
+    order.map_err(|message: Message| Problems::from(message.at(Place::file(option))))
+}

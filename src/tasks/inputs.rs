@@ -1,0 +1,76 @@
+//! Tables and robots that a task is given: files, or texts in memory.
+
+use crate::stages::table_file::TableFile;
+use etalon_base::files;
+use etalon_base::message::Result;
+use etalon_campaign::RobotFile;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A table.
+#[derive(Clone, Copy, Debug)]
+pub enum Table<'a> {
+    /// A file.
+    File(&'a Path),
+    /// CSV text with a header.
+    Text {
+        /// Name for messages and for the list of inputs.
+        name: &'a str,
+        /// Text, with commas and decimal points unless options state other marks.
+        text: &'a str,
+    },
+}
+
+impl Table<'_> {
+    /// Name for messages and for the list of inputs.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Text { name, .. } => (*name).to_owned(),
+        }
+    }
+
+    /// Reads a table without options.
+    pub(crate) fn read(&self) -> Result<TableFile> {
+        match self {
+            Self::File(path) => TableFile::read(path),
+            Self::Text { name, text } => TableFile::parse(name, text),
+        }
+    }
+
+    /// Name, and SHA-256 of the contents.
+    fn hashed(&self) -> Result<(String, String)> {
+        let sha256 = match self {
+            Self::File(path) => files::sha256(&files::read(path)?),
+            Self::Text { text, .. } => files::sha256(text.as_bytes()),
+        };
+        Ok((self.name(), sha256))
+    }
+}
+
+/// A robot and a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Inputs<'a> {
+    /// The robot.
+    pub robot: &'a RobotFile,
+    /// Its robot.toml.
+    pub stated: Table<'a>,
+    /// Measured observations, or candidates.
+    pub table: Table<'a>,
+}
+
+impl Inputs<'_> {
+    /// SHA-256 of the inputs by name.
+    pub(super) fn sha256_by_name(&self) -> Result<BTreeMap<String, String>> {
+        let mut all: BTreeMap<String, String> =
+            [self.stated, self.table].iter().map(Table::hashed).collect::<Result<_>>()?;
+        match self.stated {
+            Table::File(_) => all.extend(files::sha256_by_name(self.robot.description_path())?),
+            Table::Text { .. } => {
+                let described = self.robot.description();
+                all.extend(described.map(|(name, text)| (name.to_owned(), files::sha256(text.as_bytes()))));
+            }
+        }
+        Ok(all)
+    }
+}

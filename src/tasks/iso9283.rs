@@ -1,0 +1,99 @@
+//! Task of `etalon iso9283 pose`.
+
+use super::checks::{check_beside, check_positive};
+use super::inputs::Table;
+use super::text_format::TableFormat;
+use crate::stages::iso9283::limits;
+use crate::stages::iso9283::pose::PoseTables;
+use etalon_base::message::Result;
+use etalon_base::{error, warning};
+use etalon_campaign::Limits;
+use etalon_documents::{DecisionRule, Iso9283Document};
+use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
+use serde::Deserialize;
+
+/// Options of a test of poses.
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
+pub struct PoseOptions {
+    /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals and,
+    /// as that of a position, for the 25 % rule.
+    #[arg(long, value_name = "UM")]
+    pub expanded_uncertainty_um: Option<f64>,
+    /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1
+    /// unless conforming.
+    #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
+    pub ap_limit_mm: Option<f64>,
+    /// Limit of RP, decided like that of AP.
+    #[arg(long, value_name = "MM", requires = "poses")]
+    pub rp_limit_mm: Option<f64>,
+    /// Decision rule for limits.
+    #[arg(long, value_enum, default_value_t, value_name = "RULE", requires = "poses")]
+    pub decision_rule: DecisionRule,
+    /// Number of cycles in one set of a drift test, e.g. 10.
+    #[arg(long, value_name = "CYCLES")]
+    pub drift_set: Option<usize>,
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference
+    /// used to compensate angles.
+    #[arg(long, value_name = "TEXT")]
+    pub rotation_order: Option<String>,
+}
+
+/// Tables of a test of poses.
+#[derive(Clone, Copy, Debug)]
+pub struct TestTables<'a> {
+    /// Attained poses.
+    pub attained: Table<'a>,
+    /// Commanded poses; without them only repeatability is evaluated.
+    pub commanded: Option<Table<'a>>,
+    /// Stationary reference targets.
+    pub reference: Option<Table<'a>>,
+}
+
+/// Evaluates attained poses (ISO 9283); `seed` is that of the bootstrap intervals.
+///
+/// # Errors
+/// Fails if the tables do not belong together.
+pub fn iso9283(tables: &TestTables, format: &TableFormat, options: &PoseOptions, seed: u64) -> Result<Iso9283Document> {
+    options.check(tables)?;
+    let [commanded, reference] =
+        [tables.commanded, tables.reference].map(|table| table.map(|table| format.read_poses(table)).transpose());
+    let (commanded, reference) = (commanded?, reference?);
+    let read = PoseTables::new(format.read_poses(tables.attained)?, commanded, reference);
+    let mut document = read.test(options.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
+        expanded_uncertainty_mm: options.expanded_uncertainty_um.map(|u| u / 1000.0),
+        drift_set: options.drift_set,
+        rotation_order: options.rotation_order.clone(),
+        seed,
+        draws: DRAWS,
+        ap_limit_mm: options.ap_limit_mm,
+        rp_limit_mm: options.rp_limit_mm,
+        position_uncertainty_mm: None,
+        decision_rule: options.decision_rule.into(),
+    })?;
+    let stated = Limits {
+        accuracy_max_mm: options.ap_limit_mm,
+        repeatability_max_mm: options.rp_limit_mm,
+        decision_rule: Some(options.decision_rule),
+        ..Limits::default()
+    };
+    // a pose without such a value is undecided
+    document.limits = limits(&stated, &document.poses).unwrap_or_default();
+    if tables.commanded.is_none() {
+        document.messages.push(warning!("commanded-missing"));
+    }
+    Ok(document)
+}
+
+impl PoseOptions {
+    fn check(&self, tables: &TestTables) -> Result<()> {
+        check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
+        check_positive("--ap-limit-mm", self.ap_limit_mm)?;
+        check_positive("--rp-limit-mm", self.rp_limit_mm)?;
+        check_beside("ap_limit_mm", self.ap_limit_mm.is_some(), "commanded", tables.commanded.is_some())?;
+        if self.drift_set.is_some_and(|size| size < 2) {
+            return Err(error!("drift-set-too-small", option = "--drift-set").into());
+        }
+        Ok(())
+    }
+}

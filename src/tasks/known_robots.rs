@@ -1,0 +1,144 @@
+//! Robots whose geometry is published, and robots of URDF files, as robot.toml.
+
+use etalon_base::error;
+use etalon_base::message::Result;
+use etalon_campaign::parse;
+use etalon_robots::TreeChain;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::fmt::Write;
+
+const ROBOTS: &str = include_str!("known_robots.toml");
+
+/// Names of the robots of the table.
+///
+/// # Errors
+/// Fails if the table is invalid.
+pub fn known_names() -> Result<Vec<String>> {
+    let Known { robots } = parse("robots.toml", ROBOTS)?;
+    Ok(robots.into_iter().map(|robot| robot.name).collect())
+}
+
+/// The robot.toml of a robot of the table.
+///
+/// # Errors
+/// Fails for an unknown name.
+pub fn known_text(name: &str) -> Result<String> {
+    Ok(known_robot(name)?.text())
+}
+
+/// The robot.toml of a chain of a URDF file.
+pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    format!(
+        "model = \"urdf\"\nfile = {}\nbase_link = {}\ntool_link = {:<30} # its frame carries the targets\n\
+         # bending = [{}]    # joints that bend under the masses of the URDF\n",
+        quoted(file),
+        quoted(&chain.base_link),
+        quoted(&chain.tool_link),
+        quoted(&chain.joints[0].name),
+    )
+}
+
+/// The robot of this name in the table.
+pub(crate) fn known_robot(name: &str) -> Result<KnownRobot> {
+    let Known { mut robots } = parse("robots.toml", ROBOTS)?;
+    let Some(at) = robots.iter().position(|robot| robot.name == name) else {
+        let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
+        return Err(error!("robot-not-in-table", name, names).into());
+    };
+    Ok(robots.swap_remove(at))
+}
+
+/// Robots with known geometry.
+#[derive(Deserialize, JsonSchema)]
+struct Known {
+    #[serde(rename = "robot")]
+    robots: Vec<KnownRobot>,
+}
+
+/// A robot described by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), by
+/// screw axes, or by the text of its robot.toml.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct KnownRobot {
+    name: String,
+    title: String,
+    /// Source of the geometry.
+    source: String,
+    note: Option<String>,
+    /// Source of the limits.
+    limits_source: Option<String>,
+    /// Lower and upper limit of each joint (deg); empty if no source states it.
+    #[serde(default)]
+    limits_deg: Vec<Vec<f64>>,
+    #[serde(default)]
+    dh: Vec<[f64; 4]>,
+    #[serde(default)]
+    mdh: Vec<[f64; 4]>,
+    #[serde(default)]
+    poe: Vec<Axis>,
+    flange_xyz_mm: Option<[f64; 3]>,
+    flange_rpy_deg: Option<[f64; 3]>,
+    #[serde(default)]
+    joints: Vec<String>,
+    #[serde(default)]
+    pub targets: Vec<String>,
+    #[serde(default)]
+    toml: String,
+}
+
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct Axis {
+    direction: [f64; 3],
+    point_mm: [f64; 3],
+}
+
+impl KnownRobot {
+    /// Names of the joints' columns.
+    pub fn joints(&self) -> Vec<String> {
+        let count = self.dh.len() + self.mdh.len() + self.poe.len();
+        if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
+    }
+
+    /// Limits of joint `i` in the text of robot.toml; empty if no source states them.
+    fn limits(&self, i: usize) -> String {
+        let stated = self.limits_deg.get(i).filter(|ends| !ends.is_empty());
+        stated.map_or_else(String::new, |ends| format!(", limits_deg = {ends:?}"))
+    }
+
+    /// Text of robot.toml.
+    pub fn text(&self) -> String {
+        let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
+        text.extend(self.limits_source.iter().map(|source| format!("# Limits: {source}.\n")));
+        text.extend(self.note.iter().map(|note| format!("# {note}\n")));
+        let _ = writeln!(text, "name = {:?}", self.title);
+        for (convention, rows) in [("dh", &self.dh), ("mdh", &self.mdh)] {
+            if !rows.is_empty() {
+                let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
+            }
+            for (i, [alpha, a, theta, d]) in rows.iter().enumerate() {
+                let _ = writeln!(
+                    text,
+                    "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?}{} }},",
+                    self.limits(i)
+                );
+            }
+        }
+        if let (Some(xyz), Some(rpy)) = (self.flange_xyz_mm, self.flange_rpy_deg) {
+            let _ = writeln!(
+                text,
+                "model = \"serial\"\nconvention = \"poe\"                           # axes at zero joints, in the base\n\
+                 flange_xyz_mm = {xyz:?}\nflange_rpy_deg = {rpy:?}\njoint = ["
+            );
+            for (i, Axis { direction, point_mm }) in self.poe.iter().enumerate() {
+                let limits = self.limits(i);
+                let _ = writeln!(text, "    {{ direction = {direction:?}, point_mm = {point_mm:?}{limits} }},");
+            }
+        }
+        let end = "]\n# bending = [2, 3]                          # joints that bend under gravity\n\
+                   # tolerance = { length_mm = 5.0 }           # how far from nominal the arm may be\n";
+        text + if self.toml.is_empty() { end } else { self.toml.trim_start() }
+    }
+}

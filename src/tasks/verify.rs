@@ -1,0 +1,148 @@
+//! Task of `etalon verify`.
+
+use super::bound::BoundOption;
+use super::checks::{angle_order, check_uncertainty};
+use super::identify::unread;
+use super::inputs::{Inputs, Table};
+use super::plan::read_candidates;
+use super::text_format::{TableFormat, read};
+use crate::stages::kinds::{self, RowDefaults};
+use crate::stages::observe::joint_range::{self, Joints};
+use crate::stages::orientations::AngleOrder;
+use crate::stages::table_file::TableFile;
+use crate::stages::verify::expected_deviation::{orientation_uncertainty_rad, unknown_quantity};
+use crate::stages::verify::verification::{self, EarlierCalibration};
+use etalon_base::error;
+use etalon_base::message::{Message, Problems, Result};
+use etalon_campaign::Campaign;
+use etalon_documents::{ParametersDocument, VerificationDocument, VerificationPlanDocument};
+use etalon_identify::Settings;
+use etalon_identify::plan::candidates::Candidates;
+use serde::Deserialize;
+use std::path::PathBuf;
+
+/// Options of a verification.
+#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[serde(default)]
+pub struct VerifyOptions {
+    /// Standard uncertainty (k = 1) of one measured coordinate in micrometres, if it differs from
+    /// the calibration.
+    #[arg(long, value_name = "UM")]
+    pub standard_uncertainty_um: Option<f64>,
+    /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the
+    /// table has no `urot_deg`; by default the value of the calibration.
+    #[arg(long, value_name = "DEG")]
+    pub rotation_uncertainty_deg: Option<f64>,
+    /// Order of the angles `a_deg`, `b_deg`, `c_deg` of an orientation: "zyx" (successively about
+    /// the axes of the body), "fixed xyz" ...
+    #[arg(long, value_name = "ORDER")]
+    pub orientation: Option<String>,
+    /// Campaign whose `[observations]` state how the table is read, in place of the options of
+    /// tables.
+    #[arg(long, value_name = "CAMPAIGN", conflicts_with_all = ["CellForm", "RowForm", "constants", "coverage_factor", "target", "pose", "orientation"])]
+    pub like: Option<PathBuf>,
+    /// Bound of the uncertainties of a plan.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub bound: BoundOption,
+    /// Reading of the table.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub format: TableFormat,
+}
+
+/// Observations to verify.
+struct ObservedTable {
+    file: TableFile,
+    /// Order of the angles of orientations.
+    order: Option<AngleOrder>,
+}
+
+/// Judges from few measured poses whether identified parameters still apply.
+///
+/// # Errors
+/// Fails for a table or parameters that do not belong to the robot.
+pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOptions) -> Result<VerificationDocument> {
+    options.check()?;
+    let ObservedTable { file: observed, order } = &options.observed(inputs.table)?;
+    let here = |problems: Problems| observed.place(problems);
+    let targets = kinds::targets(&observed.table, &inputs.robot.branches()).map_err(here)?;
+    let mut robot = inputs.robot.build(&targets).map_err(here)?;
+    let mut messages: Vec<Message> = unread(robot.as_ref(), observed).into_iter().collect();
+    joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
+    let stated_mm = options.standard_uncertainty_mm();
+    let stated_rad = options.rotation_uncertainty_deg.map(f64::to_radians);
+    let without = RowDefaults {
+        length_mm: stated_mm.or(document.residuals.test.stated_standard_uncertainty_mm),
+        rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
+        order: *order,
+    };
+    let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
+    let measured = measured.map_err(here)?;
+    if let Some(unknown) = unknown_quantity(document, &measured.settings.conditions) {
+        return Err(here(unknown.into()));
+    }
+    let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+    let mut found = verification::verify(calibration, measured, inputs.sha256_by_name()?)?;
+    found.messages.splice(0..0, messages);
+    Ok(found)
+}
+
+/// Chooses the poses to measure among candidates for a verification: those that detect the smallest
+/// changes.
+///
+/// # Errors
+/// Fails for a table or parameters that do not belong to the robot.
+pub fn plan_verification(
+    inputs: &Inputs,
+    document: &ParametersDocument,
+    options: &VerifyOptions,
+    positions: usize,
+    progress: &mut dyn FnMut(usize, usize),
+) -> Result<VerificationPlanDocument> {
+    options.check()?;
+    let table = options.format.read_other(inputs.table)?;
+    let (mut robot, Candidates { observations, limit_violations }) = read_candidates(inputs.robot, &table)?;
+    let calibration = EarlierCalibration::new(robot.as_mut(), document, options.standard_uncertainty_mm())?;
+    let calibration = calibration.with_bound(options.bound.stated()?);
+    let mut found = verification::plan(calibration, observations, positions, inputs.sha256_by_name()?, progress)?;
+    found.messages.extend(limit_violations);
+    Ok(found)
+}
+
+impl VerifyOptions {
+    /// Checks the options before anything is read.
+    pub(crate) fn check(&self) -> Result<()> {
+        check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)
+    }
+
+    fn standard_uncertainty_mm(&self) -> Option<f64> {
+        self.standard_uncertainty_um.map(|u| u / 1000.0)
+    }
+
+    /// The observations, and the order of the angles of their orientations, as options or the
+    /// campaign of `--like` state them.
+    fn observed(&self, table: Table) -> Result<ObservedTable> {
+        let Some(folder) = &self.like else {
+            let order = angle_order("--orientation", self.orientation.as_deref())?;
+            return Ok(ObservedTable { file: self.format.read(table)?, order });
+        };
+        let campaign = Campaign::read(folder)?;
+        let name = || folder.display().to_string();
+        let stated = match &campaign.file.observations[..] {
+            [stated] => stated,
+            [] => return Err(error!("campaign-without-observations", campaign = name()).into()),
+            several => {
+                let count = several.len();
+                return Err(error!("campaign-with-several-observations", campaign = name(), count).into());
+            }
+        };
+        let order = |text: &toml::Spanned<String>| {
+            let order = text.get_ref().parse::<AngleOrder>();
+            order.map_err(|message: Message| Problems::from(message.at(campaign.place(text))))
+        };
+        let order = stated.orientation.as_ref().map(order).transpose()?;
+        let file = read(table, &stated.reading())?;
+        Ok(ObservedTable { file, order })
+    }
+}
