@@ -42,7 +42,7 @@ impl Output {
         Answer { code, ..answer.unwrap_or_default() }
     }
 
-    /// Adds to the answer; `false` if there is none.
+    /// Adds to the answer; `false` if the command prints.
     fn add(&self, change: impl FnOnce(&mut Answer)) -> bool {
         self.0.as_ref().map(|answer| change(&mut answer.lock().unwrap_or_else(PoisonError::into_inner))).is_some()
     }
