@@ -122,7 +122,7 @@ fn links_lead_somewhere() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// A paragraph of the tutorial, of a how-to page or of an explanation has at most five lines, and README at most a hundred.
+/// A paragraph of the tutorial, of a how-to page or of an explanation has at most five lines, and README at most seventy.
 #[test]
 fn paragraphs_are_short() {
     for page in ["tutorial", "how-to", "explanation"].into_iter().flat_map(pages) {
@@ -135,5 +135,5 @@ fn paragraphs_are_short() {
         }
     }
     let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap();
-    assert!(readme.lines().count() <= 100, "README.md has {} lines", readme.lines().count());
+    assert!(readme.lines().count() <= 70, "README.md has {} lines", readme.lines().count());
 }
