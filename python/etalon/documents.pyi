@@ -141,7 +141,7 @@ class AxisEntry(Record):
     covariance: list[list[float]]
     """Covariance of point (mm) and direction, 6 × 6, in this order."""
     degrees_of_freedom: int | None
-    """Degrees of freedom of that uncertainty; absent if it is stated."""
+    """Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if it is stated."""
     direction: list[float]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
@@ -162,6 +162,8 @@ class AxisEntry(Record):
     """`true` if the joint slides."""
     ratio: float | None
     """Motion per unit of the joint value; absent without joint values."""
+    ratio_standard_uncertainty: float | None
+    """Standard uncertainty of the ratio; absent without joint values."""
     readings: int
     """Number of readings."""
     set_aside: list[int]
@@ -694,7 +696,7 @@ class DistributionEntry(Record):
     interval_95: list[float] | None
     """2.5th and 97.5th percentiles of the draws; absent for errors."""
     linear: float | None
-    """Standard uncertainty by linear propagation of the stated uncertainties, for comparison with the draws."""
+    """Standard uncertainty by linear propagation of what the draws contain, for comparison."""
     mean: float | None
     """Mean of the draws. Absent for errors: draws add scatter to the scatter of the readings, which increases sizes."""
     name: str
@@ -1164,6 +1166,10 @@ class GivenSummary(Record):
     """Probability of errors at least this large if the given parameters, base and targets are right within their
     uncertainty and that of the measurement. Absent if base and targets were fitted.
     """
+    refused: bool
+    """`true` if the parameters must not be used on this robot: errors with them are larger than with nominal
+    parameters by more than noise, or they were identified with other nominal values.
+    """
 
 class GreedySummary(Record):
     """Greedy choice of the thesis."""
@@ -1257,11 +1263,13 @@ class Iso9283Corner(Record):
 class Iso9283Distance(Record):
     """Distance between two poses (7.3)."""
     ad_angles_deg: list[float]
-    """AD of the measured angles, in the order a, b, c."""
+    """AD of the measured angles, in the order a, b, c; empty if those of a pose are not separable."""
     ad_axes_mm: list[float]
     """AD_x, AD_y and, if spatial, AD_z."""
     ad_mm: float
     """AD_p: mean attained minus commanded distance."""
+    ad_rotation_deg: float | None
+    """AD of the angle between the two orientations, where angles are not separable and their order is stated."""
     cycles: int
     """Number of cycles with both poses."""
     poses: list[int | str]
@@ -1272,6 +1280,8 @@ class Iso9283Distance(Record):
     """RD_x, RD_y and, if spatial, RD_z."""
     rd_mm: float
     """RD_p: three standard deviations."""
+    rd_rotation_deg: float | None
+    """RD of this angle."""
 
 class Iso9283Drift(Record):
     """Drift of one pose (7.6)."""
@@ -1351,7 +1361,7 @@ class Iso9283Path(Record):
     at_along_mm: float
     """Position of AT_p along the path."""
     at_angles_deg: list[float]
-    """AT of the measured angles, in the order a, b, c."""
+    """AT of the measured angles, in the order a, b, c; empty if two of them are not separable."""
     at_interval: Iso9283Interval | None
     """95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than three."""
     at_mm: float
@@ -1371,7 +1381,7 @@ class Iso9283Path(Record):
     rt_along_mm: float | None
     """Position of RT_p along the path."""
     rt_angles_deg: list[float]
-    """RT of the measured angles; empty with a single pass."""
+    """RT of the measured angles; empty with a single pass, and if two of them are not separable."""
     rt_interval: Iso9283Interval | None
     """95 % interval of the RT_p of infinitely many passes. RT_p may exceed it, because the largest of many scattered
     values is biased upwards.
@@ -1425,6 +1435,10 @@ class Iso9283Pose(Record):
     """95 % interval of AP in closed form, from the sampling alone."""
     ap_mm: float | None
     """AP_p (7.2.1); this and its coordinates are null if no position was commanded."""
+    ap_rotation_deg: list[float] | None
+    """Rotation from the commanded to the mean orientation about x, y and z of the table, as a rotation vector;
+    instead of AP_a, AP_b and AP_c where two rotations have nearly the same axis and their order is stated.
+    """
     ap_x_mm: float | None
     """AP_x: mean minus commanded position."""
     ap_y_mm: float | None
@@ -1473,6 +1487,10 @@ class Iso9283Pose(Record):
     """RP_l (7.2.2): mean radius plus three standard deviations; this and all further values are null with a single
     visit.
     """
+    rp_rotation_deg: list[float] | None
+    """Three standard deviations of the rotations from the mean orientation about x, y and z of the table, instead of
+    RP_a, RP_b and RP_c.
+    """
     rp_without_noise_mm: float | None
     """RP without the instrument's noise, if visits were read several times."""
     rp_x_mm: float | None
@@ -1519,7 +1537,9 @@ class Iso9283Standstill(Record):
     from_s: float
     """Time of the first sample."""
     mean_deg: list[float]
-    """Means of the measured angles, in the order a, b, c."""
+    """Means of the measured angles, in the order a, b, c; angles of the middle sample if two of them are not
+    separable.
+    """
     mean_mm: list[float]
     """Mean position of the middle half: x, y and, if measured, z."""
     noise_mm: float | None
@@ -1561,9 +1581,13 @@ class Iso9283Variation(Record):
     pose: int | str
     """Name of the pose."""
     vap_angles_deg: list[float]
-    """vAP of the measured angles, in the order a, b, c."""
+    """vAP of the measured angles, in the order a, b, c; empty if they are not separable."""
     vap_mm: float
     """vAP_p: largest distance between the barycentres of two approaches."""
+    vap_rotation_deg: float | None
+    """Largest angle between the mean orientations of two approaches, where angles are not separable and their order
+    is stated.
+    """
 
 class Iso9283Velocity(Record):
     """Velocity over the central part of the path (8.6)."""
@@ -1638,6 +1662,10 @@ class JointTravel(Record):
 
 class KinematicsEntry(Record):
     """A pose of the tool in the base frame with joint values."""
+    free_joints: list[str]
+    """Joints that can move without moving the tool, at a singular pose; the joint values are then those of the
+    family that are nearest to the start.
+    """
     joints: list[float]
     """Joint values (mm or deg), in the order of the columns."""
     pose: int | str
@@ -2118,6 +2146,19 @@ class Provenance(Record):
     version: str
     """Version of etalon."""
 
+class QuantityResiduals(Record):
+    """Residuals of the observations of one quantity."""
+    count: int
+    """Number of residuals."""
+    quantity: str
+    """`position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`."""
+    rms: float
+    """Root mean square of the residuals."""
+    standard_uncertainty: float
+    """Root mean square of the standard uncertainties of the observed values."""
+    unit: str
+    """Unit of the residuals: `mm` or `deg`."""
+
 class Reading(Record):
     """One reading of a delimited text, without the unit of lengths."""
     columns: list[str]
@@ -2252,6 +2293,10 @@ class Replicates(Record):
 
 class ResidualSummary(Record):
     """Residuals of the identification."""
+    between_series: SeriesScatter | None
+    """Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as far as it exceeds
+    the scatter between regions of the workspace. Absent for one series.
+    """
     chi_square: float | None
     """Chi-square with both stated uncertainties."""
     chi_square_rejected: bool
@@ -2262,10 +2307,16 @@ class ResidualSummary(Record):
     """Standard uncertainty common to all observations of the same coordinates (mm): of the instrument, if that of
     the contact is stated separately.
     """
+    conditions: list[QuantityResiduals]
+    """Residuals of each quantity other than positions of targets."""
     count: int
     """Number of residuals."""
     degrees_of_freedom: int
     """Number of residuals minus number of identified parameters."""
+    effective_degrees_of_freedom: float | None
+    """Effective degrees of freedom of the residual variance, by the scatter of the squares from pose to pose.
+    Squares of a smooth misfit scatter more than squares of noise.
+    """
     kind: Any
     """Residuals of targets or of the pose."""
     max: float
@@ -2275,7 +2326,9 @@ class ResidualSummary(Record):
     targets fitted. Absent like `position_rms_mm`.
     """
     position_rms_mm: float | None
-    """Root mean square of the position residuals (mm); absent if not all residuals are positions of targets."""
+    """Root mean square of the position residuals of targets (mm); absent without positions of targets, and for pose
+    residuals.
+    """
     repeats: Replicates | None
     """Scatter of repeats against the other residuals; absent without repeated poses."""
     rms: float
@@ -2285,11 +2338,15 @@ class ResidualSummary(Record):
     instrument.
     """
     uncertainties_enlarged_by: float
-    """Ratio of the standard uncertainties to those from the instrument alone (median); 1 if chi-square does not
-    reject the model, or if no uncertainty is stated.
+    """Median ratio of the standard uncertainties to the uncertainties from the instrument alone. Without a stated
+    uncertainty of the instrument, to the uncertainties from independent residuals.
     """
     uncertainties_from: Any
     """Basis of the standard uncertainties."""
+    within_poses_rms_mm: float | None
+    """Root mean square (mm) of a coordinate's residual from the mean over the targets of its pose, n − 1 for n
+    targets. Absent where no pose shows several targets.
+    """
 
 class ResidualTrend(Record):
     """F test of a trend in the errors after identification: a parabola in one quantity against a constant. All
@@ -2450,6 +2507,13 @@ class SelftestRequirement(Record):
     """Requirement, in English."""
     requirement_phrase: "Phrase"
     """Text of the catalogue that is `requirement` in English."""
+
+class SeriesScatter(Record):
+    """Scatter between series."""
+    series: int
+    """Number of series."""
+    share: float
+    """Share of the variances of the parameters, in the mean."""
 
 class SingularValueEntry(Record):
     """Sensitivity of the residuals to one direction of the parameters; small if the direction is poorly observable."""
@@ -2741,6 +2805,21 @@ class VerificationStep(Record):
     """Smallest changes that this pose and the poses before it detect together."""
     pose: int | str
     """Pose."""
+
+class VerifiedQuantity(Record):
+    """Residuals of the observations of one quantity."""
+    count: int
+    """Number of residuals."""
+    expected_rms: float
+    """Expected root mean square if nothing has changed, by the uncertainty of the observed values and the model
+    error of the calibration.
+    """
+    quantity: str
+    """`position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`."""
+    rms: float
+    """Root mean square of the residuals."""
+    unit: str
+    """Unit of the residuals: `mm` or `deg`."""
 
 class WorkspaceUncertainty(Record):
     """Uncertainty of position over the candidates."""
@@ -3117,11 +3196,13 @@ class FitDocument(Document):
     flatness: FitFlatness | None
     """For a minimum-zone circle in space: flatness of the plane in which roundness is measured."""
     form_mm: float
-    """Form deviation, peak to valley."""
+    """Form deviation, peak to valley; for a line in space, or a circle by orthogonal distances, the diameter of the
+    enclosing tube.
+    """
     label: str | None
     """Label of the points, if each label is fitted separately."""
     max_mm: float
-    """Largest orthogonal distance."""
+    """Largest of these distances."""
     messages: list[Message]
     """Warnings with hints."""
     minor_radius_mm: float | None
@@ -3137,7 +3218,9 @@ class FitDocument(Document):
     radius_mm: float | None
     """Radius. For a cone the radius at `point_mm`, for a torus the radius of the centre line."""
     rms_mm: float
-    """Root mean square of the orthogonal distances."""
+    """Root mean square of the orthogonal distances; for a circle in space by projection, of the distances within its
+    plane.
+    """
     schema: str
     """Schema and version: `etalon/fit/1`."""
     set_aside: list[int] | None
@@ -3566,8 +3649,8 @@ class UncertaintyDocument(Document):
     two_digits_reached: bool
     """`true` if two significant digits of all standard uncertainties and interval ends are stable (JCGM 101, 7.9.4)."""
     uncertainties_from: Any
-    """Basis of the standard uncertainties of the identification. Draws contain stated uncertainties, but no
-    unmodelled errors.
+    """Basis of the standard uncertainties of the identification. Draws of parameters contain the stated
+    uncertainties and the model error; draws of errors contain the stated uncertainties.
     """
 
 class VerdictDocument(Document):
@@ -3589,6 +3672,8 @@ class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
     calibration: CampaignReference | None
     """Campaign that identified the parameters; absent if `campaign.json` is not beside them."""
+    conditions: list[VerifiedQuantity]
+    """Residuals of each quantity other than positions of targets."""
     expected_position_rms_mm: float
     """Expected root-mean-square residual of a position if nothing has changed (mm)."""
     expected_rms_mm: float
