@@ -30,6 +30,7 @@ def identify(
     exclude_rows: Sequence[str] = (),
     effects: str | Sequence[str] = "usual",
     prior: str = "tolerances",
+    uncertainty_bound: str | None = None,
     target: str | None = None,
     pose: str | None = None,
     columns: dict[str, str] | None = None,
@@ -54,6 +55,7 @@ def identify(
         effects: ``"usual"``, ``"all"``, or a list of zeros, geometry, gains, harmonics, backlash, coupling, bending, payload,
             torque, expansion, drift, lateral, pedestal.
         prior: ``"tolerances"``: nominal values with tolerances are readings; ``"none"``: plain least squares.
+        uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
         target: Target of all rows, of a table without that column.
         pose: ``"row"``: rows are numbered as poses, of a table without that column.
         columns: Names of columns that are called otherwise in the table: ``{"q1_deg": "J1"}``.
@@ -81,6 +83,7 @@ def identify(
         exclude_rows=list(exclude_rows),
         effects=_listed(effects),
         prior=prior,
+        uncertainty_bound=uncertainty_bound,
         target=target,
         pose=pose,
         column=_headings(columns),
@@ -162,6 +165,9 @@ def verify(
     observations: Any,
     *,
     standard_uncertainty_um: float | None = None,
+    rotation_uncertainty_deg: float | None = None,
+    orientation: str | None = None,
+    uncertainty_bound: str | None = None,
     target: str | None = None,
     pose: str | None = None,
     columns: dict[str, str] | None = None,
@@ -176,6 +182,9 @@ def verify(
         parameters: The document of :func:`identify`, or the path of a ``parameters.json``.
         observations: Table of positions as of :func:`identify`; the targets are those of the calibration.
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; that of the calibration if None.
+        rotation_uncertainty_deg: Of a measured orientation about any axis (k = 1), deg; that of the calibration if None.
+        orientation: Order of the angles ``a_deg``, ``b_deg``, ``c_deg``, as in :func:`identify`.
+        uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
         target: As in :func:`identify`.
         pose: As in :func:`identify`.
         columns: As in :func:`identify`.
@@ -191,6 +200,9 @@ def verify(
     """
     options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
+        rotation_uncertainty_deg=rotation_uncertainty_deg,
+        orientation=orientation,
+        uncertainty_bound=uncertainty_bound,
         target=target,
         pose=pose,
         column=_headings(columns),
@@ -208,6 +220,7 @@ def axes(
     backwards: Sequence[str] = (),
     standard_uncertainty_um: float | None = None,
     convention: str | None = None,
+    uncertainty_bound: str | None = None,
     columns: dict[str, str] | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
@@ -222,6 +235,7 @@ def axes(
         backwards: Joints that were swept in negative direction, without joint values.
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; from the residuals of each sweep if None.
         convention: Convention of the robot file: ``"poe"``, ``"dh"`` or ``"mdh"``.
+        uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
         columns: As in :func:`identify`.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
@@ -238,6 +252,7 @@ def axes(
         backwards=_listed(backwards),
         standard_uncertainty_um=standard_uncertainty_um,
         convention=convention,
+        uncertainty_bound=uncertainty_bound,
         column=_headings(columns),
         **_marks(sweeps, delimiter, decimal),
     )
@@ -253,6 +268,7 @@ def cell(
     mounting: str | None = None,
     standard_uncertainty_um: float | None = None,
     rotation_uncertainty_deg: float | None = None,
+    uncertainty_bound: str | None = None,
     columns: dict[str, str] | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
@@ -268,6 +284,7 @@ def cell(
         mounting: Part of the measuring system that is on the robot (hand and eye).
         standard_uncertainty_um: Of one coordinate, robot and measurement together (k = 1), um; from the residuals if None.
         rotation_uncertainty_deg: Of an orientation about any axis (k = 1), deg; from the residuals if None.
+        uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
         columns: As in :func:`identify`.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
@@ -285,6 +302,7 @@ def cell(
         mounting=mounting,
         standard_uncertainty_um=standard_uncertainty_um,
         rotation_uncertainty_deg=rotation_uncertainty_deg,
+        uncertainty_bound=uncertainty_bound,
         column=_headings(columns),
         **_marks(readings, delimiter, decimal),
     )

@@ -83,7 +83,7 @@ def test_every_document_has_its_class():
 #: Options that tables in memory do not need, or that write files.
 OF_FILES = {
     "--robot --observations --candidates --parameters --json --report --language --logo --templates --toml --help",
-    "--delimiter --widths --decimal --thousands --encoding --sheet --header --no-header --missing --comment --end --only --without --constant --coverage-factor",
+    "--like --delimiter --widths --decimal --thousands --encoding --sheet --header --no-header --missing --comment --end --only --without --constant --coverage-factor",
     "--controller --name --number --with --tool-length-mm --force",
     # the plan of a verification, and of an ISO test, by `command`
     "--positions --candidates --plan --stream --compliance",

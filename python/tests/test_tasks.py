@@ -314,3 +314,8 @@ def test_a_predicted_position_has_an_uncertainty(arm):
     assert (predicted.standard_uncertainty_mm < 0.012).all() and (predicted.standard_uncertainty_mm > 0.0005).all()
     with pytest.raises(etalon.Error):
         etalon.kinematics.predict(robot, found, joints, "other")
+
+
+def test_a_bound_of_the_uncertainty_is_stated_in_the_call():
+    with pytest.raises(etalon.Error, match="uncertainty_bound|bound"):
+        etalon.axes({"joint": ["q1"], "target": ["a"], "x_mm": [0.0], "y_mm": [0.0], "z_mm": [0.0]}, uncertainty_bound="nonsense")
