@@ -7,7 +7,7 @@ use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
-use etalon_fit::{Compensation, Element, Enclosing, Fit, MinimumZone, RobustElement, Side};
+use etalon_fit::{Compensation, Element, ElementGeometry, Enclosing, Fit, MinimumZone, RobustElement, Side};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -74,6 +74,23 @@ pub struct FitGeometry {
     /// Full angle of a cone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub apex_angle_deg: Option<f64>,
+}
+
+impl FitGeometry {
+    fn new(element: Element, geometry: &ElementGeometry) -> Self {
+        let centred = matches!(element, Element::Circle2d | Element::Circle3d | Element::Sphere | Element::Torus);
+        let has_normal = matches!(element, Element::Plane | Element::Circle3d | Element::Torus);
+        Self {
+            center_mm: centred.then_some(geometry.point_mm),
+            point_mm: (!centred).then_some(geometry.point_mm),
+            apex_mm: geometry.apex_mm(),
+            normal: geometry.direction.filter(|_| has_normal),
+            axis: geometry.direction.filter(|_| !has_normal),
+            radius_mm: geometry.radius_mm,
+            minor_radius_mm: geometry.minor_radius_mm,
+            apex_angle_deg: geometry.apex_angle_rad.map(f64::to_degrees),
+        }
+    }
 }
 
 /// Distances of the points from an element.
@@ -213,8 +230,6 @@ worded! {
 impl FitDocument {
     /// Creates the document of a least-squares fit.
     pub fn new(label: Option<String>, fit: &Fit) -> Self {
-        let centred = matches!(fit.element, Element::Circle2d | Element::Circle3d | Element::Sphere | Element::Torus);
-        let has_normal = matches!(fit.element, Element::Plane | Element::Circle3d | Element::Torus);
         let uncertainty = fit.standard_uncertainty().map(|u| FitUncertainty {
             point_mm: u.point_largest_mm,
             direction_deg: u.direction_rad.map(f64::to_degrees),
@@ -227,16 +242,7 @@ impl FitDocument {
             element: fit.element.name().to_owned(),
             label,
             points: fit.points,
-            geometry: FitGeometry {
-                center_mm: centred.then_some(fit.geometry.point_mm),
-                point_mm: (!centred).then_some(fit.geometry.point_mm),
-                apex_mm: fit.apex_mm(),
-                normal: fit.geometry.direction.filter(|_| has_normal),
-                axis: fit.geometry.direction.filter(|_| !has_normal),
-                radius_mm: fit.geometry.radius_mm,
-                minor_radius_mm: fit.geometry.minor_radius_mm,
-                apex_angle_deg: fit.geometry.apex_angle_rad.map(f64::to_degrees),
-            },
+            geometry: FitGeometry::new(fit.element, &fit.geometry),
             deviations: FitDeviations {
                 rms_mm: fit.rms_mm(),
                 max_mm: fit.max_mm(),
@@ -296,9 +302,6 @@ impl FitDocument {
 
     /// Creates the document of a minimum zone. Residuals are distances from the middle of the zone.
     pub fn minimum_zone(label: Option<String>, found: &MinimumZone) -> Self {
-        use Element::{Circle2d, Circle3d, Plane, Sphere};
-        let centred = matches!(found.element, Circle2d | Circle3d | Sphere);
-        let has_normal = matches!(found.element, Plane | Circle3d);
         let contacts = FitContacts::new(found);
         let unproved = || {
             let element = found.element;
@@ -312,16 +315,7 @@ impl FitDocument {
         let flatness =
             |plane: &MinimumZone| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) };
         Self {
-            geometry: FitGeometry {
-                center_mm: centred.then_some(found.geometry.point_mm),
-                point_mm: (!centred).then_some(found.geometry.point_mm),
-                apex_mm: found.apex_mm(),
-                normal: found.geometry.direction.filter(|_| has_normal),
-                axis: found.geometry.direction.filter(|_| !has_normal),
-                radius_mm: found.geometry.radius_mm,
-                minor_radius_mm: None,
-                apex_angle_deg: found.geometry.apex_angle_rad.map(f64::to_degrees),
-            },
+            geometry: FitGeometry::new(found.element, &found.geometry),
             messages: found.warnings.iter().cloned().chain((!found.verified).then(unproved)).collect(),
             deviations: FitDeviations {
                 form_mm: found.form_mm,

@@ -21,3 +21,13 @@ pub struct ElementGeometry {
     /// Full apex angle of a cone.
     pub apex_angle_rad: Option<f64>,
 }
+
+impl ElementGeometry {
+    /// Apex of a cone; `None` for other elements.
+    pub fn apex_mm(&self) -> Option<Vector> {
+        let (d, r, angle) = (self.direction?, self.radius_mm?, self.apex_angle_rad?);
+        let back = r / (angle / 2.0).tan();
+        let p = self.point_mm;
+        back.is_finite().then(|| [p[0] - back * d[0], p[1] - back * d[1], p[2] - back * d[2]])
+    }
+}

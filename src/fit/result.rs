@@ -300,14 +300,6 @@ impl Fit {
         self.coverage_rad.map(f64::to_degrees)
     }
 
-    /// Apex of a cone; `None` for other elements.
-    pub fn apex_mm(&self) -> Option<Vector> {
-        let (d, r, angle) = (self.geometry.direction?, self.geometry.radius_mm?, self.geometry.apex_angle_rad?);
-        let back = r / (angle / 2.0).tan();
-        let p = self.geometry.point_mm;
-        back.is_finite().then(|| [p[0] - back * d[0], p[1] - back * d[1], p[2] - back * d[2]])
-    }
-
     /// Standard uncertainties; `None` without redundancy.
     pub fn standard_uncertainty(&self) -> Option<StandardUncertainty> {
         let c = &self.precision.covariance?.0;

@@ -3,7 +3,6 @@
 use super::element::Element;
 use super::geometry::ElementGeometry;
 use etalon_base::message::Message;
-use etalon_base::pose::Vector;
 
 /// A minimum zone and its contact points.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,13 +56,6 @@ pub(super) const SLACK: f64 = 1e-13;
 pub(super) const FARTHEST: f64 = 1e4;
 
 impl MinimumZone {
-    /// Apex of a cone.
-    pub fn apex_mm(&self) -> Option<Vector> {
-        let (axis, tangent) = (self.geometry.direction?, (0.5 * self.geometry.apex_angle_rad?).tan());
-        let height = self.geometry.radius_mm? / tangent;
-        height.is_finite().then(|| [0, 1, 2].map(|k| self.geometry.point_mm[k] - height * axis[k]))
-    }
-
     /// Zone of points at these distances, in units of `scale_mm`, and distance of its middle;
     /// without position and unverified.
     pub(super) fn between(element: Element, distances: &[f64], scale_mm: f64) -> (Self, f64) {

@@ -103,7 +103,7 @@ fn circle(fit: &Fit, answer: &[f64]) -> f64 {
 /// angle in degrees.
 fn cone(fit: &Fit, answer: &[f64]) -> f64 {
     let (Some(axis), Some(apex), Some(opening), true) =
-        (fit.geometry.direction, fit.apex_mm(), fit.geometry.apex_angle_rad, answer.len() >= 8)
+        (fit.geometry.direction, fit.geometry.apex_mm(), fit.geometry.apex_angle_rad, answer.len() >= 8)
     else {
         return f64::INFINITY;
     };

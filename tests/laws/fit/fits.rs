@@ -85,7 +85,7 @@ fn exact_points_give_the_truth_on_whole_and_partial_turns() {
                 close("centre", Some(norm(fit.geometry.point_mm)), 0.0);
             }
             if matches!(element, Element::Cone) {
-                let apex = fit.apex_mm().unwrap();
+                let apex = fit.geometry.apex_mm().unwrap();
                 close("apex", Some(norm(minus(apex, [0.0, 0.0, -40.0 / 0.3f64.tan()]))), 0.0);
             }
         }

@@ -87,7 +87,11 @@ fn zones_known_by_construction_are_found() {
             if element == Element::Cone {
                 assert!((zone.geometry.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE).abs() < 1e-12);
                 let apex = pose.apply([0.0, 0.0, -RADIUS_MM / HALF_ANGLE.tan()]);
-                assert!(norm(minus(zone.apex_mm().unwrap(), apex)) < 1e-10, "{:?} {apex:?}", zone.apex_mm());
+                assert!(
+                    norm(minus(zone.geometry.apex_mm().unwrap(), apex)) < 1e-10,
+                    "{:?} {apex:?}",
+                    zone.geometry.apex_mm()
+                );
             }
             assert!(zone.multipliers.is_some(), "{element} {seed}");
             assert_eq!(zone.verified, element == Element::Sphere, "{element} {seed}");

@@ -78,7 +78,7 @@ fn centres_on_the_parallel_surface_give_the_surface_from_both_sides() {
                 Element::Plane => close("height", p[2], 100.0),
                 Element::Line | Element::Line2d => close("place", norm([0.0, p[1], p[2]]), 100.0),
                 Element::Cone => {
-                    let apex = place.inverse().apply(fit.apex_mm().unwrap());
+                    let apex = place.inverse().apply(fit.geometry.apex_mm().unwrap());
                     let truth = [0.0, 0.0, -40.0 / HALF_ANGLE_RAD.tan()];
                     close("apex", norm(minus(apex, truth)), 1000.0);
                     close("apex angle", fit.geometry.apex_angle_rad.unwrap() - 2.0 * HALF_ANGLE_RAD, 1.0);
