@@ -117,6 +117,13 @@ pub enum Cause {
         /// other mode.
         left_mm: [f64; 2],
     },
+    /// Most readings fit, and those of a few poses do not.
+    Readings {
+        /// Poses with these readings.
+        poses: BTreeSet<PoseName>,
+        /// Pairs of them that fit with the joint values of each other.
+        exchanged: Vec<[PoseName; 2]>,
+    },
 }
 
 /// Maximum number of poses that a message names.
@@ -140,6 +147,11 @@ impl Cause {
                 let (stated, other) = (format!("{mode:+}"), format!("{:+}", -mode));
                 let poses = named_poses(poses);
                 phrase!("assembly-mode-contradicted", poses, worst, stated, stated_mm, other, other_mm)
+            }
+            Self::Readings { poses, exchanged } => {
+                let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);
+                let pairs: Vec<Phrase> = exchanged.iter().take(NAMED_POSES).map(pair).collect();
+                phrase!("readings-contradict", poses = named_poses(poses), count = exchanged.len(), pairs)
             }
         }
     }

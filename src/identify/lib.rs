@@ -7,6 +7,7 @@ pub mod cell;
 mod error;
 mod field;
 pub mod geometric;
+mod judge;
 mod judgement;
 mod model;
 pub mod plan;
@@ -15,6 +16,10 @@ mod warning;
 
 pub use error::{Cause, Error};
 pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, search_field};
+pub use judge::{
+    Judgement, OrientationReading, Untested, allowed_mm, exchanged_poses, far_message, hinted, judge, moved_between,
+    set_up_error, set_up_far, set_up_problem, tolerance_effect_mm,
+};
 pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
@@ -58,11 +63,7 @@ pub use model::weights::{Covariance, is_positive_definite, turned, weigh};
 pub use solution::identifiability::{Group, RANK_TOLERANCE};
 pub use solution::locate::{Placement, locate_points};
 pub use solution::observability::{Observability, SingularValue, WeakGroup};
-pub use solution::related::condition_slip;
 pub use solution::scatter::observed_noise_mm;
-pub use solution::set_up::{
-    allowed_mm, far_from_nominal, moved_between, set_up_error, set_up_problem, tolerance_effect_mm,
-};
 pub use solution::start::NOISE_DISTANCE;
 pub use warning::{Origin, SetUpError, Subject, Warning};
 

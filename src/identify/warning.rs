@@ -53,16 +53,22 @@ pub enum Origin {
     Named,
 }
 
+/// Ratio of standard deviations that is worth telling.
+const FALLS: f64 = 1.5;
+
 /// Change of a set-up that explains the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetUpError {
     /// The change, and others that explain the data equally well: "`q7` reversed".
     pub changes: Vec<(Phrase, Origin)>,
-    /// Root mean square error (mm) after an identification with the set-up as stated; infinite if a
-    /// pose is out of reach.
+    /// Standard deviation (mm) of a coordinate at poses left out of an identification with the
+    /// set-up as stated; infinite if a pose is out of reach.
     pub stated_mm: f64,
-    /// Root mean square error (mm) with the change.
+    /// Standard deviation (mm) with the change.
     pub changed_mm: f64,
+    /// Standard deviations (rad) of measured orientations, as stated and with the change; 0 if none
+    /// are measured.
+    pub angles_rad: [f64; 2],
 }
 
 impl SetUpError {
@@ -76,11 +82,23 @@ impl SetUpError {
         let named: Vec<Phrase> = named.collect();
         let (first, others) = named.split_first().map_or(("none".argument(), &named[..]), |(f, o)| (f.argument(), o));
         let others = if others.is_empty() { "none".argument() } else { others.argument() };
+        let [stated_rad, changed_rad] = self.angles_rad;
         let stated = match self.stated_mm.is_finite() {
-            true if self.stated_mm > 2.0 * self.changed_mm => "residuals",
+            true if stated_rad > FALLS * changed_rad => "angles",
+            true if self.stated_mm > FALLS * self.changed_mm => "residuals",
             true => "tolerances",
             false => "unreachable",
         };
-        phrase!("set-up-slip", first, others, changed_mm = self.changed_mm, stated, stated_mm = self.stated_mm)
+        let [stated_deg, changed_deg] = self.angles_rad.map(f64::to_degrees);
+        phrase!(
+            "set-up-slip",
+            first,
+            others,
+            changed_mm = self.changed_mm,
+            stated,
+            stated_mm = self.stated_mm,
+            stated_deg,
+            changed_deg
+        )
     }
 }

@@ -54,6 +54,7 @@ fn check(cause: &Cause) -> &'static str {
         Cause::Unreachable(_) => "unreachable",
         Cause::Extent { .. } => "extent",
         Cause::AssemblyMode { .. } => "assembly",
+        Cause::Readings { .. } => "readings",
     }
 }
 
@@ -109,7 +110,7 @@ mod tests {
         };
         let inches = phrase!("slip-unit", quantity = "points", slip = "inch-mm");
         let changes = vec![(inches, Origin::Unit), (phrase!("slip-reversed", joint = "`q1`"), Origin::Named)];
-        let set_up = SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0 };
+        let set_up = SetUpError { changes, stated_mm: 9.0, changed_mm: 1.0, angles_rad: [0.0; 2] };
         let expected = etalon_documents::set_up_hint(&set_up);
         let found = hint(Some(set_up));
         for part in ["(`unit` of the export)", "`q1` reversed", "9.000 mm", "1.000 mm"] {

@@ -235,14 +235,12 @@ fn slips_in_orientations_are_named() {
         &phrase!("orientation-slip", slip = "radians", name = ""),
     );
     named(&with(vector, |v| v.iter().map(|v| -v).collect()), &phrase!("orientation-slip", slip = "inverse", name = ""));
+    named(&with(angles, |v| v.iter().map(|v| -v).collect()), &phrase!("orientation-slip", slip = "negated", name = ""));
     named(
         &with((angles.0, "orientation = \"xyz\"\n", angles.2), |v| v),
         &phrase!("orientation-slip", slip = "order", name = "zyx"),
     );
     let mut reversed = rows.clone();
     reversed.iter_mut().for_each(|row| row.q[5] = -row.q[5]);
-    named(
-        &campaign(&reversed, quaternion.0, quaternion.1, quaternion.2),
-        &phrase!("orientation-slip", slip = "joint", name = "q6"),
-    );
+    named(&campaign(&reversed, quaternion.0, quaternion.1, quaternion.2), &phrase!("slip-reversed", joint = "`q6`"));
 }

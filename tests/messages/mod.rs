@@ -12,6 +12,7 @@ mod data;
 mod library;
 mod logs;
 mod robot;
+mod set_ups;
 mod simulate;
 mod tests_of_robots;
 

@@ -1,11 +1,11 @@
 //! Diagnosis: the cause of a missing result, and outliers, the largest residuals of a robust fit.
 
+use crate::judge::{exchanged_poses, set_up_error};
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
 use crate::solution::estimation::Estimation;
 use crate::solution::identifiability::Analysis;
-use crate::solution::set_up::set_up_error;
 use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -26,9 +26,27 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     {
         return too_little(robot, observations, &all, start);
     }
-    let noise_mm = settings.coordinate_uncertainty_mm();
-    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, noise_mm));
+    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, settings));
+    let cause = cause.or_else(|| wrong_readings(robot, observations, settings, wanted, start));
     Error::Failed { termination, cause, set_up }
+}
+
+/// Largest share of readings that are wrong among sound ones.
+const FEW: f64 = 0.2;
+
+/// Readings that most others contradict, by a robust fit from `start`.
+fn wrong_readings(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+    start: &[f64],
+) -> Option<Cause> {
+    let robust = RobustFit::from_start(robot, observations, settings, free, start)?;
+    let poses: BTreeSet<PoseName> = robust.outliers().iter().map(|reading| reading.pose).collect();
+    let few = robust.outliers().len() as f64 <= FEW * robust.readings.len() as f64;
+    let exchanged = exchanged_poses(robot, observations, &robust);
+    (few && !poses.is_empty()).then_some(Cause::Readings { poses, exchanged })
 }
 
 /// Error if no position of base and targets gives finite residuals.
@@ -46,7 +64,7 @@ pub(crate) fn nothing_left(
     start: &[f64],
 ) -> Error {
     let cause = cause(robot, observations, start);
-    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations, settings.coordinate_uncertainty_mm()));
+    let set_up = cause.as_ref().and_then(|_| set_up_error(robot, observations, settings));
     Error::NothingLeft { cause, set_up }
 }
 
@@ -122,6 +140,8 @@ pub struct RobustFit {
     /// Standard deviation (mm) of a coordinate: by the majority of the residuals, or the stated one
     /// if that is larger.
     pub scale_mm: f64,
+    /// All parameters of the robust fit.
+    pub values: Vec<f64>,
 }
 
 /// Residual of a measured target.
@@ -149,9 +169,20 @@ impl RobustFit {
         settings: &Settings,
         found: &Identification,
     ) -> Option<Self> {
-        let mut free = found.free.clone();
-        free.extend(unseen_by(robot, settings.kind).filter(|i| !found.free.contains(i)));
-        let values = robust(robot, observations, settings, &free, &found.values)?;
+        Self::from_start(robot, observations, settings, &found.free, &found.values)
+    }
+
+    /// Robust fit of the parameters `free` from `start` (all parameters); `None` if it fails.
+    pub(crate) fn from_start(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        free: &[usize],
+        start: &[f64],
+    ) -> Option<Self> {
+        let unseen = unseen_by(robot, settings.kind).filter(|i| !free.contains(i));
+        let free: Vec<usize> = free.iter().copied().chain(unseen).collect();
+        let values = robust(robot, observations, settings, &free, start)?;
         let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
         let scale_mm = scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM);
         let mut readings = Vec::new();
@@ -168,7 +199,7 @@ impl RobustFit {
         }
         let beyond = |r: &Reading| r.left_mm / r.own_mm.max(scale_mm);
         readings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
-        Some(Self { readings, scale_mm })
+        Some(Self { readings, scale_mm, values })
     }
 
     /// Outlying readings, the largest first.

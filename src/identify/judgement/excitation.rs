@@ -1,8 +1,8 @@
 //! Excitation: parameters that need motion of the joints.
 
+use crate::judge::tolerance_effect_mm;
 use crate::model::residuals::Residuals;
 use crate::solution::scatter::observed_noise_mm;
-use crate::solution::set_up::tolerance_effect_mm;
 use crate::{Observation, Prior, Result, Settings, wanted_parameters};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Vector, centroid, minus, norm};

@@ -3,15 +3,11 @@
 pub(crate) mod estimation;
 pub(crate) mod evidence;
 pub(crate) mod fixtures;
-pub(crate) mod hypotheses;
 pub(crate) mod identifiability;
 pub(crate) mod locate;
 pub(crate) mod observability;
 pub(crate) mod placing;
-pub(crate) mod related;
 pub(crate) mod scatter;
-pub(crate) mod set_up;
-pub(crate) mod slips;
 pub(crate) mod solver;
 pub(crate) mod start;
 #[cfg(test)]

@@ -5,19 +5,39 @@
 //! and the best of those taken.
 
 use crate::Result;
+use crate::judgement::robust::CAUCHY;
 use crate::model::effects::Effects;
 use crate::model::prior::{DIFFUSE, Prior};
 use crate::model::residuals::Residuals;
 use crate::solution::identifiability::Analysis;
 use crate::{Observation, ResidualKind, Settings};
+use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, centroid, cross, minus, norm, turning_axes};
-use etalon_math::statistics::rms;
-use etalon_math::{Factor, Options, ParameterPrior, Problem, Termination, WithPriors};
+use etalon_math::statistics::{median, rms};
+use etalon_math::{Factor, Loss, Options, ParameterPrior, Problem, Solution, Termination, WithPriors};
 use etalon_robots::{FreeBase, Quantity, Robot, base_pose};
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::FRAC_PI_2;
 
 const REFINED: usize = 4;
+/// Share of the spread of the measurements below which the solution of a placement is the right
+/// minimum.
+const RIGHT_MINIMUM: f64 = 0.01;
+/// Distance from base and targets, in medians of all distances, beyond which a sighting may be
+/// wrong: the largest of a thousand normal errors in space is 3.3 medians away.
+const GROSS: f64 = 5.0;
+/// Number of draws of poses, and minimum number of poses of a draw: a draw is without a wrong pose
+/// in 13 % of all cases if 40 % of the poses are wrong.
+const DRAWS: usize = 40;
+const FEWEST_DRAWN: usize = 4;
+const DRAWS_STREAM: u64 = 23;
+/// Number of M-estimates, each with the scale of the previous one.
+const M_STEPS: usize = 4;
+/// Standard deviation of a coordinate over the median distance in space (Maxwell distribution).
+const OF_DISTANCE: f64 = 0.65;
+const STEPS: Options = Options { iterations: 50, step: 1e-6, gradient: 1e-15, loss: Loss::Squares };
+/// Share of the sightings, the nearest ones, that show how far the nominal robot is off.
+const MOST: f64 = 0.8;
 /// Number of targets that is sufficient to find the base.
 pub(crate) const MOST_TARGETS: usize = 12;
 /// Share of the spread of the measurements that the nominal robot must explain: errors of robots
@@ -44,8 +64,8 @@ pub(crate) fn spread_over(observations: &[Observation], count: usize) -> Vec<Obs
 
 /// Base and targets that explain observations best, and the residual.
 pub(crate) struct Placed {
-    /// Root mean square (mm) of the residual distances.
-    pub rms_mm: f64,
+    /// Root mean square (mm) of the distances of most readings: of the nearest 80 %.
+    pub left_mm: f64,
     /// All parameters.
     pub values: Vec<f64>,
 }
@@ -147,13 +167,12 @@ fn place_all(
     nominal: &[f64],
     places: &[usize],
 ) -> Result<Option<Placed>> {
-    let sightings = Sighting::from_observations(arm, observations, nominal);
+    let (sightings, rough) = (Sighting::from_observations(arm, observations, nominal), Rough { robot, nominal });
     let turned = |r: &[f64; 3]| linear_start(&sightings, nominal, places, *r);
     let mut candidates: Vec<(f64, Vec<f64>)> = rotations(nominal, places).iter().filter_map(turned).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let spread = spread_mm(observations);
-    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count().max(1) as f64;
-    let mut best: Option<Placed> = None;
+    let mut best: Option<(Placed, Vec<usize>)> = None;
     for (_, mut values) in candidates.into_iter().take(REFINED) {
         let all = Residuals::new(robot, observations, &PLAIN, places, &values)?;
         let held = Analysis::at(&all, &values, 0.0).held();
@@ -164,33 +183,61 @@ fn place_all(
         let problem = Placing { sightings: &sightings, free: &free, values: &values };
         if free.is_empty() {
             // base and targets are known: nothing is to be located
-            best = best.or_else(|| problem.as_stated(points));
+            best = best.or_else(|| problem.as_stated().map(|placed| (placed, free.clone())));
             continue;
         }
         let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let options = Options { iterations: 50, step: 1e-6, ..Options::default() };
-        let found = etalon_math::solve(&problem, &x, options);
-        // what the poses hardly determine stays within a rough estimate, not where errors of the
-        // nominal robot carry it
-        let error_mm = (found.cost / points).sqrt();
-        let rough = |(k, &i): (usize, &usize)| {
-            let u = DIFFUSE * robot.parameters()[i].known_within();
-            ParameterPrior { parameter: k, value: nominal[i], weight: error_mm / u }
-        };
-        let priors: Vec<ParameterPrior> = free.iter().enumerate().map(rough).collect();
-        let solution = etalon_math::solve(&WithPriors::new(&problem, &priors), &found.x, options);
-        let rms_mm = (problem.squares(&solution.x) / points).sqrt();
+        let found = etalon_math::solve(&problem, &x, STEPS);
+        let error_mm = (found.cost / sightings.len().max(1) as f64).sqrt();
+        let solution = problem.kept_near(rough, &found.x, error_mm, Loss::Squares);
+        let placed = Placed::new(&problem, &solution.x);
         let moved = solution.termination.is_success() || solution.termination == Termination::IterationLimit;
-        if moved && best.as_ref().is_none_or(|b| rms_mm < b.rms_mm) {
-            best = Some(Placed { rms_mm, values: problem.all(&solution.x) });
+        if moved && best.as_ref().is_none_or(|(best, _)| placed.left_mm < best.left_mm) {
             // a wrong minimum is off by much of the arm's reach, the right one by the robot's
             // errors
-            if rms_mm < 0.01 * spread {
+            let is_right = placed.left_mm < RIGHT_MINIMUM * spread;
+            best = Some((placed, free));
+            if is_right {
                 break;
             }
         }
     }
-    Ok(best)
+    Ok(best.map(|(placed, free)| by_most(rough, &sightings, &free, placed)))
+}
+
+/// Base and targets by most of the sightings, where some are far from them by least squares: a high
+/// breakdown (Rousseeuw & Leroy 1987, chapter 5), from the solutions of drawn poses that leave the
+/// least median distance, followed by an M-estimate.
+fn by_most(rough: Rough, sightings: &[Sighting], free: &[usize], placed: Placed) -> Placed {
+    let problem = Placing { sightings, free, values: &placed.values };
+    let distances = problem.distances(&problem.free_values());
+    let farthest = distances.iter().copied().fold(0.0, f64::max);
+    if free.is_empty() || median(distances).is_none_or(|typical| farthest <= GROSS * typical) {
+        return placed;
+    }
+    let mut poses: Vec<&[Sighting]> = sightings.chunk_by(|a, b| a.observation == b.observation).collect();
+    let rows = 3 * sightings.len() / poses.len();
+    let count = (free.len().div_ceil(rows) + 1).max(FEWEST_DRAWN);
+    let mut noise = Noise::new(DRAWS_STREAM, 0);
+    let mut best = (median(problem.distances(&problem.free_values())), placed.values.clone());
+    for _ in 0..if count < poses.len() { DRAWS } else { 0 } {
+        noise.shuffle(&mut poses);
+        let drawn: Vec<Sighting> = poses[..count].iter().flat_map(|pose| pose.iter().cloned()).collect();
+        let some = Placing { sightings: &drawn, ..problem };
+        let found = etalon_math::solve(&some, &problem.free_values(), Options { iterations: 20, ..STEPS });
+        let left = median(problem.distances(&found.x));
+        if left.zip(best.0).is_some_and(|(left, least)| left < least) {
+            best = (left, problem.all(&found.x));
+        }
+    }
+    let mut x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();
+    for _ in 0..M_STEPS {
+        let scale_mm = OF_DISTANCE * median(problem.distances(&x)).unwrap_or(0.0);
+        let loss = Loss::Cauchy((CAUCHY * scale_mm).max(1e-6));
+        x = problem.kept_near(rough, &x, scale_mm, loss).x;
+    }
+    let robust = Placed::new(&problem, &x);
+    if robust.left_mm < placed.left_mm { robust } else { placed }
 }
 
 /// Root mean square distance of the measured positions from their mean.
@@ -222,8 +269,24 @@ fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     all
 }
 
+impl Placed {
+    fn new(problem: &Placing, x: &[f64]) -> Self {
+        Self { left_mm: rms_of_most(problem.distances(x)), values: problem.all(x) }
+    }
+}
+
+/// Root mean square of the smallest 80 % of these numbers.
+pub(crate) fn rms_of_most(mut all: Vec<f64>) -> f64 {
+    all.sort_by(f64::total_cmp);
+    let count = (MOST * all.len() as f64).ceil() as usize;
+    rms(all.into_iter().take(count))
+}
+
 /// A target measured in a pose.
+#[derive(Clone)]
 struct Sighting {
+    /// Index of its observation.
+    observation: usize,
     /// The flange in the base.
     base_t_flange: Pose,
     /// Index of the first parameter of the target.
@@ -237,19 +300,27 @@ impl Sighting {
     fn from_observations(arm: &dyn FreeBase, observations: &[Observation], nominal: &[f64]) -> Vec<Self> {
         let mut in_base = nominal.to_vec();
         in_base[..6].fill(0.0);
-        let of_pose = |o: &Observation| {
+        let of_pose = |(observation, o): (usize, &Observation)| {
             let seen = o.targets.iter().enumerate().filter_map(|(k, at)| {
                 let measured = (*at)?;
                 let base_t_flange = arm.flange(&in_base, &o.joints, k);
-                Some(Self { base_t_flange, place: arm.target_place(k), measured })
+                Some(Self { observation, base_t_flange, place: arm.target_place(k), measured })
             });
             seen.collect::<Vec<_>>()
         };
-        observations.iter().flat_map(of_pose).collect()
+        observations.iter().enumerate().flat_map(of_pose).collect()
     }
 }
 
+/// A rough estimate of base and targets.
+#[derive(Clone, Copy)]
+struct Rough<'a> {
+    robot: &'a dyn Robot,
+    nominal: &'a [f64],
+}
+
 /// The problem of finding some of the parameters of base and targets: p = b + R(ω) (R_i r_k + t_i).
+#[derive(Clone, Copy)]
 struct Placing<'a> {
     sightings: &'a [Sighting],
     free: &'a [usize],
@@ -266,17 +337,33 @@ impl Placing<'_> {
         values
     }
 
-    /// Sum of the squared residuals.
-    fn squares(&self, x: &[f64]) -> f64 {
+    /// Residual distance of each sighting, mm.
+    fn distances(&self, x: &[f64]) -> Vec<f64> {
         let mut r = vec![0.0; self.residual_count()];
         self.residuals(x, &mut r);
-        r.iter().map(|v| v * v).sum()
+        r.chunks_exact(3).map(|r| norm([r[0], r[1], r[2]])).collect()
     }
 
-    /// Residual of the values as they are; `None` if it is not finite.
-    fn as_stated(&self, points: f64) -> Option<Placed> {
-        let rms_mm = (self.squares(&[]) / points).sqrt();
-        rms_mm.is_finite().then(|| Placed { rms_mm, values: self.values.to_vec() })
+    /// The free parameters as they are.
+    fn free_values(&self) -> Vec<f64> {
+        self.free.iter().map(|&i| self.values[i]).collect()
+    }
+
+    /// The values as they are; `None` if a residual is not finite.
+    fn as_stated(&self) -> Option<Placed> {
+        let placed = Placed::new(self, &[]);
+        placed.left_mm.is_finite().then_some(placed)
+    }
+
+    /// Solution from `x` in which what the poses hardly determine stays within a rough estimate,
+    /// not where errors of the nominal robot (`error_mm`) carry it.
+    fn kept_near(&self, rough: Rough, x: &[f64], error_mm: f64, loss: Loss) -> Solution {
+        let prior = |(k, &i): (usize, &usize)| {
+            let u = DIFFUSE * rough.robot.parameters()[i].known_within();
+            ParameterPrior { parameter: k, value: rough.nominal[i], weight: error_mm / u }
+        };
+        let priors: Vec<ParameterPrior> = self.free.iter().enumerate().map(prior).collect();
+        etalon_math::solve(&WithPriors::new(self, &priors), x, Options { loss, ..STEPS })
     }
 }
 

@@ -22,8 +22,8 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let mut messages = Vec::new();
     let observed = Input::new(campaign, stated, observations)?.observed(robot, &mut messages)?;
     messages.extend(stale(robot, &observed.observations));
-    let set_up = check_set_up(robot, &observed.observations, &observed.settings);
-    messages.extend(set_up.err().unwrap_or_default().0);
+    messages
+        .extend(check_set_up(robot, &observed.observations, &observed.settings).unwrap_or_else(|problems| problems.0));
     // selections that do not read are reported with the statements
     let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
     let poses = observed.poses();

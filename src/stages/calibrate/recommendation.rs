@@ -33,8 +33,8 @@ pub fn recommend(
     inputs: &BTreeMap<String, String>,
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<RecommendationDocument> {
-    let Selected { basis: Basis { sets, settings, .. }, messages, .. } = selected;
-    check_set_up(robot, &sets.calibration, &settings)?;
+    let Selected { basis: Basis { sets, settings, .. }, mut messages, .. } = selected;
+    messages.extend(check_set_up(robot, &sets.calibration, &settings)?);
     let study = Study::new(robot, &sets, settings)?;
     Recommendation { study: &study }.document(inputs, messages, report)
 }

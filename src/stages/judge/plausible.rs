@@ -3,6 +3,7 @@
 
 use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::judge::circumstances::{exchanged_torques, torque_signs};
+use crate::stages::judge::set_up::untested;
 use crate::stages::judge::undescribed::{CalibrationFit, undescribed};
 use crate::stages::remedies::{reading, readings_to_check};
 use crate::stages::truncated;
@@ -14,8 +15,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Identification, LoadSlip, NOISE_DISTANCE, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
-    chi_square_exceeds, condition_slip, far_from_nominal, load_slips, moved_between, observed_noise_mm, set_up_error,
+    Identification, Judgement, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
+    chi_square_exceeds, exchanged_poses, far_message, hinted, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -61,26 +62,16 @@ pub fn plausibility(robot: &dyn Robot, solution: &Solution, errors: &[PointError
     let unchecked = undetermined(robot, observations, settings, found);
     let mut messages = implausible(robot, found, errors, unchecked.is_some());
     messages.extend(unchecked);
-    let far = far_before(robot, solution, errors);
     let misfit = match found.residuals.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
         None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms,
     };
-    match far {
-        Some(far) => messages.insert(0, far),
-        None => {
-            if let Some(first) = messages.first_mut().filter(|_| exchanged(robot, &found.values).is_none())
-                && let Some(found) = set_up_error(robot, observations, settings.coordinate_uncertainty_mm())
-            {
-                first.hint = Some(set_up_hint(&found));
-            }
-        }
-    }
-    if let Some(first) = messages.first_mut().filter(|m| observations.is_empty() && m.severity == Severity::Error)
-        && let Some(found) = condition_slip(robot, settings, found)
-    {
-        first.hint = Some(set_up_hint(&found));
-    }
+    let judged = match exchanged(robot, &found.values) {
+        Some(_) => Default::default(),
+        None => judge(robot, observations, settings, &[]),
+    };
+    messages.extend(untested(&judged));
+    contradict(robot, solution, errors, judged, &mut messages);
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
     }
@@ -95,16 +86,20 @@ pub fn plausibility(robot: &dyn Robot, solution: &Solution, errors: &[PointError
     }
     let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
     messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
-    if misfit {
-        messages.extend(moved_between(robot, observations, &found.values));
-    }
     let spike = settings.standard_uncertainty_mm.is_some_and(|u_mm| found.residuals.max > OUTLIER * u_mm);
-    if (misfit || spike)
-        && let Some(robust) = RobustFit::new(robot, observations, settings, found)
-    {
+    let robust = (misfit || spike).then(|| RobustFit::new(robot, observations, settings, found)).flatten();
+    if misfit || found.residuals.chi_square.is_none() {
+        let outlying = robust.as_ref().filter(|robust| !robust.outliers().is_empty());
+        let values = outlying.map_or(&found.values, |robust| &robust.values);
+        messages.extend(moved_between(robot, observations, settings, found, values));
+    }
+    if let Some(robust) = robust {
         // a few wrong readings explain what follows, the largest residuals of a wrong model do not
         let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
         messages.insert(place, readings_to_check(&robust, robot));
+        if let Some(exchanged) = poses_exchanged(robot, observations, &robust) {
+            messages.insert(0, exchanged);
+        }
     }
     messages
 }
@@ -289,32 +284,56 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
     (&p.name, p.quantity.outward(value), p.quantity.unit())
 }
 
-/// Largest residual of parameters that explain the measurements, as a share of the effect of the
-/// tolerances.
-const EXPLAINED: f64 = 0.1;
+/// Adds the contradiction of the set-up to the messages: an error if the nominal robot is farther
+/// from most measurements than its tolerances allow, and no robot within them leaves what the
+/// measurements leave; or the change that explains the measurements, as the hint of the first
+/// error.
+fn contradict(
+    robot: &dyn Robot,
+    solution: &Solution,
+    errors: &[PointError],
+    judged: Judgement,
+    messages: &mut Vec<Message>,
+) {
+    if let Some(far_mm) = far_before(robot, solution, errors)
+        && (!judged.is_possible || judged.named.is_some())
+    {
+        messages.insert(0, warning_message(&hinted(far_message(far_mm), judged.named)));
+        return;
+    }
+    let Some(found) = judged.named else { return };
+    if messages.iter().all(|message| message.severity != Severity::Error) {
+        messages.insert(0, error!("set-up-contradicted"));
+    }
+    if let Some(first) = messages.iter_mut().find(|message| message.severity == Severity::Error) {
+        first.hint = Some(set_up_hint(&found));
+    }
+}
 
-/// Returns an error if the nominal robot is farther from most measurements than its tolerances
-/// allow, and the identified parameters do not explain the measurements within their tolerances.
-/// Few poses in a small volume determine the positions of base and targets of the nominal robot
-/// poorly.
-fn far_before(robot: &dyn Robot, solution: &Solution, errors: &[PointError]) -> Option<Message> {
-    let Solution { basis: Basis { sets, settings, .. }, before, found } = solution;
+/// Returns a warning about poses whose joint values are exchanged.
+fn poses_exchanged(robot: &dyn Robot, observations: &[Observation], robust: &RobustFit) -> Option<Message> {
+    let pairs = exchanged_poses(robot, observations, robust);
+    let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);
+    let named = truncated(pairs.iter().map(pair), NAMED);
+    (!pairs.is_empty()).then(|| warning!("poses-exchanged", count = pairs.len(), pairs = named).to_decide())
+}
+
+/// Distance (mm) of the nominal robot from the measurements, and the one that its tolerances allow,
+/// if most measurements are farther. Few poses in a small volume determine the positions of base
+/// and targets of the nominal robot poorly.
+fn far_before(robot: &dyn Robot, solution: &Solution, errors: &[PointError]) -> Option<[f64; 2]> {
+    let Solution { basis: Basis { sets, settings, .. }, before, .. } = solution;
     let observations = &sets.calibration[..];
     if observations.is_empty() {
         // what tolerances allow is known of positions
         return None;
     }
-    let calibration = || errors.iter().filter(|e| e.set == PoseSet::Calibration);
-    let left: Vec<f64> = calibration().map(|e| norm(e.before_mm)).collect();
-    let rms_mm = rms(left.iter().copied());
+    let calibration = errors.iter().filter(|e| e.set == PoseSet::Calibration);
+    let left: Vec<f64> = calibration.map(|e| norm(e.before_mm)).collect();
     let noise_mm = observed_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
     let allowed_mm = allowed_mm(robot, observations, before, noise_mm)?;
-    let explained_mm = (EXPLAINED * allowed_mm).max(NOISE_DISTANCE * noise_mm);
-    let explained = rms(calibration().map(|e| norm(e.after_mm))) < explained_mm
-        && settings.prior != Prior::None
-        && beyond_tolerance(robot, found).is_none();
-    (median(left)? > allowed_mm && !explained)
-        .then(|| warning_message(&far_from_nominal(robot, observations, [rms_mm, allowed_mm], noise_mm)))
+    let rms_mm = rms(left.iter().copied());
+    (median(left)? > allowed_mm).then_some([rms_mm, allowed_mm])
 }
 
 /// Errors about the identified parameters and their residuals; empty if the result is plausible.

@@ -61,7 +61,7 @@ pub fn validate(
     if frames == FrameOrigin::Prior && document.is_none() {
         return Err(error!("prior-of-nominal").into());
     }
-    check_set_up(robot, &sets.calibration, &settings)?;
+    messages.extend(check_set_up(robot, &sets.calibration, &settings)?);
     messages.extend(document.and_then(|document| other_nominal(robot, document)));
     let mut values = Values::new(robot, document, frames, &sets, &settings)?;
     let robot: &dyn Robot = robot;

@@ -16,7 +16,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
     Comparison, Detectable, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
-    Settings, UncertaintyBound, Verification, set_up_problem,
+    Settings, UncertaintyBound, Verification, set_up_far,
 };
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
@@ -89,7 +89,8 @@ pub fn verify(
         return Err(error!("verify-without-positions").into());
     }
     messages.extend(stale(robot, &observations));
-    if let Some(problem) = set_up_problem(robot, &observations, noise.total_mm()) {
+    let positions = Settings { standard_uncertainty_mm: Some(noise.total_mm()), ..settings.clone() };
+    if let Some(problem) = set_up_far(robot, &observations, &positions) {
         return Err(etalon_documents::warning_message(&problem).into());
     }
     let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);

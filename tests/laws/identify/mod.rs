@@ -13,6 +13,7 @@ pub(super) mod drawn;
 pub(super) mod field;
 pub(super) mod geometric;
 pub(super) mod geometric_campaign;
+pub(super) mod judge;
 pub(super) mod loads;
 pub(super) mod monte_carlo;
 pub(super) mod plans;

@@ -32,7 +32,7 @@ const FRESH: usize = 200;
 
 /// An effect that the model leaves out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Effect {
+pub(super) enum Effect {
     Bending,
     Harmonics,
     Cubic,
@@ -42,7 +42,7 @@ enum Effect {
 }
 
 /// Effects that the model leaves out.
-const LEFT_OUT: [Effect; 4] = [Effect::Bending, Effect::Harmonics, Effect::Cubic, Effect::BentLink];
+pub(super) const LEFT_OUT: [Effect; 4] = [Effect::Bending, Effect::Harmonics, Effect::Cubic, Effect::BentLink];
 
 impl Effect {
     /// Deflection of the joints, with a coefficient for each joint.
@@ -64,7 +64,7 @@ impl Effect {
 
 /// What is measured at the poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Measured {
+pub(super) enum Measured {
     Positions,
     /// Positions of three targets.
     Targets,
@@ -76,17 +76,17 @@ enum Measured {
 
 /// Observations and their settings.
 #[derive(Clone)]
-struct Campaign {
-    observations: Vec<Observation>,
-    settings: Settings,
+pub(super) struct Campaign {
+    pub(super) observations: Vec<Observation>,
+    pub(super) settings: Settings,
 }
 
 /// A robot whose model lacks an effect, mounted anywhere.
-struct Twin {
-    robot: Serial,
-    measured: Measured,
+pub(super) struct Twin {
+    pub(super) robot: Serial,
+    pub(super) measured: Measured,
     /// First parameters of the mounting of the body, or of the sockets.
-    fixtures: Vec<usize>,
+    pub(super) fixtures: Vec<usize>,
     truth: Vec<f64>,
     effect: Effect,
     coefficients: Vec<f64>,
@@ -95,12 +95,12 @@ struct Twin {
     /// All parameters by the campaign without noise.
     effective: Vec<f64>,
     /// Standard deviation (mm) of the misfit of a coordinate.
-    misfit_mm: f64,
+    pub(super) misfit_mm: f64,
 }
 
 impl Twin {
     /// A twin whose misfit is `ratio` times the noise.
-    fn drawn(measured: Measured, effect: Effect, ratio: f64, seed: u64) -> Self {
+    pub(super) fn drawn(measured: Measured, effect: Effect, ratio: f64, seed: u64) -> Self {
         let mut noise = Noise::new(60, seed);
         let targets: &[&str] = if measured == Measured::Targets { &["a", "b", "c"] } else { &["a"] };
         let mut robot = serial(&SIX_AXES, targets, &[]);
@@ -221,7 +221,7 @@ impl Twin {
     }
 
     /// Measurements at poses of the region; `noise_scale` multiplies their noise.
-    fn observed(&self, poses: usize, noise_scale: f64, noise: &mut Noise) -> Campaign {
+    pub(super) fn observed(&self, poses: usize, noise_scale: f64, noise: &mut Noise) -> Campaign {
         let mut campaign = Campaign { observations: Vec::new(), settings: settings() };
         for number in 1..=poses {
             let pose = PoseName::from(number as i64);

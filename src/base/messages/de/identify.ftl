@@ -62,6 +62,11 @@ solver-ended = { $termination ->
        *[converged] Konvergenz, aber das Ergebnis ist nicht eindeutig
     }
 
+readings-contradict = die meisten Messwerte passen, die von { $poses } nicht{ $count ->
+        [0] {""}
+       *[other] {""}: die Gelenkwerte der Posen { $pairs } sind vertauscht
+    }
+
 named-poses = { $count ->
         [one] Pose { $poses }
        *[other] { $count } Posen ({ $poses })
@@ -146,8 +151,26 @@ nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht 
 placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
     .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke, festgehaltene Parameter von Basis und Zielmarken und die Nennparameter des Roboters prüfen
 
-reference-moved = ab Pose { $pose } sind die gemessenen Positionen gegenüber den Posen bis { $previous } um { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+reference-moved = ab Pose { $pose } sind gemessene Positionen um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen
+
+target-shifted = ab Pose { $pose } ist das Ziel `{ $target }` um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm im Koordinatensystem des Flansches) gegen seine Lage bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+    .hint = das Ziel hat sich auf seinem Träger bewegt: ihm ab dieser Pose einen anderen Namen geben oder neu messen
+
+poses-exchanged = { $count ->
+        [one] die Gelenkwerte der Posen { $pairs } sind vertauscht
+       *[other] die Gelenkwerte von { $count } Paaren von Posen sind vertauscht: { $pairs }
+    }: getauscht sind sie keine Ausreißer
+    .hint = die Reihenfolge der Zeilen des Protokolls und die Namen der Posen prüfen
+
+set-up-contradicted = die Messwerte widersprechen dem angegebenen Aufbau
+    .hint = die Änderungen prüfen, die die Messwerte erklären
+
+set-up-untested = von diesen Daten nicht geprüft: { $changes }
+    .hint = am Roboter prüfen, oder ein zweites Ziel abseits der Achse des letzten Gelenks messen, in Posen, die alle Gelenke bewegen
+
+untested-change = { $change } (Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm statt { FIXED($stated_mm, 3) } mm; der Flansch weicht um bis zu { FIXED($flange_mm, 0) } mm und { FIXED($flange_deg, 0) } deg ab)
+pair-of-poses = { $first } und { $second }
 
 parameters-weakly-identifiable = { $groups } sind aus diesen Posen nur schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
 
@@ -287,10 +310,11 @@ set-up-slip = { $others ->
         [none] eine Änderung erklärt die Messwerte: { $first }
        *[other] jede dieser Änderungen erklärt die Messwerte: { $first }; { $others }
     }. { $stated ->
-        [unreachable] Ohne Änderung sind Posen nicht erreichbar; mit der Änderung betragen die Residuen { FIXED($changed_mm, 3) } mm
-        [tolerances] Mit der Änderung betragen die Residuen { FIXED($changed_mm, 3) } mm, und die Parameter bleiben in ihren Toleranzen
-       *[residuals] Die Residuen sinken von { FIXED($stated_mm, 3) } mm auf { FIXED($changed_mm, 3) } mm
-    } (quadratischer Mittelwert nach der Identifikation): das zuerst prüfen
+        [unreachable] Ohne Änderung sind Posen nicht erreichbar; mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm
+        [angles] Die Standardabweichung der Orientierungen sinkt von { FIXED($stated_deg, 2) } deg auf { FIXED($changed_deg, 2) } deg
+        [tolerances] Mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm, und die Parameter bleiben in ihren Toleranzen
+       *[residuals] Die Standardabweichung einer Koordinate sinkt von { FIXED($stated_mm, 3) } mm auf { FIXED($changed_mm, 3) } mm
+    } (an Posen, die die Identifikation auslässt): das zuerst prüfen
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m Parameter, n Konfigurationen; Jacobi-Matrix in mm je mm, rad und 1
 index-o2 = O2 = smin / smax; Jacobi-Matrix in mm je mm, rad und 1

@@ -608,22 +608,18 @@ base-off-nominal = die Basis ist { FIXED($off_mm, 0) } mm und { FIXED($off_deg,
     .hint = Achsen, Einheit und Punkte des Weltkoordinatensystems und [nominal] in robot.toml prüfen
 
 orientation-slip = { $slip ->
-        [joint] `{ $name }` umgekehrt
-        [scalar-last] dem Skalar der Quaternionen am Ende
-        [scalar-first] dem Skalar der Quaternionen am Anfang
-        [scalar-last-inverse] dem Skalar der Quaternionen am Ende und den inversen Drehungen
-        [order] Winkeln in der Reihenfolge `{ $name }`
-        [vectors] Rotationsvektoren statt Winkeln
-        [order-of-vectors] Winkeln in der Reihenfolge `{ $name }` statt Rotationsvektoren
-        [radians] Winkeln in Radiant statt Grad
-        [degrees] Winkeln in Grad statt Radiant
-        [inverse] den inversen Drehungen
-       *[left-handed] einem linkshändigen Koordinatensystem ({ $name } umgekehrt)
+        [scalar-last] der Skalar der Quaternionen am Ende
+        [scalar-first] der Skalar der Quaternionen am Anfang
+        [scalar-last-inverse] der Skalar der Quaternionen am Ende und die inversen Drehungen
+        [order] Winkel in der Reihenfolge `{ $name }`
+        [vectors] Rotationsvektoren statt Winkel
+        [order-of-vectors] Winkel in der Reihenfolge `{ $name }` statt Rotationsvektoren
+        [radians] Winkel in Radiant statt Grad
+        [degrees] Winkel in Grad statt Radiant
+        [negated] die Winkel mit dem anderen Vorzeichen
+        [inverse] die inversen Drehungen
+       *[left-handed] ein linkshändiges Koordinatensystem ({ $name } umgekehrt)
     }
-
-slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
-
-check-slips = mögliche Ursachen, mit dem verbleibenden Unterschied: { $slips }; das zuerst prüfen
 
 orientations-off = die beobachteten Orientierungen unterscheiden sich von denen des { $robot ->
         [nominal] nominalen Roboters
@@ -871,6 +867,7 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
+        [readings] diese Messwerte und die Reihenfolge der Zeilen des Protokolls prüfen, oder diese Posen auslassen (`exclude`, --exclude)
         [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }

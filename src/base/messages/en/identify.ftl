@@ -131,6 +131,11 @@ solver-ended = { $termination ->
        *[converged] converged, but the result is not unique
     }
 
+readings-contradict = most readings fit, and those of { $poses } do not{ $count ->
+        [0] {""}
+       *[other] {""}: the joint values of poses { $pairs } are exchanged
+    }
+
 named-poses = { $count ->
         [one] pose { $poses }
        *[other] { $count } poses ({ $poses })
@@ -313,8 +318,47 @@ placement-unexplained = no position of base and targets explains the measurement
 # the shift.
 # Do: Identify the two parts separately, or measure again.
 # Example: a tripod that was touched after pose 21
-reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) relative to those up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
+reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) relative to those up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
     .hint = base or measuring system moved: identify the two parts separately, or measure again
+
+# Means: From one pose on, one target is elsewhere on the part that carries it.
+# Matters: The target moved during the measurement. Identified parameters would absorb the shift.
+# Do: Give the target another name from this pose on, or measure again.
+# Example: a reflector nest that slipped after pose 40
+target-shifted = from pose { $pose } on, the target `{ $target }` is shifted by { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm in the frame of the flange) relative to its place up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
+    .hint = the target moved on its carrier: give it another name from this pose on, or measure again
+
+# Means: The joint values of two poses explain the measured positions of each other.
+# Matters: Rows of the log or names of the poses are exchanged. Identified parameters would absorb
+# the error.
+# Do: Exchange the joint values, or omit the poses.
+# Example: rows 12 and 30 of a log in each other's place
+poses-exchanged = { $count ->
+        [one] the joint values of poses { $pairs } are exchanged
+       *[other] the joint values of { $count } pairs of poses are exchanged: { $pairs }
+    }: with the exchange they are no outliers
+    .hint = check the order of the rows of the log and the names of the poses
+
+# Means: A change of the set-up explains the measurements clearly better than the set-up as stated.
+# Matters: The identified parameters absorb a mistake, and the robot would be wrong away from the
+# measured poses.
+# Do: Check the changes in the hint.
+# Example: joints 5 and 6 exchanged where the orientation of the flange hardly changes
+set-up-contradicted = the measurements contradict the set-up as stated
+    .hint = check the changes that explain the measurements
+
+# Means: With each of these changes, a robot within its tolerances explains the measurements as well
+# as with the set-up as stated.
+# Matters: If one of them is a mistake of the set-up, these data do not show it. The flange would be
+# elsewhere than a controller computes.
+# Do: Check the directions and the order of the joints on the robot, or measure a second target away
+# from the axis of the last joint, in poses that move all joints.
+# Example: the direction of the last joint with one reflector on its axis
+set-up-untested = not tested by these data: { $changes }
+    .hint = check these on the robot, or measure a second target away from the axis of the last joint, in poses that move all joints
+
+untested-change = { $change } (standard deviation of a coordinate { FIXED($changed_mm, 3) } mm instead of { FIXED($stated_mm, 3) } mm; the flange differs by up to { FIXED($flange_mm, 0) } mm and { FIXED($flange_deg, 0) } deg)
+pair-of-poses = { $first } and { $second }
 
 # Means: The poses hardly separate a group of parameters.
 # Matters: Standard uncertainties of single parameters are large. Near the measured poses their
@@ -519,10 +563,11 @@ set-up-slip = { $others ->
         [none] one change explains the measurements: { $first }
        *[other] each of these changes explains the measurements: { $first }; { $others }
     }. { $stated ->
-        [unreachable] As stated, poses are out of reach; with the change, residuals are { FIXED($changed_mm, 3) } mm
-        [tolerances] With the change, residuals are { FIXED($changed_mm, 3) } mm, and parameters stay within their tolerances
-       *[residuals] Residuals fall from { FIXED($stated_mm, 3) } mm to { FIXED($changed_mm, 3) } mm
-    } (root mean square after identification): check that first
+        [unreachable] As stated, poses are out of reach; with the change, the standard deviation of a coordinate is { FIXED($changed_mm, 3) } mm
+        [angles] The standard deviation of orientations falls from { FIXED($stated_deg, 2) } deg to { FIXED($changed_deg, 2) } deg
+        [tolerances] With the change, the standard deviation of a coordinate is { FIXED($changed_mm, 3) } mm, and parameters stay within their tolerances
+       *[residuals] The standard deviation of a coordinate falls from { FIXED($stated_mm, 3) } mm to { FIXED($changed_mm, 3) } mm
+    } (at poses left out of the identification): check that first
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n configurations; Jacobian in mm per mm, rad and 1
 index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1

@@ -1243,7 +1243,6 @@ base-off-nominal = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1)
     .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
 
 orientation-slip = { $slip ->
-        [joint] `{ $name }` reversed
         [scalar-last] the scalar of the quaternions last
         [scalar-first] the scalar of the quaternions first
         [scalar-last-inverse] the scalar of the quaternions last, and the inverse rotations
@@ -1252,13 +1251,10 @@ orientation-slip = { $slip ->
         [order-of-vectors] angles in the order `{ $name }` instead of rotation vectors
         [radians] angles in radians instead of degrees
         [degrees] angles in degrees instead of radians
+        [negated] the angles with the other sign
         [inverse] the inverse rotations
        *[left-handed] a left-handed frame ({ $name } reversed)
     }
-
-slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
-
-check-slips = possible causes, with the remaining difference: { $slips }; check that first
 
 # Means: Observed orientations differ from those of the robot by more than errors of the joints
 # explain.
@@ -1736,6 +1732,7 @@ remedy = { $remedy ->
         [hold] hold parameters in [identify], or measure more poses
         [unreachable] check unit (degrees or radians), sign and offset of the joints, and the nominal parameters
         [extent] check `unit` of the exports, the units of the joints in the log, and the lengths of the robot
+        [readings] check these readings and the order of the rows of the log, or omit these poses (`exclude`, --exclude)
         [assembly] correct the column `assembly` of these poses, or leave it empty: the mode is then taken from the measurement
        *[joints] check units, order and signs of the joints and the nominal parameters; `hold` in [identify] holds parameters
     }

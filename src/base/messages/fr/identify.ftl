@@ -62,6 +62,11 @@ solver-ended = { $termination ->
        *[converged] convergence, mais le résultat n’est pas unique
     }
 
+readings-contradict = la plupart des lectures concordent, celles de { $poses } non{ $count ->
+        [0] {""}
+       *[other] {" "}: les valeurs articulaires des poses { $pairs } sont échangées
+    }
+
 named-poses = { $count ->
         [one] la pose { $poses }
        *[other] { $count } poses ({ $poses })
@@ -146,8 +151,26 @@ nominal-robot-not-at-joints = le robot nominal ne peut pas prendre ces valeurs a
 placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
     .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, les paramètres fixés de la base et des cibles, et les paramètres nominaux du robot
 
-reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ({ $vector_mm } mm) par rapport aux poses précédentes, jusqu’à { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
-    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément, ou mesurer de nouveau
+reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément ou mesurer de nouveau
+
+target-shifted = à partir de la pose { $pose }, la cible `{ $target }` est décalée de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm dans le repère de la bride) par rapport à sa place jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la cible a bougé sur son support : lui donner un autre nom à partir de cette pose, ou mesurer de nouveau
+
+poses-exchanged = { $count ->
+        [one] les valeurs articulaires des poses { $pairs } sont échangées
+       *[other] les valeurs articulaires de { $count } paires de poses sont échangées : { $pairs }
+    } : avec l’échange, elles ne sont plus aberrantes
+    .hint = vérifier l’ordre des lignes du journal et les noms des poses
+
+set-up-contradicted = les mesures contredisent le montage déclaré
+    .hint = vérifier les modifications qui expliquent les mesures
+
+set-up-untested = non contrôlé par ces données : { $changes }
+    .hint = les vérifier sur le robot, ou mesurer une seconde cible à l’écart de l’axe de la dernière articulation, dans des poses qui meuvent toutes les articulations
+
+untested-change = { $change } (écart-type d’une coordonnée { FIXED($changed_mm, 3) } mm au lieu de { FIXED($stated_mm, 3) } mm ; la bride diffère de { FIXED($flange_mm, 0) } mm et { FIXED($flange_deg, 0) } deg au plus)
+pair-of-poses = { $first } et { $second }
 
 parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
 
@@ -287,10 +310,11 @@ set-up-slip = { $others ->
         [none] une modification explique les mesures : { $first }
        *[other] chacune de ces modifications explique les mesures : { $first } ; { $others }
     }. { $stated ->
-        [unreachable] Sans modification, des poses sont hors de portée ; avec elle, les résidus sont de { FIXED($changed_mm, 3) } mm
-        [tolerances] Avec la modification, les résidus sont de { FIXED($changed_mm, 3) } mm, et les paramètres restent dans leurs tolérances
-       *[residuals] Les résidus passent de { FIXED($stated_mm, 3) } mm à { FIXED($changed_mm, 3) } mm
-    } (moyenne quadratique après identification) : le vérifier d’abord
+        [unreachable] Sans modification, des poses sont hors de portée ; avec elle, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm
+        [angles] L’écart-type des orientations passe de { FIXED($stated_deg, 2) } deg à { FIXED($changed_deg, 2) } deg
+        [tolerances] Avec la modification, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm, et les paramètres restent dans leurs tolérances
+       *[residuals] L’écart-type d’une coordonnée passe de { FIXED($stated_mm, 3) } mm à { FIXED($changed_mm, 3) } mm
+    } (aux poses exclues de l’identification) : le vérifier d’abord
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
 index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1

@@ -608,7 +608,6 @@ base-off-nominal = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg,
     .hint = vérifier les axes, l’unité et les points du référentiel atelier, et [nominal] de robot.toml
 
 orientation-slip = { $slip ->
-        [joint] `{ $name }` inversée
         [scalar-last] le scalaire des quaternions en dernier
         [scalar-first] le scalaire des quaternions en premier
         [scalar-last-inverse] le scalaire des quaternions en dernier, et les rotations inverses
@@ -617,13 +616,10 @@ orientation-slip = { $slip ->
         [order-of-vectors] des angles dans l’ordre `{ $name }` au lieu de vecteurs rotation
         [radians] les angles en radians au lieu de degrés
         [degrees] les angles en degrés au lieu de radians
+        [negated] les angles avec le signe opposé
         [inverse] les rotations inverses
        *[left-handed] un référentiel indirect ({ $name } inversé)
     }
-
-slip-leaves = { $slip } ({ FIXED($left_deg, 2) } deg)
-
-check-slips = causes possibles, avec la différence restante : { $slips } ; le vérifier d’abord
 
 orientations-off = les orientations observées diffèrent de celles du robot { $robot ->
         [nominal] nominal
@@ -871,6 +867,7 @@ remedy = { $remedy ->
         [hold] fixer des paramètres dans [identify], ou mesurer plus de poses
         [unreachable] vérifier l’unité (degrés ou radians), le signe et le décalage des articulations, et les paramètres nominaux
         [extent] vérifier `unit` des exports, les unités des articulations dans le journal, et les longueurs du robot
+        [readings] vérifier ces lectures et l’ordre des lignes du journal, ou omettre ces poses (`exclude`, --exclude)
         [assembly] corriger la colonne `assembly` de ces poses, ou la laisser vide : le mode est alors déduit de la mesure
        *[joints] vérifier les unités, l’ordre et les signes des articulations, et les paramètres nominaux ; `hold` dans [identify] fixe des paramètres
     }

@@ -201,6 +201,26 @@ impl Kind {
         self.equation().other_target()
     }
 
+    /// Measured point, if the condition has one.
+    pub(crate) fn point_mm(&mut self) -> Option<&mut Vector> {
+        match self {
+            Self::Seen(seen) => Some(&mut seen.at_mm),
+            _ => None,
+        }
+    }
+
+    /// Measured lengths.
+    pub(crate) fn lengths_mm(&mut self) -> impl Iterator<Item = &mut f64> {
+        let all: Vec<&mut f64> = match self {
+            Self::Coordinate(kind) => vec![&mut kind.at_mm],
+            Self::Distance(kind) => vec![&mut kind.distance_mm],
+            Self::Seen(kind) => kind.at_mm.iter_mut().collect(),
+            Self::Between(Between { apart: Separation::Distance(distance_mm), .. }) => vec![distance_mm],
+            Self::Joint(_) | Self::Orientation(_) | Self::Contact(_) | Self::On(_) | Self::Between(_) => Vec::new(),
+        };
+        all.into_iter()
+    }
+
     /// `true` for the orientation of a body.
     pub fn is_orientation(&self) -> bool {
         matches!(self, Self::Orientation(_))

@@ -1,0 +1,201 @@
+//! Data of a judgement: observations of every kind, with the settings under which they are judged.
+
+use crate::solution::placing::{readings, spread_over, with_few_targets};
+use crate::{Condition, Observation, ResidualKind, Settings};
+use etalon_base::noise::Noise;
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
+use etalon_robots::{Quantity, Robot, Role};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Number of poses on which changes are tried.
+const POSES: usize = 32;
+/// Number of poses on which changes are tried if points that the robot touches or points to are
+/// unknown: each of them needs several poses.
+const POSES_WITH_POINTS: usize = 96;
+
+/// Number of poses elsewhere at which robots are compared, and their stream of random numbers.
+const PROBES: usize = 12;
+const PROBES_STREAM: u64 = 24;
+
+/// Observations, and the settings with further ones.
+#[derive(Clone)]
+pub(crate) struct Data {
+    /// Positions of targets, without covariances: the misfit of a model is common to all.
+    pub observations: Vec<Observation>,
+    /// Settings, with the conditions.
+    pub settings: Settings,
+    /// Index of each condition in the campaign.
+    pub numbers: Vec<usize>,
+    /// Sum of the logarithms of the factors by which the lengths were multiplied: the density of
+    /// the data as measured is that of the changed data times all factors.
+    pub log_factors: f64,
+}
+
+impl Data {
+    /// The data of a campaign: residuals of targets, and the targets with the most readings.
+    pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Self {
+        let few = with_few_targets(robot, observations);
+        let mut observations = few.map_or_else(|| observations.to_vec(), |few| few.0);
+        observations.iter_mut().for_each(|o| o.covariances_mm2.clear());
+        let settings = Settings {
+            kind: ResidualKind::Targets,
+            common_uncertainty_mm: None,
+            rigid: Vec::new(),
+            series: Vec::new(),
+            ..settings.clone()
+        };
+        let numbers = (0..settings.conditions.len()).collect();
+        Self { observations, settings, numbers, log_factors: 0.0 }
+    }
+
+    /// Poses in the order of their first observation.
+    pub fn poses(&self) -> Vec<PoseName> {
+        let all = self.observations.iter().map(|o| o.pose).chain(self.settings.conditions.iter().map(|c| c.pose));
+        let mut seen = BTreeSet::new();
+        all.filter(|pose| seen.insert(*pose)).collect()
+    }
+
+    /// Some of the data, spread over all poses: enough to try changes.
+    pub fn subset(&self, robot: &dyn Robot) -> Self {
+        let points = |c: &Condition| {
+            c.kind.equation().unknowns().iter().any(|&i| {
+                robot.parameters().get(i).is_some_and(|p| p.role == Role::Fixture) && !c.kind.is_orientation()
+            })
+        };
+        let count = if self.settings.conditions.iter().any(points) { POSES_WITH_POINTS } else { POSES };
+        if self.settings.conditions.is_empty() {
+            return Self { observations: spread_over(&self.observations, count), ..self.clone() };
+        }
+        let poses = self.poses();
+        let kept: BTreeSet<PoseName> = poses.iter().step_by(poses.len().div_ceil(count).max(1)).copied().collect();
+        let mut some = self.clone();
+        some.observations.retain(|o| kept.contains(&o.pose));
+        some.retain_conditions(|c| kept.contains(&c.pose));
+        some
+    }
+
+    fn retain_conditions(&mut self, mut keep: impl FnMut(&mut Condition) -> bool) {
+        let kept: Vec<bool> = self.settings.conditions.iter_mut().map(&mut keep).collect();
+        let (mut conditions, mut numbers) = (kept.iter(), kept.iter());
+        self.settings.conditions.retain(|_| conditions.next() == Some(&true));
+        self.numbers.retain(|_| numbers.next() == Some(&true));
+    }
+
+    /// Poses around the measured ones: each joint turned by up to half a radian, or moved by 50 mm.
+    pub fn elsewhere(&self, robot: &dyn Robot) -> Self {
+        let mut noise = Noise::new(PROBES_STREAM, 0);
+        let mut probes = self.clone();
+        probes.observations.truncate(PROBES);
+        if probes.observations.is_empty() {
+            let of_conditions = self.settings.conditions.iter().take(PROBES);
+            let observation = |c: &Condition| Observation { joints: c.joints.clone(), ..Observation::default() };
+            probes.observations = of_conditions.map(observation).collect();
+        }
+        for o in &mut probes.observations {
+            for (q, joint) in o.joints.iter_mut().zip(robot.joints()) {
+                *q += noise.uniform(if joint.quantity == Quantity::Angle { 0.5 } else { 50.0 });
+            }
+        }
+        probes
+    }
+
+    /// Joint values of the observations of positions.
+    pub fn joints(&self) -> Vec<Vec<f64>> {
+        self.observations.iter().map(|o| o.joints.clone()).collect()
+    }
+
+    /// Applies `how` to the joint values of every observation.
+    pub fn change_joints(&mut self, how: &dyn Fn(&mut [f64])) {
+        self.observations.iter_mut().for_each(|o| how(&mut o.joints));
+        self.settings.conditions.iter_mut().for_each(|c| how(&mut c.joints));
+    }
+
+    /// Applies `how` to every measured point.
+    pub fn change_points(&mut self, how: &dyn Fn(&mut Vector)) {
+        self.observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()).for_each(how);
+        self.settings.conditions.iter_mut().filter_map(|c| c.kind.point_mm()).for_each(how);
+    }
+
+    /// Multiplies every measured length: points, coordinates and distances.
+    pub fn scale_lengths(&mut self, dimension: usize, factor: f64) {
+        let targets: Vec<usize> = (0..self.observations.first().map_or(0, |o| o.targets.len())).collect();
+        self.scale_points(&targets, dimension, factor);
+        let lengths = self.settings.conditions.iter_mut().flat_map(|c| c.kind.lengths_mm());
+        let count = lengths.map(|v| *v *= factor).count();
+        self.log_factors += count as f64 * factor.ln();
+    }
+
+    /// Multiplies the measured points of these targets.
+    pub fn scale_points(&mut self, targets: &[usize], dimension: usize, factor: f64) {
+        let points = self.observations.iter_mut().flat_map(|o| o.targets.iter_mut().enumerate());
+        let points = points.filter(|(k, _)| targets.contains(k)).filter_map(|(_, point)| point.as_mut());
+        let count = points.map(|p| *p = p.map(|v| v * factor)).count();
+        self.log_factors += (dimension * count) as f64 * factor.ln();
+    }
+
+    /// `true` if a place is measured or touched: orientations alone do not locate a base.
+    pub fn has_places(&self) -> bool {
+        !self.observations.is_empty() || self.settings.conditions.iter().any(|c| !c.kind.is_orientation())
+    }
+
+    /// `true` if the position of a target is measured.
+    pub fn has_positions(&self) -> bool {
+        self.observations.iter().any(|o| o.targets.iter().any(Option::is_some))
+    }
+
+    /// `true` if a length is measured.
+    pub fn has_lengths(&self) -> bool {
+        self.has_positions() || self.settings.conditions.iter().any(|c| c.kind.clone().lengths_mm().next().is_some())
+    }
+
+    /// The joint values of each pose taken from the previous (-1) or next (1) pose, in the order of
+    /// the poses; the first or last pose has no neighbour and is left out.
+    pub fn shifted(&self, shift: isize) -> Self {
+        let poses = self.poses();
+        let joints_at = |pose: PoseName| {
+            let seen = self.observations.iter().find(|o| o.pose == pose).map(|o| &o.joints);
+            seen.or_else(|| self.settings.conditions.iter().find(|c| c.pose == pose).map(|c| &c.joints))
+        };
+        let all: BTreeMap<PoseName, Option<Vec<f64>>> = poses
+            .iter()
+            .enumerate()
+            .map(|(k, pose)| {
+                let other = k.checked_add_signed(shift).and_then(|k| poses.get(k));
+                (*pose, other.and_then(|pose| joints_at(*pose)).cloned())
+            })
+            .collect();
+        let mut shifted = self.clone();
+        let other = |pose: PoseName, joints: &mut Vec<f64>| match all.get(&pose) {
+            Some(Some(other)) => {
+                joints.clone_from(other);
+                true
+            }
+            _ => false,
+        };
+        shifted.observations.retain_mut(|o| other(o.pose, &mut o.joints));
+        shifted.retain_conditions(|c| other(c.pose, &mut c.joints));
+        shifted
+    }
+
+    /// Targets with at least one position, and the number of positions of each.
+    pub fn readings(&self, robot: &dyn Robot) -> Vec<(usize, usize)> {
+        readings(robot, &self.observations)
+    }
+
+    /// Exchanges two targets.
+    pub fn exchange_targets(&mut self, pairs: &[(usize, usize)]) {
+        for &(i, j) in pairs {
+            self.observations.iter_mut().for_each(|o| o.targets.swap(i, j));
+            for c in &mut self.settings.conditions {
+                c.target = if c.target == i {
+                    j
+                } else if c.target == j {
+                    i
+                } else {
+                    c.target
+                };
+            }
+        }
+    }
+}

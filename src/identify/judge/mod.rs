@@ -1,0 +1,651 @@
+//! Judge of a set-up. It compares the set-up as stated with the mistakes that people make.
+//!
+//! [`changes`] lists the mistakes. Each is a hypothesis: the data without it, with base, targets
+//! and fixtures located again by most of the readings, and with all parameters fitted. All
+//! hypotheses, and the set-up as stated, compete by one measure: what they leave of poses that the
+//! fit leaves out, relative to the size of the robot and with a misfit of their own ([`fit`]).
+
+mod changes;
+mod data;
+mod exchanged;
+mod fit;
+mod moved;
+mod place;
+
+pub use changes::Reading as OrientationReading;
+pub use exchanged::exchanged_poses;
+pub use moved::moved_between;
+
+use crate::model::residuals::Residuals;
+use crate::solution::placing::{PLAIN, UNEXPLAINED, measured_parameters, spread_mm, spread_over, with_few_targets};
+use crate::solution::scatter::observed_noise_mm;
+use crate::warning::{Origin, SetUpError, Subject, Warning};
+use crate::{Observation, Settings, wanted_frames};
+use changes::{Change, Listing, changes};
+use data::Data;
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::Message;
+use etalon_base::pose::{Pose, norm};
+use etalon_base::{error, phrase};
+use etalon_math::statistics::{median, rms};
+use etalon_math::{Options, factor_at};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
+use fit::{Fitted, Hypothesis};
+use place::{elsewhere, locate, planar_distances};
+use rayon::prelude::*;
+
+/// Number of poses on which the nominal robot is compared.
+const SUBSET: usize = 32;
+/// Minimum number of poses: fewer are explained by many changes.
+const FEWEST: usize = 4;
+/// Number of changes that are fitted with all parameters: those that bring the nominal robot
+/// nearest.
+const FITS: usize = 24;
+/// Maximum number of changes that are fitted if more bring the nominal robot as near as it is.
+const MOST_FITS: usize = 40;
+/// Number of nominal values that are fitted with all parameters.
+const FITTED_VALUES: usize = 3;
+/// Ratio of standard deviations by which a change must explain the data better than the set-up as
+/// stated.
+const CLEAR: f64 = 2.0;
+/// Ratio of standard deviations by which a change explains the data worse than the set-up as
+/// stated, so that they exclude it.
+const WORSE: f64 = 1.5;
+/// Minimum decrease of the cost, so that few poses name nothing by chance.
+const FALLS_BY: f64 = 10.0;
+/// Ratio of standard deviations at which a change that is fitted to the data must be better than
+/// the changes that are not.
+const FITTED: f64 = 1.4;
+/// Largest standard deviation that the model of a robot leaves: relative to the spread of the
+/// positions, and of angles (rad).
+const MISFIT: [f64; 2] = [0.02, 0.035];
+/// Deviation of a parameter from nominal, in standard uncertainties of its tolerance, that no robot
+/// has: 2.3 tolerances.
+const OFF: f64 = 4.0;
+/// Differences (mm, rad) of the flange up to which two robots are the same.
+const SAME_MM: f64 = 5.0;
+const SAME_RAD: f64 = 0.02;
+/// Differences (mm, rad) of the flange by rounding.
+const EXACT: f64 = 1e-6;
+/// Largest residual of one coordinate attributed to noise if poses are few, in standard
+/// uncertainties of a coordinate.
+const NOISE_COORDINATE: f64 = 3.0;
+/// Maximum number of named changes.
+const NAMED: usize = 4;
+
+/// Replaces the hint of a message by the change of the set-up that explains it, if there is one.
+pub(crate) fn explained(
+    message: Message,
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+) -> Warning {
+    hinted(message, set_up_error(robot, observations, settings))
+}
+
+/// Replaces the hint of a message by a change of the set-up.
+pub fn hinted(message: Message, found: Option<SetUpError>) -> Warning {
+    let Some(found) = found else { return message.into() };
+    let hint = found.to_check(|_| None);
+    Warning { message: message.hint(hint), subject: Subject::SetUp(found) }
+}
+
+/// Root mean square error (mm) of a nominal robot whose parameters deviate from nominal as their
+/// tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7), allow; base and
+/// targets, at `values`, absorb as much as they can.
+///
+/// `noise_mm` is the stated standard uncertainty of a coordinate; the noise that the observations
+/// show counts if it is larger. What is allowed is never more than a
+/// tenth of the spread of the measurements: with nominal values that are wrong themselves the
+/// Jacobian allows anything.
+pub fn allowed_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64], noise_mm: f64) -> Option<f64> {
+    let effect_mm = tolerance_effect_mm(robot, observations, values)?;
+    let noise_mm = observed_noise_mm(robot, observations, noise_mm);
+    let noise = robot.dimension() as f64 * (NOISE_COORDINATE * noise_mm).powi(2);
+    let most = (UNEXPLAINED * spread_mm(observations)).max(noise.sqrt());
+    Some((effect_mm.powi(2) + noise).sqrt().min(most)).filter(|v| v.is_finite())
+}
+
+/// Root mean square effect (mm) on the positions of parameters that deviate from nominal as their
+/// tolerances allow, as far as base and targets, at `values`, do not absorb it; NaN where the robot
+/// cannot be at the joint values.
+pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
+    let few = with_few_targets(robot, observations);
+    let observations = few.as_ref().map_or(observations, |few| &few.0);
+    let shown = measured_parameters(robot, observations);
+    let (own, places): (Vec<usize>, _) = shown.iter().partition(|&&i| robot.parameters()[i].role == Role::Robot);
+    let free = [places.as_slice(), &own].concat();
+    let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
+    let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+    let (factor, norms) = factor_at(&problem, &x);
+    // what of a column base and targets do not take up lies below their rows
+    let common = factor.common();
+    let first = common.iter().take_while(|&&j| j < places.len()).count();
+    let left = |k: usize| (first..=k).map(|i| factor.r(i, k).powi(2)).sum::<f64>() * norms[common[k]].powi(2);
+    let variance = |k: usize| left(k) * robot.parameters()[free[common[k]]].tolerance.powi(2) / 3.0;
+    let points = observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
+    let sum: f64 = (first..common.len()).map(variance).sum();
+    Some((sum / points.max(1) as f64).sqrt())
+}
+
+/// Returns the judgement of a set-up, and an error if the measurements contradict it: no position
+/// of base and targets brings the nominal robot as near to them as its tolerances allow, and no
+/// robot within the tolerances explains them, or a change explains them clearly better.
+///
+/// A few wrong readings are no wrong set-up: half of all readings must be as far.
+pub fn set_up_problem(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+) -> (Option<Warning>, Judgement) {
+    let judged = judge(robot, observations, settings, &[]);
+    let far = far_mm(robot, observations, settings).and_then(|far_mm| far_problem(far_mm, &judged));
+    let contradicted = || judged.named.clone().map(|found| hinted(error!("set-up-contradicted"), Some(found)));
+    (far.or_else(contradicted), judged)
+}
+
+/// Error if the nominal robot is farther from the measurements than its tolerances allow, and no
+/// robot within them explains the measurements.
+pub fn set_up_far(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Warning> {
+    far_problem(far_mm(robot, observations, settings)?, &judge(robot, observations, settings, &[]))
+}
+
+fn far_problem(far_mm: [f64; 2], judged: &Judgement) -> Option<Warning> {
+    let is_refuted = !judged.is_possible || judged.named.is_some();
+    is_refuted.then(|| hinted(far_message(far_mm), judged.named.clone()))
+}
+
+/// Distance (mm) of the nominal robot from the measurements, and the one that its tolerances allow,
+/// if most of the measurements are farther.
+fn far_mm(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<[f64; 2]> {
+    let subset = Some(spread_over(observations, SUBSET)).filter(|subset| !subset.is_empty())?;
+    let distances = distances(robot, &subset, settings).unwrap_or_else(|| vec![f64::INFINITY]);
+    let (stated_mm, median_mm) = (rms(distances.iter().copied()), median(distances)?);
+    // all observations show the noise; a few of them have no repeats
+    let noise_mm = observed_noise_mm(robot, observations, settings.coordinate_uncertainty_mm());
+    let allowed_mm = allowed_mm(robot, &subset, &robot.nominal(), noise_mm)?;
+    (median_mm > allowed_mm).then_some([stated_mm, allowed_mm])
+}
+
+/// Distances (mm) of the nominal robot from the measured positions, with base and targets located.
+fn distances(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Vec<f64>> {
+    if robot.free_base().is_none() {
+        return planar_distances(robot, observations);
+    }
+    let settings = Settings { conditions: Vec::new(), known: Vec::new(), ..settings.clone() };
+    let (data, values) = locate(robot, Data::new(robot, observations, &settings), false)?;
+    let misses = data.observations.iter().flat_map(|o| o.misses(robot, &values));
+    let distances: Vec<f64> = misses.map(|(_, miss)| norm(miss)).collect();
+    distances.iter().all(|d| d.is_finite()).then_some(distances)
+}
+
+/// Error that the nominal robot misses the measurements by more than its tolerances allow (mm).
+pub(crate) fn far_from_nominal(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    far_mm: [f64; 2],
+) -> Warning {
+    explained(far_message(far_mm), robot, observations, settings)
+}
+
+/// Error that the nominal robot is `left_mm` from the measurements where its tolerances allow
+/// `allowed_mm`.
+pub fn far_message([left_mm, allowed_mm]: [f64; 2]) -> Message {
+    match left_mm.is_finite() {
+        true => error!("nominal-robot-far", left_mm, allowed_mm),
+        false => error!("nominal-robot-not-at-joints"),
+    }
+}
+
+/// The change of the set-up that explains the measurements, if they cannot be explained without a
+/// change.
+pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<SetUpError> {
+    judge(robot, observations, settings, &[]).named
+}
+
+/// Judgement of a set-up.
+#[derive(Clone, Debug, Default)]
+pub struct Judgement {
+    /// The change that explains the data clearly better than the set-up as stated, and those that
+    /// explain them as well.
+    pub named: Option<SetUpError>,
+    /// Mistakes that these data do not show: with each of these changes a robot within its
+    /// tolerances explains them, or nearly so.
+    pub untested: Vec<Untested>,
+    /// `true` if a robot within its tolerances can leave what the set-up as stated leaves.
+    pub is_possible: bool,
+}
+
+/// A mistake that the data do not show.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Untested {
+    /// The change.
+    pub change: Phrase,
+    /// Standard deviation (mm) of the residuals of a length as stated, and with the change.
+    pub residuals_mm: [f64; 2],
+    /// Largest difference of the flange between both at poses around the measured ones: its
+    /// position (mm) and its orientation (rad), beyond what is common to all poses.
+    pub differs: (f64, f64),
+}
+
+/// Judges the set-up of observations of any kind; `readings` are other ways of reading their
+/// orientations.
+pub fn judge(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    readings: &[OrientationReading],
+) -> Judgement {
+    let data = Data::new(robot, observations, settings);
+    if data.poses().len() < FEWEST || !data.has_places() {
+        return Judgement::default();
+    }
+    let subset = data.subset(robot);
+    let stated = Case::located(robot, subset.clone(), false);
+    let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
+    let mut cases = hypotheses(robot, &data, &subset, readings);
+    cases.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
+    // what brings the nominal robot as near as the set-up as stated may be what the data do not
+    // show
+    let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
+    let alike = cases.iter().take_while(|slip| slip.case.near < as_near).count();
+    cases.truncate(alike.clamp(FITS, MOST_FITS));
+    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot)).map(|fitted| (slip, fitted));
+    let mut tried: Vec<(Slip, Fitted)> = cases.into_par_iter().filter_map(fitted).collect();
+    if let Some(stated) = &stated {
+        tried.extend(wrong_nominal(robot, stated));
+    }
+    let data = stated.as_ref().map(|case| &case.data);
+    Verdict { as_stated: as_stated.as_ref(), data }.judgement(robot, tried)
+}
+
+/// Comparison with the set-up as stated.
+struct Verdict<'a> {
+    as_stated: Option<&'a Fitted>,
+    /// The data as stated.
+    data: Option<&'a Data>,
+}
+
+impl Verdict<'_> {
+    fn judgement(&self, robot: &dyn Robot, mut tried: Vec<(Slip, Fitted)>) -> Judgement {
+        if let Some(data) = self.data {
+            tried.retain(|(slip, fitted)| !is_absorbed(robot, slip, &fitted.values, data));
+        }
+        let mut listed: Vec<&(Slip, Fitted)> = tried.iter().collect();
+        listed.sort_by_key(|(slip, _)| slip.listing);
+        let untested = listed.into_iter().filter_map(|(slip, fitted)| self.untested(robot, slip, fitted)).collect();
+        let mut explaining: Vec<(Slip, Fitted)> =
+            tried.into_iter().filter(|(_, fitted)| self.is_named(fitted)).collect();
+        // a value found from the data must explain clearly more than a change that has none
+        let changes = explaining.iter().filter(|(slip, _)| slip.is_change());
+        let best = changes.map(|e| e.1.per_row()).fold(f64::INFINITY, f64::min);
+        explaining.retain(|(slip, fitted)| slip.is_change() || fitted.per_row() < best - FITTED.ln());
+        explaining.sort_by(|a, b| a.1.per_row().total_cmp(&b.1.per_row()));
+        let least = explaining.first().map(|(_, fitted)| fitted.clone());
+        let named = least.map(|least| {
+            let near = explaining.iter().filter(|e| least.gain_over(&e.1) < WORSE.ln());
+            SetUpError {
+                changes: near.take(NAMED).map(|(slip, fitted)| (slip.phrase(robot, fitted), slip.origin)).collect(),
+                stated_mm: self.as_stated.map_or(f64::INFINITY, Fitted::length_mm),
+                changed_mm: least.length_mm(),
+                angles_rad: [self.as_stated.map_or(0.0, Fitted::angle_rad), least.angle_rad()],
+            }
+        });
+        Judgement { named, untested, is_possible: self.as_stated.is_some_and(is_possible) }
+    }
+
+    /// The change, if the set-up as stated is possible and not clearly better, and the flange is
+    /// elsewhere with the change.
+    fn untested(&self, robot: &dyn Robot, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
+        let stated = self.as_stated.filter(|stated| is_possible(stated))?;
+        let alike = is_possible(fitted) && stated.gain_over(fitted) < WORSE.ln();
+        if !alike || slip.listing == Listing::Never || self.is_named(fitted) {
+            return None;
+        }
+        let differs = flange_difference(robot, slip, [&stated.values, &fitted.values], self.data?)?;
+        (differs.1 > SAME_RAD || differs.0 > SAME_MM).then(|| Untested {
+            change: slip.what.clone(),
+            residuals_mm: [stated.length_mm(), fitted.length_mm()],
+            differs,
+        })
+    }
+
+    /// `true` if a hypothesis explains the data and the set-up as stated does not: its residuals
+    /// are those of a robot, and clearly smaller, or the stated set-up needs parameters that no
+    /// robot has.
+    fn is_named(&self, fitted: &Fitted) -> bool {
+        let Some(stated) = self.as_stated else { return is_possible(fitted) };
+        let gain = fitted.gain_over(stated);
+        let falls = gain * fitted.rows > FALLS_BY;
+        is_possible(fitted) && falls && (gain > CLEAR.ln() || stated.off > OFF)
+    }
+}
+
+/// Largest difference (mm, rad) of the flange at poses elsewhere, as stated and as changed, with
+/// the parameters of each, beyond a motion common to all poses; `None` for robots without a flange.
+fn flange_difference(
+    robot: &dyn Robot,
+    slip: &Slip,
+    [stated, changed]: [&[f64]; 2],
+    data: &Data,
+) -> Option<(f64, f64)> {
+    let pairs = flanges(robot, slip, [stated, changed], data)?;
+    differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed)))
+}
+
+/// Flange at poses elsewhere, as stated and as changed, with the parameters of each; `None` for
+/// robots without a flange.
+fn flanges(robot: &dyn Robot, slip: &Slip, [stated, changed]: [&[f64]; 2], data: &Data) -> Option<Vec<[Pose; 2]>> {
+    let (arm, other) = (robot.free_base()?, slip.robot(robot).free_base()?);
+    let target = data.readings(robot).first().map_or(0, |reading| reading.0);
+    let pair = |(q, changed_q): (&Vec<f64>, &Vec<f64>)| {
+        [arm.flange(stated, q, target), other.flange(changed, changed_q, target)]
+    };
+    Some(data.elsewhere(robot).joints().iter().zip(&slip.elsewhere).map(pair).collect())
+}
+
+/// Largest difference (mm, rad) of motions from the first one; `None` without a motion.
+fn differences(motions: impl Iterator<Item = Pose>) -> Option<(f64, f64)> {
+    let all: Vec<Pose> = motions.collect();
+    let first = all.first()?.inverse();
+    let larger = |(mm, rad): (f64, f64), pose: Pose| {
+        (norm(pose.translation_mm).max(mm), norm(pose.rotation_vector_rad()).max(rad))
+    };
+    Some(all.iter().map(|pose| first.then(pose)).fold((0.0, 0.0), larger))
+}
+
+/// `true` if free base or targets take up a change of the joints whatever the robot does, such as
+/// an offset of the first or the last joint: it is no mistake that anything could show.
+fn is_absorbed(robot: &dyn Robot, slip: &Slip, values: &[f64], data: &Data) -> bool {
+    let joints = data.elsewhere(robot).joints();
+    let (Some(arm), Some(pairs)) = (robot.free_base(), flanges(robot, slip, [values, values], data)) else {
+        return false;
+    };
+    let Ok(free) = wanted_frames(robot, &data.observations, &data.settings) else { return false };
+    if pairs.is_empty() || slip.elsewhere == joints {
+        return false;
+    }
+    let is_same = |differs: Option<(f64, f64)>| differs.is_some_and(|(mm, rad)| mm < EXACT && rad < EXACT);
+    let by_targets = || is_same(differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed))));
+    let by_base = || is_same(differences(pairs.iter().map(|[stated, changed]| changed.then(&stated.inverse()))));
+    let places = data.readings(robot).into_iter().flat_map(|(k, _)| arm.target_place(k)..arm.target_place(k) + 3);
+    let targets_free = places.into_iter().all(|i| free.contains(&i));
+    targets_free && by_targets() || (0..6).all(|i| free.contains(&i)) && by_base()
+}
+
+/// `true` if a robot can leave such residuals.
+fn is_possible(fitted: &Fitted) -> bool {
+    fitted.share < MISFIT[0] && fitted.angle_rad() < MISFIT[1] && fitted.off <= OFF
+}
+
+/// Data with base, targets and fixtures located.
+struct Case {
+    data: Data,
+    /// All parameters.
+    values: Vec<f64>,
+    /// Cost of the nominal robot for each residual.
+    near: f64,
+    /// Parameter without a nominal value.
+    loose: Option<usize>,
+}
+
+impl Case {
+    /// Locates base, targets and fixtures; `None` if the nominal robot has no pose at the joint
+    /// values.
+    fn located(robot: &dyn Robot, data: Data, anywhere: bool) -> Option<Self> {
+        let (data, values) = locate(robot, data, anywhere)?;
+        let left = fit::left(robot, &data, &values);
+        let counts = left.counts();
+        let near = fit::cost(&left, left.scales(), &data) / (counts[0] + counts[1]);
+        near.is_finite().then_some(Self { data, values, near, loose: None })
+    }
+
+    fn fit(&self, robot: &dyn Robot) -> Option<Fitted> {
+        Hypothesis { robot, data: &self.data, placed: &self.values, loose: self.loose }.fit()
+    }
+}
+
+/// A change of the set-up, with its data.
+struct Slip {
+    what: Phrase,
+    origin: Origin,
+    /// The robot in another convention.
+    other: Option<Box<dyn Robot>>,
+    listing: Listing,
+    /// Joint values of other poses with the change.
+    elsewhere: Vec<Vec<f64>>,
+    case: Case,
+}
+
+impl Slip {
+    fn robot<'a>(&'a self, robot: &'a dyn Robot) -> &'a dyn Robot {
+        self.other.as_deref().unwrap_or(robot)
+    }
+
+    /// `true` if no value of the change is fitted to the data.
+    fn is_change(&self) -> bool {
+        self.case.loose.is_none() && self.origin != Origin::WorldFrame
+    }
+
+    /// The change with the fitted value.
+    fn phrase(&self, robot: &dyn Robot, fitted: &Fitted) -> Phrase {
+        let Some(i) = self.case.loose else { return self.what.clone() };
+        let p = &robot.parameters()[i];
+        let (found, nominal) = (p.quantity.outward(fitted.values[i]), p.quantity.outward(p.nominal));
+        phrase!("slip-nominal", parameter = p.name, found, unit = p.quantity.unit(), nominal)
+    }
+}
+
+/// Every change of the set-up with base, targets and fixtures located.
+fn hypotheses(robot: &dyn Robot, data: &Data, subset: &Data, readings: &[OrientationReading]) -> Vec<Slip> {
+    let probes = subset.elsewhere(robot);
+    let as_stated = || probes.joints();
+    let new = |what, origin, listing, elsewhere, case| Slip { what, origin, other: None, listing, elsewhere, case };
+    let placed = |(change, probe): (Change, Change)| {
+        let case = Case::located(robot, change.data, change.anywhere)?;
+        Some(new(change.what, change.origin, change.listing, probe.data.joints(), case))
+    };
+    let table: Vec<(Change, Change)> =
+        changes(robot, subset, readings).into_iter().zip(changes(robot, &probes, readings)).collect();
+    let mut all: Vec<Slip> = table.into_par_iter().filter_map(placed).collect();
+    for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
+        let case = Case::located(robot, data.shifted(shift).subset(robot), false);
+        let what = phrase!("slip-neighbour", neighbour);
+        all.extend(case.map(|case| new(what, Origin::Named, Listing::Never, Vec::new(), case)));
+    }
+    for (convention, mut other) in robot.other_conventions() {
+        if !add_fixtures(robot, other.as_mut()) {
+            continue;
+        }
+        let case = Case::located(other.as_ref(), subset.clone(), false);
+        let what = phrase!("slip-convention", convention);
+        let slip = case.map(|case| new(what, Origin::Named, Listing::First, as_stated(), case));
+        all.extend(slip.map(|slip| Slip { other: Some(other), ..slip }));
+    }
+    if robot.free_base().is_none()
+        && let Some((angle, [x_mm, y_mm])) = elsewhere(robot, &subset.observations)
+    {
+        let what = phrase!("slip-world-frame", angle_deg = angle.to_degrees(), x_mm, y_mm);
+        all.extend(
+            Case::located(robot, subset.clone(), true)
+                .map(|case| new(what, Origin::WorldFrame, Listing::Never, Vec::new(), case)),
+        );
+    }
+    all
+}
+
+/// Adds the parameters of fixtures to the robot in another convention; `false` if its own
+/// parameters are not those of the robot.
+fn add_fixtures(robot: &dyn Robot, other: &mut dyn Robot) -> bool {
+    let (all, count) = (robot.parameters(), other.parameters().len());
+    let alike = other.parameters().iter().zip(all).all(|(a, b)| a.role == b.role);
+    let is_fixture = |p: &Parameter| p.role == Role::Fixture || p.role == Role::Target;
+    let possible = alike && count <= all.len() && all[count.min(all.len())..].iter().all(is_fixture);
+    if possible {
+        other.definition_mut().parameters.extend(all[count..].iter().cloned());
+    }
+    possible
+}
+
+/// Mistakes in one nominal value: each length and angle of the robot that the measurements put
+/// beyond its tolerance if it is free, with its fit.
+fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitted)> {
+    let (parameters, placed, data) = (robot.parameters(), &stated.values, &stated.data);
+    if data.observations.is_empty() {
+        return Vec::new();
+    }
+    let places =
+        || (0..placed.len()).filter(|&i| parameters[i].role == Role::Base || parameters[i].tolerance.is_infinite());
+    let with = |i: usize| {
+        let mut free: Vec<usize> = places().chain([i]).collect();
+        free.sort_unstable();
+        let problem = Residuals::new(robot, &data.observations, &PLAIN, &free, placed).ok()?;
+        let x: Vec<f64> = free.iter().map(|&i| placed[i]).collect();
+        let solution = etalon_math::solve(&problem, &x, Options { iterations: 30, step: 1e-6, ..Options::default() });
+        Some((solution.cost, i, problem.all(&solution.x)))
+    };
+    let is_nominal = |&i: &usize| {
+        let p = &parameters[i];
+        p.role == Role::Robot && p.quantity != Quantity::Ratio && p.tolerance.is_finite()
+    };
+    let nominal: Vec<usize> = (0..placed.len()).filter(is_nominal).collect();
+    let mut all: Vec<(f64, usize, Vec<f64>)> = nominal.into_par_iter().filter_map(with).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.truncate(FITTED_VALUES);
+    let judged = |(_, i, values): (f64, usize, Vec<f64>)| {
+        let case = Case { data: data.clone(), values, near: stated.near, loose: Some(i) };
+        let fitted = case.fit(robot)?;
+        let p = &parameters[i];
+        let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
+        let slip = Slip {
+            what: Phrase::new("slip-nominal"),
+            origin: Origin::Named,
+            other: None,
+            listing: Listing::Never,
+            elsewhere: Vec::new(),
+            case,
+        };
+        beyond.then_some((slip, fitted))
+    };
+    all.into_iter().filter_map(judged).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_base::noise::Noise;
+    use etalon_robots::Prexyt;
+
+    fn stated(standard_uncertainty_mm: f64) -> Settings {
+        let stated = Some(standard_uncertainty_mm).filter(|u_mm| *u_mm > 0.0);
+        Settings { standard_uncertainty_mm: stated, ..Settings::default() }
+    }
+
+    /// Forty poses, measured with 3 µm, shifted from pose 22 on.
+    fn measured(robot: &Prexyt, shift_mm: f64) -> Vec<Observation> {
+        let (nominal, mut noise) = (robot.nominal(), Noise::new(16, 4));
+        let pose = |i: i64| {
+            let joints = vec![85.0 + noise.uniform(80.0), 150.0 + noise.uniform(100.0), 150.0 + noise.uniform(100.0)];
+            let by = if i < 22 { 0.0 } else { shift_mm };
+            let mut seen = |[x, y]: [f64; 2]| Some([x + by + noise.gaussian(0.003), y + noise.gaussian(0.003), 0.0]);
+            let targets = robot.balls(&nominal, &joints).map(&mut seen).to_vec();
+            Observation { pose: i.into(), cycle: 1, joints, targets, ..Observation::default() }
+        };
+        (1..=40).map(pose).collect()
+    }
+
+    /// One of two exports in inches is named, with its target alone; sound data and data that no
+    /// unit explains are not accused.
+    #[test]
+    fn the_unit_of_one_target_is_named_alone() {
+        let robot = Prexyt::default();
+        for (target, factor, slip) in [(0, 1.0 / 25.4, "inch-mm"), (1, 25.4, "mm-inch"), (1, 1e-3, "m-mm")] {
+            let mut observations = measured(&robot, 0.0);
+            for p in observations.iter_mut().filter_map(|o| o.targets[target].as_mut()) {
+                *p = p.map(|v| v * factor);
+            }
+            let found = set_up_error(&robot, &observations, &stated(0.003)).expect("a slip");
+            let targets = vec![format!("`{}`", robot.targets()[target])];
+            assert_eq!(found.changes[0].0, phrase!("slip-unit-of-targets", targets, slip), "{found:?}");
+            assert_eq!(found.changes.len(), 1, "{found:?}");
+        }
+        let (mut observations, mut noise) = (measured(&robot, 0.0), Noise::new(16, 7));
+        for p in observations.iter_mut().filter_map(|o| o.targets[1].as_mut()) {
+            *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
+        }
+        assert_eq!(set_up_error(&robot, &observations, &stated(0.003)), None);
+    }
+
+    /// Forty poses with points in inches, from a frame that lies elsewhere.
+    #[test]
+    fn a_unit_is_named_and_sound_data_have_no_slip() {
+        let robot = Prexyt::default();
+        let mut observations = measured(&robot, 0.0);
+        assert_eq!(set_up_error(&robot, &observations, &stated(0.003)), None);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [25.4 * p[0] + 900.0, 25.4 * p[1] - 700.0, 0.0];
+        }
+        let found = set_up_error(&robot, &observations, &stated(0.003)).expect("a slip");
+        assert_eq!(found.changes[0].0, phrase!("slip-unit", quantity = "points", slip = "mm-inch"));
+        assert!(found.changed_mm < 0.01 && found.stated_mm > 1.0, "{found:?}");
+        // joints of another robot, and points that nothing explains
+        let mut noise = Noise::new(16, 6);
+        for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+            *p = [noise.uniform(200.0), noise.uniform(200.0), 0.0];
+        }
+        assert_eq!(set_up_error(&robot, &observations, &stated(0.003)), None);
+    }
+
+    /// Thirty repeats of one pose, or poses within a few micrometres, are noise about any robot: no
+    /// unit, sign or order explains them, and the nominal robot is not far from them. The same
+    /// robot in the wrong unit over its full range is named, with repeats that show the noise.
+    #[test]
+    fn noise_is_no_misfit_and_no_unit_explains_it() {
+        let robot = Prexyt::default();
+        let nominal = robot.nominal();
+        for range in [0.0, 0.005, 80.0] {
+            let mut noise = Noise::new(16, 9);
+            let mut joints = |i: i64| (i, [85.0, 150.0, 150.0].map(|q| q + noise.uniform(range)).to_vec());
+            let poses: Vec<(i64, Vec<f64>)> = (1..=30).map(&mut joints).collect();
+            let observe = |(i, joints): &(i64, Vec<f64>), cycle: i64, noise: &mut Noise| {
+                let mut seen = |[x, y]: [f64; 2]| Some([x + noise.gaussian(0.015), y + noise.gaussian(0.015), 0.0]);
+                let targets = robot.balls(&nominal, joints).map(&mut seen).to_vec();
+                Observation { pose: (*i).into(), cycle, joints: joints.clone(), targets, ..Observation::default() }
+            };
+            let mut observations: Vec<Observation> = (1..=2)
+                .flat_map(|cycle| poses.iter().map(|p| observe(p, cycle, &mut noise)).collect::<Vec<_>>())
+                .collect();
+            assert_eq!(set_up_problem(&robot, &observations, &stated(0.0)).0, None, "{range}");
+            assert_eq!(set_up_error(&robot, &observations, &stated(0.0)), None, "{range}");
+            for p in observations.iter_mut().flat_map(|o| o.targets.iter_mut().flatten()) {
+                *p = p.map(|v| v * 1e-3);
+            }
+            if range > 1.0 {
+                let found = set_up_error(&robot, &observations, &stated(0.0)).expect("a slip");
+                assert_eq!(found.changes[0].0, phrase!("slip-unit", quantity = "points", slip = "m-mm"));
+                assert!(set_up_problem(&robot, &observations, &stated(0.0)).0.is_some());
+            }
+        }
+    }
+
+    #[test]
+    fn a_move_is_found_where_it_happens_and_nowhere_else() {
+        let robot = Prexyt::default();
+        let moved = |observations: &[Observation]| {
+            let settings = Settings { prior: crate::Prior::TOLERANCES, ..stated(0.003) };
+            let found = crate::identify(&robot, observations, &settings).expect("identified");
+            moved_between(&robot, observations, &settings, &found, &found.values)
+        };
+        let found = moved(&measured(&robot, 0.05)).expect("moved");
+        assert!(found.is("reference-moved", &[("pose", &"22"), ("previous", &"21")]), "{found:?}");
+        assert!(found.what.contains("by 0.05") && found.what.contains("(0.05"), "{}", found.what);
+        assert_eq!(moved(&measured(&robot, 0.0)), None);
+        // a single wrong reading, at an end or between others, is not a move
+        for wrong in [0, 20, 39] {
+            let mut observations = measured(&robot, 0.0);
+            observations[wrong].targets[0].as_mut().unwrap()[0] += 0.5;
+            assert_eq!(moved(&observations), None, "{wrong}");
+        }
+    }
+}
