@@ -56,7 +56,7 @@ fn ten_turns_too_many_are_named() {
     scratch.replace("robot.toml", "theta_deg = 0, d_mm = 290", stated);
     ends(&scratch, "check", 0, &[]);
     scratch.replace("robot.toml", "[-3600, 3600]", "[-170, 170]");
-    let parts = ["`q1` = 3516.2235 deg", "from -170.1 to 170.1 deg", "correct its limits"];
+    let parts = ["`q1` = 3516.2235 deg", "from -170 to 170 deg", "correct its limits"];
     refused_everywhere(&scratch, "campaign/robot.toml", "campaign/observations.csv", &[], &parts);
 }
 

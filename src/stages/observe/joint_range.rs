@@ -10,11 +10,9 @@ use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Allowance (mm) of a prismatic joint beyond its stated limits: rounding of the limits, and
-/// overshoot of the drive.
-const OVERSHOOT_MM: f64 = 0.1;
-/// Allowance (rad) of a revolute joint beyond its stated limits.
-const OVERSHOOT_RAD: f64 = 0.1 * TAU / 360.0;
+/// Allowance of a joint beyond its stated limits, as a share of their distance: the limits are those
+/// of a drawing, the zero of the joint is off by what homing leaves, and a drive overshoots.
+const OVERSHOOT: f64 = 0.01;
 /// Largest angle (rad) of a joint without stated limits: joints of arms turn by up to 1.3 turns to
 /// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
@@ -43,6 +41,8 @@ pub struct JointRow {
 /// Possible values of a joint (mm or rad), and their reason: `limits`, `turns` or `others`.
 struct Expected {
     ends: [f64; 2],
+    /// Allowance beyond the ends.
+    allowance: f64,
     reason: &'static str,
 }
 
@@ -88,7 +88,7 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
     for (k, joint) in robot.joints().iter().enumerate() {
         let column: Vec<f64> = rows.iter().map(|row| row.joints.get(k).copied().unwrap_or(f64::NAN)).collect();
         let Some(expected) = expected(robot, k, &column, of) else { continue };
-        let [lower, upper] = expected.ends;
+        let [lower, upper] = expected.allowed();
         let out = rows.iter().zip(&column).filter(|(_, value)| **value < lower || **value > upper);
         let out: Vec<Message> = out.map(|(row, value)| out_of_range(joint, *value, &expected, row)).collect();
         match out.first() {
@@ -108,6 +108,12 @@ pub fn check(robot: &dyn Robot, rows: &[JointRow], of: Joints) -> Result<()> {
     problems.check().map(drop)
 }
 
+impl Expected {
+    fn allowed(&self) -> [f64; 2] {
+        [self.ends[0] - self.allowance, self.ends[1] + self.allowance]
+    }
+}
+
 /// The possible values of joint `k`; `None` if all are possible.
 fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<Expected> {
     let is_angle = robot.joints()[k].quantity == Quantity::Angle;
@@ -116,14 +122,13 @@ fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<E
     match robot.joint_range(k) {
         JointRange::Limits(_) if of == Joints::Proposed => None,
         JointRange::Limits([lower, upper]) => {
-            let overshoot = if is_angle { OVERSHOOT_RAD } else { OVERSHOOT_MM };
-            let mut ends = [lower - overshoot, upper + overshoot].map(|end| end / gain);
+            let mut ends = [lower, upper].map(|end| end / gain);
             ends.sort_by(f64::total_cmp);
-            Some(Expected { ends, reason: "limits" })
+            Some(Expected { ends, allowance: OVERSHOOT * (ends[1] - ends[0]), reason: "limits" })
         }
         JointRange::Unstated if is_angle => {
             let largest = LARGEST_ANGLE / gain.abs();
-            Some(Expected { ends: [-largest, largest], reason: "turns" })
+            Some(Expected { ends: [-largest, largest], allowance: 0.0, reason: "turns" })
         }
         JointRange::Unstated => around(column, LARGEST_LENGTH / gain.abs(), WIDTHS_OF_LENGTHS),
         JointRange::Endless => around(column, LARGEST_ANGLE / gain.abs(), WIDTHS_OF_ANGLES),
@@ -138,7 +143,7 @@ fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
         (*sorted.get(sorted.len() / 4)?, *sorted.get(sorted.len().saturating_sub(1 + sorted.len() / 4))?);
     let far = least.max(widths * (upper - lower));
     let ends = [lower - far, upper + far];
-    (sorted.len() >= FEWEST).then_some(Expected { ends, reason: "others" })
+    (sorted.len() >= FEWEST).then_some(Expected { ends, allowance: 0.0, reason: "others" })
 }
 
 /// One message for a joint if most of its values are out of range; `first` is the message of the
@@ -148,7 +153,7 @@ fn column_out_of_range(joint: &Joint, column: &[f64], expected: &Expected, out: 
         Quantity::Angle => (1f64.to_radians(), "degrees"),
         _ => (1e-3, "millimetres"),
     };
-    let [lower, upper] = expected.ends;
+    let [lower, upper] = expected.allowed();
     let fits = column.iter().filter(|value| value.is_finite()).all(|value| (lower..=upper).contains(&(factor * value)));
     let message = first.clone().within(phrase!("values-of-column", count = out, total = column.len()));
     if fits { message.hint(phrase!("check-column-unit", units)) } else { message }
@@ -240,18 +245,19 @@ mod tests {
             assert_eq!(in_range(&geared, rows(last)), sound, "{last:?}");
         }
         let limited = geared.replace("alpha_deg = -90 }", "alpha_deg = -90, limits_deg = [-170, 10] }");
-        for (deg, sound) in [(16_900.0, true), (17_100.0, false), (-900.0, true), (-1_100.0, false)] {
+        for (deg, sound) in [(17_100.0, true), (17_200.0, false), (-1_100.0, true), (-1_200.0, false)] {
             assert_eq!(in_range(&limited, [[0.0, deg]]), sound, "{deg}");
         }
     }
 
     #[test]
-    fn stated_limits_count_with_their_rounding_and_a_joint_without_end_makes_turns() {
+    fn stated_limits_count_with_an_allowance_and_a_joint_without_end_makes_turns() {
         let urdf = "model = \"urdf\"\nfile = \"r.urdf\"\nbase_link = \"a\"\ntool_link = \"c\"\n";
         for (last, sound) in [
-            ([800.05, 0.0], true),
+            // the torso of a public humanoid: 0.18 mm beyond
+            ([800.18, 0.0], true),
             ([-0.05, 700.0], true),
-            ([800.2, 0.0], false),
+            ([809.0, 0.0], false),
             ([0.0, 3600.0], false),
             ([0.0, 5e7], false),
         ] {

@@ -826,7 +826,7 @@ check-column-unit = die Einheit seiner Spalte prüfen: alle Werte liegen im Bere
 
 joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
     .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
-            [limits] die Grenzen der Roboterdatei mit einer Reserve von 0,1
+            [limits] die Grenzen der Roboterdatei, über die 1 % ihres Abstands hinausgehen darf
             [turns] zwei Umdrehungen, da die Roboterdatei keine Grenzen angibt
            *[others] nach dem Bereich, in dem die Hälfte seiner Werte liegt
         }

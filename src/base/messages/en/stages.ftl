@@ -1674,7 +1674,7 @@ check-column-unit = check the unit of its column: all values are in range in { $
 # Example: `179500` for 179.500 deg
 joint-out-of-range = joint `{ $joint }` = { $value } { $unit } is out of range
     .expected = from { $lower } to { $upper } { $unit }: { $reason ->
-            [limits] the limits of the robot file, extended by 0.1
+            [limits] the limits of the robot file, beyond which 1 % of their distance is allowed
             [turns] two turns, because the robot file states no limits
            *[others] range of the other values
         }

@@ -826,7 +826,7 @@ check-column-unit = vérifier l’unité de sa colonne : toutes les valeurs ser
 
 joint-out-of-range = articulation `{ $joint }` = { $value } { $unit } : hors plage
     .expected = de { $lower } à { $upper } { $unit } : { $reason ->
-            [limits] les limites du fichier de robot, avec une marge de 0,1
+            [limits] les limites du fichier du robot, au-delà desquelles 1 % de leur distance est admis
             [turns] deux tours, car le fichier de robot n’indique pas de limites
            *[others] d’après la plage qui regroupe la moitié de ses valeurs
         }
