@@ -39,6 +39,9 @@ const SEED: u64 = 4;
 /// Significance level of a parameter's change, corrected for the number of parameters, and of an
 /// effect.
 pub(crate) const SIGNIFICANCE: f64 = 0.05;
+/// Minimum gain of an effect that is advised, in standard uncertainties: of ten effects without a
+/// gain, one exceeds a single standard uncertainty by chance.
+const ADVISED: f64 = 2.0;
 /// Maximum number of poses on which effects that are not identified are tried.
 const TRIED_POSES: usize = 200;
 
@@ -394,7 +397,7 @@ fn joint_names(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String>
 
 /// Effects that `settings` do not identify and that are significant, each in addition to the
 /// identified ones. Fits start at `found`; errors are those of at most 200 poses.
-pub(crate) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
+pub fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
     let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
     let stated = |i: usize| {
         let name = &robot.parameters()[i].name;
@@ -423,9 +426,11 @@ pub(crate) fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found:
     };
     let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
     let proof = |effect: Effect| {
-        let with = trial.cross_validate(&held(Some(effect)))?;
+        let (plain, more) = (held(None), held(Some(effect)));
+        let with = trial.cross_validate(&more)?;
         let joints = joint_names(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
-        would_prove(&without, &with, effect, joints)
+        let identified = || Some([trial.identify(&plain)?, trial.identify(&more)?]);
+        would_prove([&without, &with], identified, effect, joints)
     };
     candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
 }
@@ -460,18 +465,20 @@ pub(crate) fn undescribed_bending(
     let turning = (1..=robot.joints().len()).filter(|&j| robot.joints()[j - 1].quantity == Quantity::Angle);
     let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
     let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
-    let (few, settings, folds) = sampled(sets, settings)?;
-    let without = Trial { robot, sets: &few, start: &found.values, folds: &folds }.cross_validate(&settings)?;
+    let (few, plain, folds) = sampled(sets, settings)?;
+    let alone = Trial { robot, sets: &few, start: &found.values, folds: &folds };
+    let without = alone.cross_validate(&plain)?;
     let value = |name: &str| Some(found.values[robot.index(name)?]);
     let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
-    let mut settings = settings;
-    if let Effects::These(chosen) = &mut settings.effects {
+    let mut more = plain.clone();
+    if let Effects::These(chosen) = &mut more.effects {
         chosen.push(Effect::Bending);
     }
-    let trial = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
-    let with = trial.cross_validate(&settings)?;
+    let bent = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
+    let with = bent.cross_validate(&more)?;
     let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
-    let proof = would_prove(&without, &with, Effect::Bending, names)?;
+    let identified = || Some([alone.identify(&plain)?, bent.identify(&more)?]);
+    let proof = would_prove([&without, &with], identified, Effect::Bending, names)?;
     let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
     Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
 }
@@ -493,23 +500,29 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
     Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
 }
 
-/// Returns the gain of an effect that is not identified, if the effect is significant: fits and
-/// errors without it and with it.
+/// Returns the gain of an effect that is not identified, if the effect is significant: by fits near
+/// the solution without it and with it, and then by identifications at left-out poses, as a run
+/// with the effect identifies.
 fn would_prove(
-    without: &CrossValidated,
-    with: &CrossValidated,
+    [without, with]: [&CrossValidated; 2],
+    identified: impl Fn() -> Option<[Squares; 2]>,
     effect: Effect,
     joints: Vec<String>,
 ) -> Option<EffectProof> {
-    let [gain, u] = gain(&without.left_out, &with.left_out);
+    let [near, u_near] = gain(&without.left_out, &with.left_out);
     let [_, p] = f_test(without.fit, with.fit);
-    (gain > u && p < SIGNIFICANCE).then(|| EffectProof {
+    if !(near > u_near && p < SIGNIFICANCE) {
+        return None;
+    }
+    let [without, with] = identified()?;
+    let [gain, u] = gain(&without, &with);
+    (gain > ADVISED * u).then(|| EffectProof {
         effect: effect.into(),
         joints,
         is_identified: false,
         robot_key: None,
-        without_mm: rms(&without.left_out),
-        with_mm: rms(&with.left_out),
+        without_mm: rms(&without),
+        with_mm: rms(&with),
         gain_over_u: Some(gain / u).filter(|v| v.is_finite()),
         p_value: Some(p),
     })
@@ -539,9 +552,23 @@ impl Trial<'_> {
             let values = fit.again(self.robot, &sets.calibration, &settings)?;
             Some(squares_at(self.robot, &sets.validation, &sets.validation_conditions, &values))
         };
-        let left_out = self.folds.par_iter().map(of_fold).collect::<Option<Vec<_>>>()?;
+        let left_out = self.left_out(of_fold)?;
         let quality =
             ModelFit { squares: fit.squares, degrees_of_freedom: fit.degrees_of_freedom, parameters: fit.determined };
-        Some(CrossValidated { fit: quality, left_out: mean_squares(left_out) })
+        Some(CrossValidated { fit: quality, left_out })
+    }
+
+    /// Errors at the poses of each fold by an identification from all other poses.
+    fn identify(&self, settings: &Settings) -> Option<Squares> {
+        self.left_out(|fold| {
+            let (sets, settings) = split(self.robot, self.sets, settings, fold);
+            let before = etalon_identify::fit_frames(self.robot, &sets.calibration, &settings).ok()?;
+            let found = etalon_identify::identify_from(self.robot, &sets.calibration, &settings, &before).ok()?;
+            Some(squares_at(self.robot, &sets.validation, &sets.validation_conditions, &found.values))
+        })
+    }
+
+    fn left_out(&self, of_fold: impl Fn(&BTreeSet<PoseName>) -> Option<Squares> + Sync + Send) -> Option<Squares> {
+        Some(mean_squares(self.folds.par_iter().map(of_fold).collect::<Option<Vec<_>>>()?))
     }
 }

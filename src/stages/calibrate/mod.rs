@@ -1,7 +1,7 @@
 //! From observations to identified parameters.
 
 pub mod controller_files;
-pub(crate) mod cross_validation;
+pub mod cross_validation;
 pub mod evaluation;
 pub mod findings;
 pub mod identification;

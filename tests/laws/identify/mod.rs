@@ -1,5 +1,6 @@
 //! Laws of identification, its uncertainty and diagnosis, planning.
 
+pub(super) mod advice;
 pub(super) mod arms;
 pub(super) mod axes;
 pub(super) mod bounds;

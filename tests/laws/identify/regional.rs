@@ -170,7 +170,7 @@ impl Twin {
     }
 
     /// Root mean square (mm) of the residual of a coordinate.
-    fn rms_mm(&self, campaign: &Campaign, values: &[f64]) -> f64 {
+    pub(super) fn rms_mm(&self, campaign: &Campaign, values: &[f64]) -> f64 {
         let off = |(o, target): (&Observation, usize)| {
             minus(o.targets[target].expect("measured"), self.robot.position(values, &o.joints, target))
                 .map(|v| v * v / 3.0)
