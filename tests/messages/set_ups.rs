@@ -1,37 +1,19 @@
 //! Messages about the set-up of a synthetic arm.
 
+use crate::support::arms::{SIX_AXES, serial};
 use etalon::base::message::Message;
 use etalon::base::noise::Noise;
 use etalon::identify::{Effects, Observation, Prior, Settings, set_up_problem};
-use etalon::robots::{Quantity, Robot, Role, Serial, SerialJoint};
+use etalon::robots::{Quantity, Robot, Role, Serial};
 use etalon::stages::calibrate::evaluation::Judgement;
 use etalon::stages::calibrate::solution::{Basis, Solution};
 use etalon::stages::evaluate::sets::Sets;
 
 const NOISE_MM: f64 = 0.02;
-/// Alpha (deg), a (mm), theta (deg), d (mm) of each joint.
-const ROWS: [[f64; 4]; 6] = [
-    [0.0, 0.0, 0.0, 290.0],
-    [-90.0, 0.0, -90.0, 0.0],
-    [0.0, 270.0, 0.0, 0.0],
-    [-90.0, 70.0, 0.0, 302.0],
-    [90.0, 0.0, 0.0, 0.0],
-    [-90.0, 0.0, 180.0, 72.0],
-];
-
 /// An arm with two targets, of which the second is `off_axis_mm` from the axis of the last joint, at 60 poses in which the wrist turns by
 /// up to `wrist_rad`.
 fn measured(off_axis_mm: f64, wrist_rad: f64) -> (Serial, Vec<Observation>) {
-    let joint = |(i, &[alpha, a_mm, theta, d_mm]): (usize, &[f64; 4])| SerialJoint {
-        alpha_rad: alpha.to_radians(),
-        a_mm,
-        theta_rad: theta.to_radians(),
-        d_mm,
-        prismatic: false,
-        parallel: i > 0 && alpha == 0.0,
-    };
-    let joints: Vec<SerialJoint> = ROWS.iter().enumerate().map(joint).collect();
-    let robot = Serial::new(&joints, &["A".to_owned(), "B".to_owned()], [0.0, 0.0, -1.0], &[], &[]);
+    let robot = serial(&SIX_AXES, &["A", "B"], &[]);
     let mut noise = Noise::new(90, 1);
     let value = |p: &etalon::robots::Parameter| match (p.role, p.quantity) {
         (Role::Base, Quantity::Length) => 800.0,

@@ -81,6 +81,8 @@ pub(crate) struct Fitted {
     pub scales: Scales,
     /// Number of residuals.
     pub rows: f64,
+    /// Number of residuals beyond those that parameters without a nominal value can make zero.
+    pub redundant: f64,
     /// Sum over all residuals of the logarithm of their standard deviation, in units as measured,
     /// and half the squares of deviations from nominal: the negative logarithm of the likelihood.
     pub cost: f64,
@@ -150,7 +152,7 @@ fn sum_of_logarithms(counts: [f64; 2], Scales(scales): Scales) -> f64 {
 }
 
 /// Parameters of the model that the data depend on; `None` if they are too many for a comparison.
-fn free_parameters(robot: &dyn Robot, data: &Data) -> Option<Vec<usize>> {
+pub(super) fn free_parameters(robot: &dyn Robot, data: &Data) -> Option<Vec<usize>> {
     let wanted = wanted_parameters(robot, &data.observations, &data.settings).ok()?;
     let measured: BTreeSet<usize> = measured_parameters(robot, &data.observations).into_iter().collect();
     let unknowns = data.settings.conditions.iter().flat_map(|c| c.kind.equation().unknowns());
@@ -170,7 +172,11 @@ impl Hypothesis<'_> {
     pub fn fit(&self) -> Option<Fitted> {
         let Self { robot, data, placed, loose } = *self;
         let parameters = robot.parameters();
-        let free = free_parameters(robot, data)?;
+        let mut free = free_parameters(robot, data)?;
+        if let Some(i) = loose.filter(|i| !free.contains(i)) {
+            free.push(i);
+            free.sort_unstable();
+        }
         let prior = |(parameter, &i): (usize, &usize)| {
             let p = &parameters[i];
             let (value, u) = match p.tolerance.is_finite() && loose != Some(i) {
@@ -224,8 +230,12 @@ impl Hypothesis<'_> {
             |&i: &usize| (values[i] - parameters[i].nominal).abs() / uncertainty(parameters[i].tolerance).max(1e-9);
         let spread_mm = spread_mm(robot, data, &values);
         let deviations: f64 = free.iter().filter(counted).map(|i| off(i).powi(2)).sum();
+        let rows = counts[0] + counts[1];
+        let unknowns = free.len() - free.iter().filter(counted).count();
+        let redundant = (rows - unknowns as f64).max(0.0);
         let fitted = Fitted {
-            rows: counts[0] + counts[1],
+            rows,
+            redundant,
             cost: cost(&left_out, scales, data) + 0.5 * deviations,
             cost_of_most: sum_of_logarithms(counts, scales) - data.log_factors + 0.5 * deviations,
             off: free.iter().filter(counted).map(off).fold(0.0, f64::max),

@@ -7,8 +7,10 @@
 
 mod changes;
 mod data;
+mod elsewhere;
 mod exchanged;
 mod fit;
+mod hypotheses;
 mod moved;
 mod place;
 
@@ -19,19 +21,20 @@ pub use moved::moved_between;
 use crate::model::residuals::Residuals;
 use crate::solution::placing::{PLAIN, UNEXPLAINED, measured_parameters, spread_mm, spread_over, with_few_targets};
 use crate::solution::scatter::observed_noise_mm;
-use crate::warning::{Origin, SetUpError, Subject, Warning};
-use crate::{Observation, Settings, wanted_frames};
-use changes::{Change, Listing, changes};
+use crate::warning::{SetUpError, Subject, Warning};
+use crate::{Observation, Settings};
 use data::Data;
+use elsewhere::Elsewhere;
 use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::message::Message;
-use etalon_base::pose::{Pose, norm};
-use etalon_base::{error, phrase};
+use etalon_base::pose::norm;
+use etalon_math::factor_at;
 use etalon_math::statistics::{median, rms};
-use etalon_math::{Options, factor_at};
-use etalon_robots::{Parameter, Quantity, Robot, Role};
-use fit::{Fitted, Hypothesis};
-use place::{elsewhere, locate, planar_distances};
+use etalon_robots::{Robot, Role};
+use fit::Fitted;
+use hypotheses::{Case, Slip, Table, wrong_nominal};
+use place::{locate, planar_distances};
 use rayon::prelude::*;
 
 /// Number of poses on which the nominal robot is compared.
@@ -43,8 +46,6 @@ const FEWEST: usize = 4;
 const FITS: usize = 24;
 /// Maximum number of changes that are fitted if more bring the nominal robot as near as it is.
 const MOST_FITS: usize = 40;
-/// Number of nominal values that are fitted with all parameters.
-const FITTED_VALUES: usize = 3;
 /// Ratio of standard deviations by which a change must explain the data better than the set-up as
 /// stated.
 const CLEAR: f64 = 2.0;
@@ -65,8 +66,6 @@ const OFF: f64 = 4.0;
 /// Differences (mm, rad) of the flange up to which two robots are the same.
 const SAME_MM: f64 = 5.0;
 const SAME_RAD: f64 = 0.02;
-/// Differences (mm, rad) of the flange by rounding.
-const EXACT: f64 = 1e-6;
 /// Largest residual of one coordinate attributed to noise if poses are few, in standard
 /// uncertainties of a coordinate.
 const NOISE_COORDINATE: f64 = 3.0;
@@ -84,7 +83,7 @@ pub(crate) fn explained(
 }
 
 /// Replaces the hint of a message by a change of the set-up.
-pub fn hinted(message: Message, found: Option<SetUpError>) -> Warning {
+fn hinted(message: Message, found: Option<SetUpError>) -> Warning {
     let Some(found) = found else { return message.into() };
     let hint = found.to_check(|_| None);
     Warning { message: message.hint(hint), subject: Subject::SetUp(found) }
@@ -140,8 +139,16 @@ pub fn set_up_problem(
 ) -> (Option<Warning>, Judgement) {
     let judged = judge(robot, observations, settings, &[]);
     let far = far_mm(robot, observations, settings).and_then(|far_mm| far_problem(far_mm, &judged));
-    let contradicted = || judged.named.clone().map(|found| hinted(error!("set-up-contradicted"), Some(found)));
-    (far.or_else(contradicted), judged)
+    (far.or_else(|| contradicted(&judged)), judged)
+}
+
+/// Error that a change of the set-up explains the measurements, and the set-up as stated does not.
+pub fn set_up_contradicted(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Warning> {
+    contradicted(&judge(robot, observations, settings, &[]))
+}
+
+fn contradicted(judged: &Judgement) -> Option<Warning> {
+    judged.named.clone().map(|found| hinted(error!("set-up-contradicted"), Some(found)))
 }
 
 /// Error if the nominal robot is farther from the measurements than its tolerances allow, and no
@@ -150,7 +157,9 @@ pub fn set_up_far(robot: &dyn Robot, observations: &[Observation], settings: &Se
     far_problem(far_mm(robot, observations, settings)?, &judge(robot, observations, settings, &[]))
 }
 
-fn far_problem(far_mm: [f64; 2], judged: &Judgement) -> Option<Warning> {
+/// Error that the nominal robot is farther from the measurements (mm) than its tolerances allow
+/// (mm), with the change that explains them, unless a robot within the tolerances does.
+pub fn far_problem(far_mm: [f64; 2], judged: &Judgement) -> Option<Warning> {
     let is_refuted = !judged.is_possible || judged.named.is_some();
     is_refuted.then(|| hinted(far_message(far_mm), judged.named.clone()))
 }
@@ -191,7 +200,7 @@ pub(crate) fn far_from_nominal(
 
 /// Error that the nominal robot is `left_mm` from the measurements where its tolerances allow
 /// `allowed_mm`.
-pub fn far_message([left_mm, allowed_mm]: [f64; 2]) -> Message {
+fn far_message([left_mm, allowed_mm]: [f64; 2]) -> Message {
     match left_mm.is_finite() {
         true => error!("nominal-robot-far", left_mm, allowed_mm),
         false => error!("nominal-robot-not-at-joints"),
@@ -238,45 +247,56 @@ pub fn judge(
     readings: &[OrientationReading],
 ) -> Judgement {
     let data = Data::new(robot, observations, settings);
-    if data.poses().len() < FEWEST || !data.has_places() {
+    let subset = data.subset(robot);
+    if data.poses().len() < FEWEST || !data.has_places() || fit::free_parameters(robot, &subset).is_none() {
         return Judgement::default();
     }
-    let subset = data.subset(robot);
     let stated = Case::located(robot, subset.clone(), false);
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
-    let mut cases = hypotheses(robot, &data, &subset, readings);
-    cases.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
+    let probes = subset.elsewhere(robot);
+    let table = Table { robot, data: &data, tried: [&subset, &probes], readings };
     // what brings the nominal robot as near as the set-up as stated may be what the data do not
     // show
     let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
-    let alike = cases.iter().take_while(|slip| slip.case.near < as_near).count();
-    cases.truncate(alike.clamp(FITS, MOST_FITS));
-    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot)).map(|fitted| (slip, fitted));
-    let mut tried: Vec<(Slip, Fitted)> = cases.into_par_iter().filter_map(fitted).collect();
+    let mut tried = fitted(robot, table.single(), as_near);
     if let Some(stated) = &stated {
         tried.extend(wrong_nominal(robot, stated));
     }
-    let data = stated.as_ref().map(|case| &case.data);
-    Verdict { as_stated: as_stated.as_ref(), data }.judgement(robot, tried)
+    let elsewhere = stated.as_ref().map(|case| Elsewhere { robot, data: &case.data, joints: probes.joints() });
+    let verdict = Verdict { as_stated: as_stated.as_ref(), elsewhere };
+    let judged = verdict.judgement(robot, tried, 1);
+    match &judged.named {
+        None if !judged.is_possible => verdict.judgement(robot, fitted(robot, table.pairs(), f64::NEG_INFINITY), 2),
+        _ => judged,
+    }
+}
+
+/// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`.
+fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64) -> Vec<(Slip, Fitted)> {
+    all.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
+    let alike = all.iter().take_while(|slip| slip.case.near < as_near).count();
+    all.truncate(alike.clamp(FITS, MOST_FITS));
+    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot)).map(|fitted| (slip, fitted));
+    all.into_par_iter().filter_map(fitted).collect()
 }
 
 /// Comparison with the set-up as stated.
 struct Verdict<'a> {
     as_stated: Option<&'a Fitted>,
-    /// The data as stated.
-    data: Option<&'a Data>,
+    elsewhere: Option<Elsewhere<'a>>,
 }
 
 impl Verdict<'_> {
-    fn judgement(&self, robot: &dyn Robot, mut tried: Vec<(Slip, Fitted)>) -> Judgement {
-        if let Some(data) = self.data {
-            tried.retain(|(slip, fitted)| !is_absorbed(robot, slip, &fitted.values, data));
+    /// Judgement by fits of hypotheses of so many mistakes.
+    fn judgement(&self, robot: &dyn Robot, mut tried: Vec<(Slip, Fitted)>, mistakes: u8) -> Judgement {
+        if let Some(elsewhere) = &self.elsewhere {
+            tried.retain(|(slip, fitted)| !elsewhere.is_absorbed(slip, &fitted.values));
         }
         let mut listed: Vec<&(Slip, Fitted)> = tried.iter().collect();
         listed.sort_by_key(|(slip, _)| slip.listing);
-        let untested = listed.into_iter().filter_map(|(slip, fitted)| self.untested(robot, slip, fitted)).collect();
+        let untested = listed.into_iter().filter_map(|(slip, fitted)| self.untested(slip, fitted)).collect();
         let mut explaining: Vec<(Slip, Fitted)> =
-            tried.into_iter().filter(|(_, fitted)| self.is_named(fitted)).collect();
+            tried.into_iter().filter(|(_, fitted)| self.is_named(fitted, mistakes)).collect();
         // a value found from the data must explain clearly more than a change that has none
         let changes = explaining.iter().filter(|(slip, _)| slip.is_change());
         let best = changes.map(|e| e.1.per_row()).fold(f64::INFINITY, f64::min);
@@ -297,13 +317,13 @@ impl Verdict<'_> {
 
     /// The change, if the set-up as stated is possible and not clearly better, and the flange is
     /// elsewhere with the change.
-    fn untested(&self, robot: &dyn Robot, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
+    fn untested(&self, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
         let stated = self.as_stated.filter(|stated| is_possible(stated))?;
         let alike = is_possible(fitted) && stated.gain_over(fitted) < WORSE.ln();
-        if !alike || slip.listing == Listing::Never || self.is_named(fitted) {
+        if !alike || slip.listing == changes::Listing::Never || self.is_named(fitted, 1) {
             return None;
         }
-        let differs = flange_difference(robot, slip, [&stated.values, &fitted.values], self.data?)?;
+        let differs = self.elsewhere.as_ref()?.flange_difference(slip, [&stated.values, &fitted.values])?;
         (differs.1 > SAME_RAD || differs.0 > SAME_MM).then(|| Untested {
             change: slip.what.clone(),
             residuals_mm: [stated.length_mm(), fitted.length_mm()],
@@ -312,66 +332,15 @@ impl Verdict<'_> {
     }
 
     /// `true` if a hypothesis explains the data and the set-up as stated does not: its residuals
-    /// are those of a robot, and clearly smaller, or the stated set-up needs parameters that no
-    /// robot has.
-    fn is_named(&self, fitted: &Fitted) -> bool {
+    /// are those of a robot, and each of its mistakes makes them clearly smaller, or the stated
+    /// set-up needs parameters that no robot has.
+    fn is_named(&self, fitted: &Fitted, mistakes: u8) -> bool {
         let Some(stated) = self.as_stated else { return is_possible(fitted) };
         let gain = fitted.gain_over(stated);
-        let falls = gain * fitted.rows > FALLS_BY;
-        is_possible(fitted) && falls && (gain > CLEAR.ln() || stated.off > OFF)
+        let falls = gain * fitted.redundant > FALLS_BY;
+        let is_clear = gain > f64::from(mistakes) * CLEAR.ln() || mistakes == 1 && stated.off > OFF;
+        is_possible(fitted) && falls && is_clear
     }
-}
-
-/// Largest difference (mm, rad) of the flange at poses elsewhere, as stated and as changed, with
-/// the parameters of each, beyond a motion common to all poses; `None` for robots without a flange.
-fn flange_difference(
-    robot: &dyn Robot,
-    slip: &Slip,
-    [stated, changed]: [&[f64]; 2],
-    data: &Data,
-) -> Option<(f64, f64)> {
-    let pairs = flanges(robot, slip, [stated, changed], data)?;
-    differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed)))
-}
-
-/// Flange at poses elsewhere, as stated and as changed, with the parameters of each; `None` for
-/// robots without a flange.
-fn flanges(robot: &dyn Robot, slip: &Slip, [stated, changed]: [&[f64]; 2], data: &Data) -> Option<Vec<[Pose; 2]>> {
-    let (arm, other) = (robot.free_base()?, slip.robot(robot).free_base()?);
-    let target = data.readings(robot).first().map_or(0, |reading| reading.0);
-    let pair = |(q, changed_q): (&Vec<f64>, &Vec<f64>)| {
-        [arm.flange(stated, q, target), other.flange(changed, changed_q, target)]
-    };
-    Some(data.elsewhere(robot).joints().iter().zip(&slip.elsewhere).map(pair).collect())
-}
-
-/// Largest difference (mm, rad) of motions from the first one; `None` without a motion.
-fn differences(motions: impl Iterator<Item = Pose>) -> Option<(f64, f64)> {
-    let all: Vec<Pose> = motions.collect();
-    let first = all.first()?.inverse();
-    let larger = |(mm, rad): (f64, f64), pose: Pose| {
-        (norm(pose.translation_mm).max(mm), norm(pose.rotation_vector_rad()).max(rad))
-    };
-    Some(all.iter().map(|pose| first.then(pose)).fold((0.0, 0.0), larger))
-}
-
-/// `true` if free base or targets take up a change of the joints whatever the robot does, such as
-/// an offset of the first or the last joint: it is no mistake that anything could show.
-fn is_absorbed(robot: &dyn Robot, slip: &Slip, values: &[f64], data: &Data) -> bool {
-    let joints = data.elsewhere(robot).joints();
-    let (Some(arm), Some(pairs)) = (robot.free_base(), flanges(robot, slip, [values, values], data)) else {
-        return false;
-    };
-    let Ok(free) = wanted_frames(robot, &data.observations, &data.settings) else { return false };
-    if pairs.is_empty() || slip.elsewhere == joints {
-        return false;
-    }
-    let is_same = |differs: Option<(f64, f64)>| differs.is_some_and(|(mm, rad)| mm < EXACT && rad < EXACT);
-    let by_targets = || is_same(differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed))));
-    let by_base = || is_same(differences(pairs.iter().map(|[stated, changed]| changed.then(&stated.inverse()))));
-    let places = data.readings(robot).into_iter().flat_map(|(k, _)| arm.target_place(k)..arm.target_place(k) + 3);
-    let targets_free = places.into_iter().all(|i| free.contains(&i));
-    targets_free && by_targets() || (0..6).all(|i| free.contains(&i)) && by_base()
 }
 
 /// `true` if a robot can leave such residuals.
@@ -379,162 +348,11 @@ fn is_possible(fitted: &Fitted) -> bool {
     fitted.share < MISFIT[0] && fitted.angle_rad() < MISFIT[1] && fitted.off <= OFF
 }
 
-/// Data with base, targets and fixtures located.
-struct Case {
-    data: Data,
-    /// All parameters.
-    values: Vec<f64>,
-    /// Cost of the nominal robot for each residual.
-    near: f64,
-    /// Parameter without a nominal value.
-    loose: Option<usize>,
-}
-
-impl Case {
-    /// Locates base, targets and fixtures; `None` if the nominal robot has no pose at the joint
-    /// values.
-    fn located(robot: &dyn Robot, data: Data, anywhere: bool) -> Option<Self> {
-        let (data, values) = locate(robot, data, anywhere)?;
-        let left = fit::left(robot, &data, &values);
-        let counts = left.counts();
-        let near = fit::cost(&left, left.scales(), &data) / (counts[0] + counts[1]);
-        near.is_finite().then_some(Self { data, values, near, loose: None })
-    }
-
-    fn fit(&self, robot: &dyn Robot) -> Option<Fitted> {
-        Hypothesis { robot, data: &self.data, placed: &self.values, loose: self.loose }.fit()
-    }
-}
-
-/// A change of the set-up, with its data.
-struct Slip {
-    what: Phrase,
-    origin: Origin,
-    /// The robot in another convention.
-    other: Option<Box<dyn Robot>>,
-    listing: Listing,
-    /// Joint values of other poses with the change.
-    elsewhere: Vec<Vec<f64>>,
-    case: Case,
-}
-
-impl Slip {
-    fn robot<'a>(&'a self, robot: &'a dyn Robot) -> &'a dyn Robot {
-        self.other.as_deref().unwrap_or(robot)
-    }
-
-    /// `true` if no value of the change is fitted to the data.
-    fn is_change(&self) -> bool {
-        self.case.loose.is_none() && self.origin != Origin::WorldFrame
-    }
-
-    /// The change with the fitted value.
-    fn phrase(&self, robot: &dyn Robot, fitted: &Fitted) -> Phrase {
-        let Some(i) = self.case.loose else { return self.what.clone() };
-        let p = &robot.parameters()[i];
-        let (found, nominal) = (p.quantity.outward(fitted.values[i]), p.quantity.outward(p.nominal));
-        phrase!("slip-nominal", parameter = p.name, found, unit = p.quantity.unit(), nominal)
-    }
-}
-
-/// Every change of the set-up with base, targets and fixtures located.
-fn hypotheses(robot: &dyn Robot, data: &Data, subset: &Data, readings: &[OrientationReading]) -> Vec<Slip> {
-    let probes = subset.elsewhere(robot);
-    let as_stated = || probes.joints();
-    let new = |what, origin, listing, elsewhere, case| Slip { what, origin, other: None, listing, elsewhere, case };
-    let placed = |(change, probe): (Change, Change)| {
-        let case = Case::located(robot, change.data, change.anywhere)?;
-        Some(new(change.what, change.origin, change.listing, probe.data.joints(), case))
-    };
-    let table: Vec<(Change, Change)> =
-        changes(robot, subset, readings).into_iter().zip(changes(robot, &probes, readings)).collect();
-    let mut all: Vec<Slip> = table.into_par_iter().filter_map(placed).collect();
-    for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
-        let case = Case::located(robot, data.shifted(shift).subset(robot), false);
-        let what = phrase!("slip-neighbour", neighbour);
-        all.extend(case.map(|case| new(what, Origin::Named, Listing::Never, Vec::new(), case)));
-    }
-    for (convention, mut other) in robot.other_conventions() {
-        if !add_fixtures(robot, other.as_mut()) {
-            continue;
-        }
-        let case = Case::located(other.as_ref(), subset.clone(), false);
-        let what = phrase!("slip-convention", convention);
-        let slip = case.map(|case| new(what, Origin::Named, Listing::First, as_stated(), case));
-        all.extend(slip.map(|slip| Slip { other: Some(other), ..slip }));
-    }
-    if robot.free_base().is_none()
-        && let Some((angle, [x_mm, y_mm])) = elsewhere(robot, &subset.observations)
-    {
-        let what = phrase!("slip-world-frame", angle_deg = angle.to_degrees(), x_mm, y_mm);
-        all.extend(
-            Case::located(robot, subset.clone(), true)
-                .map(|case| new(what, Origin::WorldFrame, Listing::Never, Vec::new(), case)),
-        );
-    }
-    all
-}
-
-/// Adds the parameters of fixtures to the robot in another convention; `false` if its own
-/// parameters are not those of the robot.
-fn add_fixtures(robot: &dyn Robot, other: &mut dyn Robot) -> bool {
-    let (all, count) = (robot.parameters(), other.parameters().len());
-    let alike = other.parameters().iter().zip(all).all(|(a, b)| a.role == b.role);
-    let is_fixture = |p: &Parameter| p.role == Role::Fixture || p.role == Role::Target;
-    let possible = alike && count <= all.len() && all[count.min(all.len())..].iter().all(is_fixture);
-    if possible {
-        other.definition_mut().parameters.extend(all[count..].iter().cloned());
-    }
-    possible
-}
-
-/// Mistakes in one nominal value: each length and angle of the robot that the measurements put
-/// beyond its tolerance if it is free, with its fit.
-fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitted)> {
-    let (parameters, placed, data) = (robot.parameters(), &stated.values, &stated.data);
-    if data.observations.is_empty() {
-        return Vec::new();
-    }
-    let places =
-        || (0..placed.len()).filter(|&i| parameters[i].role == Role::Base || parameters[i].tolerance.is_infinite());
-    let with = |i: usize| {
-        let mut free: Vec<usize> = places().chain([i]).collect();
-        free.sort_unstable();
-        let problem = Residuals::new(robot, &data.observations, &PLAIN, &free, placed).ok()?;
-        let x: Vec<f64> = free.iter().map(|&i| placed[i]).collect();
-        let solution = etalon_math::solve(&problem, &x, Options { iterations: 30, step: 1e-6, ..Options::default() });
-        Some((solution.cost, i, problem.all(&solution.x)))
-    };
-    let is_nominal = |&i: &usize| {
-        let p = &parameters[i];
-        p.role == Role::Robot && p.quantity != Quantity::Ratio && p.tolerance.is_finite()
-    };
-    let nominal: Vec<usize> = (0..placed.len()).filter(is_nominal).collect();
-    let mut all: Vec<(f64, usize, Vec<f64>)> = nominal.into_par_iter().filter_map(with).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    all.truncate(FITTED_VALUES);
-    let judged = |(_, i, values): (f64, usize, Vec<f64>)| {
-        let case = Case { data: data.clone(), values, near: stated.near, loose: Some(i) };
-        let fitted = case.fit(robot)?;
-        let p = &parameters[i];
-        let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
-        let slip = Slip {
-            what: Phrase::new("slip-nominal"),
-            origin: Origin::Named,
-            other: None,
-            listing: Listing::Never,
-            elsewhere: Vec::new(),
-            case,
-        };
-        beyond.then_some((slip, fitted))
-    };
-    all.into_iter().filter_map(judged).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
+    use etalon_base::phrase;
     use etalon_robots::Prexyt;
 
     fn stated(standard_uncertainty_mm: f64) -> Settings {

@@ -131,8 +131,8 @@ pub fn moved_between(
     let all = parts.into_iter().filter_map(|part| linear.changed(part));
     let found = all.min_by(|a, b| a.chance.total_cmp(&b.chance))?;
     let is_large = norm(found.shift_mm) > LARGE * found.left_mm;
-    if found.chance > CHANCE.ln() || found.share < LEAST_SHARE || !(is_large || linear.shows_between_neighbours(&found))
-    {
+    let is_significant = found.chance <= CHANCE.ln() && found.share >= LEAST_SHARE;
+    if !is_significant || !(is_large || linear.shows_between_neighbours(&found)) {
         return None;
     }
     let (pose, previous) = (observations[found.at].pose, observations[found.at - 1].pose);

@@ -16,7 +16,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
     Comparison, Detectable, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
-    Settings, UncertaintyBound, Verification, set_up_far,
+    Settings, UncertaintyBound, Verification, set_up_contradicted, set_up_far,
 };
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
@@ -91,7 +91,7 @@ pub fn verify(
     messages.extend(stale(robot, &observations));
     let positions = Settings { standard_uncertainty_mm: Some(noise.total_mm()), ..settings.clone() };
     if let Some(problem) = set_up_far(robot, &observations, &positions) {
-        return Err(etalon_documents::warning_message(&problem).into());
+        return Err(warning_message(&problem).into());
     }
     let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);
     let (misfit, settings) = (noise.misfit(&settings.conditions), noise.applied(settings));
@@ -110,6 +110,9 @@ pub fn verify(
         };
         deviating = wrong_pose(&poses, &observations, valid);
         messages.extend(deviating.map(|pose| wrong_reading(robot, pose, &observations, valid)));
+        if deviating.is_none() {
+            messages.extend(set_up_contradicted(robot, &observations, &positions).map(|w| warning_message(&w)));
+        }
     }
     let whole = found.of_changes.sum + found.of_rest.sum;
     let movement = |e: &Explanation| movement(robot, e, whole);

@@ -20,7 +20,7 @@ const NAMES_A_CAUSE: &str = "check that first";
 /// Joints of the twins.
 const JOINTS: usize = 6;
 
-/// A mistake of the set-up: what it is, what a message contains that names it, and what it does to the data.
+/// A mistake of the set-up: what it is, what a message contains that names it (all parts between `&`), and what it does to the data.
 struct Mistake {
     what: String,
     named: Vec<String>,
@@ -61,6 +61,31 @@ fn mistakes_of_joints(noise: &mut Noise) -> Vec<Mistake> {
     let rotated = phrase!("slip-joint-order", order = "right").to_string();
     all.push(mistake("rotated order", &[&rotated], |c| change_joints(c, &|q| q.rotate_left(1))));
     all
+}
+
+/// Two mistakes at once, and a wrong transmission ratio.
+fn mistakes_of_pairs(noise: &mut Noise) -> Vec<Mistake> {
+    // the direction of the first and the last joint may be one of base and targets
+    let (i, k) = (whole(noise, 1, 2), whole(noise, 3, JOINTS - 2));
+    let reversed = [i, k].map(|i| format!("`q{}` reversed", i + 1));
+    let [first, second] = reversed.each_ref().map(String::as_str);
+    let gain = format!("`gain_{}`", i + 1);
+    vec![
+        mistake("two reversed", &[&format!("{first}&{second}")], move |c| {
+            change_joints(c, &|q| (q[i], q[k]) = (-q[i], -q[k]));
+        }),
+        mistake("degrees, one reversed", &[&format!("degrees instead of radians&{first}")], move |c| {
+            change_joints(c, &|q| {
+                q[i] = -q[i];
+                q.iter_mut().for_each(|v| *v = v.to_degrees());
+            });
+        }),
+        mistake("inches, one reversed", &[&format!("points in inches&{second}")], move |c| {
+            change_joints(c, &|q| q[k] = -q[k]);
+            change_points(c, &|p| *p = p.map(|v| v / 25.4));
+        }),
+        mistake("transmission ratio", &[&gain], move |c| change_joints(c, &|q| q[i] *= 1.1)),
+    ]
 }
 
 /// Mistakes in the points.
@@ -126,7 +151,7 @@ fn tally(twin: &Twin, campaign: &Campaign, mistakes: Vec<Mistake>, label: &str) 
         make(&mut changed);
         let said = messages(twin, &changed);
         let text: String = said.iter().map(|m| format!("{m}\n")).collect();
-        let is_named = named.iter().any(|words| text.contains(words.as_str()));
+        let is_named = named.iter().any(|words| words.split('&').all(|part| text.contains(part)));
         let is_wrong = !is_named && text.contains(NAMES_A_CAUSE);
         let is_noticed = is_named || said.iter().any(|m| m.severity == Severity::Error);
         tally.all += 1;
@@ -170,6 +195,7 @@ fn robots_with_incomplete_models_are_judged_by_what_their_model_leaves() {
             assert!(accused.is_empty(), "{label}: {accused:?}");
             let mut mistakes = mistakes_of_joints(&mut noise);
             mistakes.extend(mistakes_of_points());
+            mistakes.extend(mistakes_of_pairs(&mut noise));
             // contacts are half of the rows: a shift of the others alone is no shift of the log
             mistakes.extend(mistakes_of_poses(&mut noise, poses / if measured == Contacts { 2 } else { 1 }));
             if matches!(measured, Poses | Contacts) {

@@ -299,6 +299,7 @@ slip-convention = { $convention }
 
 slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
 
+slip-pair = { $first }, und { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
 
 with-slip = { $slip }{ $origin ->

@@ -552,6 +552,7 @@ slip-convention = { $convention }
 
 slip-world-frame = the world frame rotated by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
 
+slip-pair = { $first }, and { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } instead of { FIXED($nominal, 2) } { $unit }
 
 with-slip = { $slip }{ $origin ->

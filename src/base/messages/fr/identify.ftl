@@ -299,6 +299,7 @@ slip-convention = { $convention }
 
 slip-world-frame = le référentiel atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 
+slip-pair = { $first }, et { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
 
 with-slip = { $slip }{ $origin ->
