@@ -51,7 +51,7 @@ use etalon_base::message::{Message, Problems, Result, Severity};
 use etalon_base::{error, phrase};
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, ControllersDocument, ParameterEntry, ParameterStatus, ParametersDocument,
-    PointError, to_json,
+    PointError, UntestedMistake, to_json,
 };
 use etalon_robots::{Circumstance, Effect, JointChain, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
@@ -339,6 +339,14 @@ impl<'a> ExportInput<'a> {
         lines.push(format!("units: {units}"));
         lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
         lines.extend(self.file.iter().flat_map(|(statement, _)| statement.lines()));
+        let untested = self.file.map_or(self.parameters, |(_, identified)| identified).untested.iter();
+        lines.extend(untested.map(|mistake| {
+            let UntestedMistake { change, flange_mm, flange_deg, .. } = mistake;
+            format!(
+                "not tested by the measurements: {} (the flange differs by up to {flange_mm:.0} mm and {flange_deg:.0} deg)",
+                change.english()
+            )
+        }));
         Ok(lines.iter().map(|line| comment(line)).collect())
     }
 

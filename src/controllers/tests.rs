@@ -77,6 +77,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             held_singular_values: vec![],
             rank_cut: 1e-9,
         }),
+        untested: Vec::new(),
         solver: SolverSummary { method: "lm".into(), iterations: 3, termination, meaning: termination.to_string() },
         messages: vec![],
         provenance: Provenance {

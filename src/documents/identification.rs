@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
 use etalon_identify::{
     ConditionResiduals, Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError,
-    Settings, SingularValue, Status, Subject, Warning,
+    Settings, SingularValue, Status, Subject, Untested, Warning,
 };
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -81,6 +81,7 @@ pub fn parameters_document(
         written.iter().map(row).collect()
     };
     let covariance = found.uncertainty.covariance.as_ref().map(outward).unwrap_or_default();
+    let rejected = |chi_square| etalon_identify::chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom);
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: robot.model().to_owned(),
@@ -107,10 +108,7 @@ pub fn parameters_document(
                 stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
                 common_standard_uncertainty_mm: settings.common_uncertainty_mm,
                 chi_square: found.residuals.chi_square,
-                chi_square_rejected: found
-                    .residuals
-                    .chi_square
-                    .is_some_and(|c| etalon_identify::chi_square_exceeds(c, found.residuals.degrees_of_freedom)),
+                chi_square_rejected: found.residuals.chi_square.is_some_and(rejected),
                 repeats: found.residuals.replicates.map(Into::into),
             },
             uncertainties_from: found.uncertainty.from.into(),
@@ -127,9 +125,22 @@ pub fn parameters_document(
             termination: found.termination.into(),
             meaning: found.termination.to_string(),
         },
+        untested: Vec::new(),
         messages: warning_messages(&found.warnings),
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs: inputs.clone(), seed: None },
     }
+}
+
+/// States the mistakes of the set-up that the data do not show.
+pub fn untested_mistakes(untested: &[Untested]) -> Vec<UntestedMistake> {
+    let mistake = |untested: &Untested| UntestedMistake {
+        change: untested.change.clone().into(),
+        stated_mm: untested.residuals_mm[0],
+        changed_mm: untested.residuals_mm[1],
+        flange_mm: untested.differs.0,
+        flange_deg: untested.differs.1.to_degrees(),
+    };
+    untested.iter().map(mistake).collect()
 }
 
 /// Algorithm of the identification.

@@ -61,7 +61,7 @@ pub use frames::*;
 pub use geometric::*;
 pub use identification::{
     contradicted_places, observability_summary, parameters_document, quantity_residuals, set_up_hint, set_up_phrase,
-    warning_message, warning_messages,
+    untested_mistakes, warning_message, warning_messages,
 };
 pub use import::*;
 pub use iso9283::*;

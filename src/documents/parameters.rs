@@ -62,6 +62,9 @@ pub struct ParametersDocument {
     pub observability: Option<ObservabilitySummary>,
     /// Solver and its termination.
     pub solver: SolverSummary,
+    /// Mistakes of the set-up that the measurements do not show.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub untested: Vec<UntestedMistake>,
     /// Messages for the reader: held parameters with the reasons, warnings with remedies.
     pub messages: Vec<Message>,
     /// Origin of the numbers.
@@ -163,6 +166,29 @@ impl ParametersDocument {
             None => Ok(()),
         }
     }
+}
+
+/// Mistake of the set-up that the measurements do not show: a robot within its tolerances explains
+/// them with this change too.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UntestedMistake {
+    /// Change of the set-up, in English.
+    #[serde(flatten, with = "UntestedMistakeChange")]
+    pub change: Worded,
+    /// Standard deviation of a residual with the set-up as stated (mm).
+    pub stated_mm: f64,
+    /// Standard deviation of a residual with the change (mm).
+    pub changed_mm: f64,
+    /// Largest change of the position of the flange at poses around the measured ones (mm).
+    pub flange_mm: f64,
+    /// Largest change of the orientation of the flange at these poses (deg).
+    pub flange_deg: f64,
+}
+
+worded! {
+    /// Change of the set-up, in English.
+    text UntestedMistakeChange: change, change_phrase
 }
 
 /// Contribution of one source to the standard uncertainties.

@@ -3,7 +3,7 @@
 use crate::{
     Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors,
     ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic,
-    PositionErrors,
+    PositionErrors, UntestedMistake,
 };
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::pose::CYCLES;
@@ -105,6 +105,16 @@ pub enum Reason {
         /// Residuals over the standard uncertainty of the instrument.
         times: f64,
     },
+    /// The measurements do not show some mistakes of the set-up, with which the tool would be beyond
+    /// a limit.
+    SetUpUntested {
+        /// Number of mistakes.
+        count: usize,
+        /// Largest change of the position of the flange (mm).
+        flange_mm: f64,
+        /// Largest change of the orientation of the flange (deg).
+        flange_deg: f64,
+    },
     /// A controller file is hardly better than nominal parameters: its largest error is larger, or
     /// its root mean square less than 5 % smaller.
     HardlyBetter {
@@ -156,6 +166,7 @@ impl Reason {
             | Self::DriftNotSettled { .. }
             | Self::FewCycles { .. }
             | Self::ModelDoesNotFit { .. }
+            | Self::SetUpUntested { .. }
             | Self::HardlyBetter { .. } => Acceptance::Conditional,
         }
     }
@@ -222,6 +233,21 @@ impl Reason {
         (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
     }
 
+    /// Mistakes of the set-up that the measurements do not show, and that would move the tool
+    /// beyond one of the `limits`; without limits, all of them.
+    fn from_untested(parameters: &ParametersDocument, limits: &[&LimitVerdict]) -> Option<Self> {
+        let largest = |unit: &str, size: &dyn Fn(&UntestedMistake) -> f64| {
+            let least = limits.iter().filter(|l| l.name.unit() == unit).map(|l| l.limit).fold(f64::INFINITY, f64::min);
+            let beyond = move |v: f64| limits.is_empty() || v > least;
+            (beyond, parameters.untested.iter().map(size).fold(0.0, f64::max))
+        };
+        let (beyond_mm, flange_mm) = largest("mm", &|m| m.flange_mm);
+        let (beyond_deg, flange_deg) = largest("deg", &|m| m.flange_deg);
+        let is_beyond = |m: &&UntestedMistake| beyond_mm(m.flange_mm) || beyond_deg(m.flange_deg);
+        let count = parameters.untested.iter().filter(is_beyond).count();
+        (count > 0).then_some(Self::SetUpUntested { count, flange_mm, flange_deg })
+    }
+
     /// Controller files that are hardly better than nominal parameters.
     fn from_controller_files(accuracy: &AccuracyDocument, controllers: Option<&ControllersDocument>) -> Vec<Self> {
         let of = |formats: &[String], errors: &ControllerErrors| {
@@ -264,8 +290,11 @@ impl Judged<'_> {
             reasons.extend(Reason::from_poses(document));
             reasons.extend(Reason::from_test(document, self.conditions));
         }
-        reasons.extend(self.parameters.filter(|p| p.is_plausible()).and_then(Reason::from_residuals));
-        if let (Some(accuracy), Some(_)) = (self.accuracy, self.parameters.filter(|p| p.is_plausible())) {
+        let plausible = self.parameters.filter(|p| p.is_plausible());
+        reasons.extend(plausible.and_then(Reason::from_residuals));
+        let limits: Vec<&LimitVerdict> = self.limits().collect();
+        reasons.extend(plausible.and_then(|parameters| Reason::from_untested(parameters, &limits)));
+        if let (Some(accuracy), Some(_)) = (self.accuracy, plausible) {
             reasons.extend(Reason::from_controller_files(accuracy, self.controllers));
         }
         // stable: reasons of one verdict stay in their order

@@ -22,7 +22,7 @@ use crate::stages::uncertainty::bounds::open_set_up;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::warning;
 use etalon_campaign::Exclude;
-use etalon_documents::{ParametersDocument, parameters_document, warning_messages};
+use etalon_documents::{ParametersDocument, parameters_document, untested_mistakes, warning_messages};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{ResidualKind, Settings, Systematic, weigh};
@@ -104,12 +104,13 @@ pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Pa
     messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
     let robot: &dyn Robot = robot.as_ref();
     let solution = Solution::new(robot, Basis { sets, settings, systematic: Systematic::default() })?;
-    let Judgement { plausibility, .. } = Judgement::new(robot, &solution);
+    let Judgement { plausibility, untested, .. } = Judgement::new(robot, &solution);
     let Solution { basis: Basis { sets, settings, .. }, before, found } = &solution;
     let bound = open_set_up(robot, &sets.calibration, settings, found, options.bound.stated()?);
     let findings = Findings { bound, plausibility, observations: messages, ..Findings::default() };
     let mut document = parameters_document(robot, settings, before, found, &inputs.sha256_by_name()?);
     document.messages = warning_messages(&findings.ordered(&found.warnings));
+    document.untested = untested_mistakes(&untested);
     state_positions(&mut document, robot, &sets.calibration, [before, &found.values]);
     Ok(document)
 }

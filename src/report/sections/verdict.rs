@@ -87,6 +87,13 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
         Reason::ModelDoesNotFit { times } => {
             tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 2))
         }
+        Reason::SetUpUntested { count, flange_mm, flange_deg } => tr!(
+            words,
+            "reservation-set-up-untested",
+            count,
+            flange_mm = number::significant(*flange_mm, 2),
+            flange_deg = number::significant(*flange_deg, 2)
+        ),
         Reason::NoWarmUp => tr!(words, "reservation-no-warm-up"),
         Reason::DriftNotSettled { poses, dap_mm } => tr!(
             words,

@@ -309,6 +309,7 @@ fn parameters() -> ParametersDocument {
         reliability: None,
         robust: Some(robust()),
         observability: Some(observability()),
+        untested: Vec::new(),
         solver: SolverSummary {
             method: "Levenberg-Marquardt".into(),
             iterations: 6,

@@ -13,7 +13,7 @@ use crate::stages::evaluate::tool::Expected;
 use crate::stages::judge::checks::robust_message;
 use crate::stages::judge::first_tilt;
 use crate::stages::judge::frame_checks::base_elsewhere;
-use crate::stages::judge::plausible::plausibility;
+use crate::stages::judge::plausible::{judge_set_up, plausibility};
 use crate::stages::judge::validation_distance::{far_or_near, validation_distance};
 use crate::stages::remedies::remedied;
 use crate::stages::uncertainty::bounds::open_set_up;
@@ -23,7 +23,7 @@ use etalon_documents::{
     AccuracyDocument, Conformity, EffectProof, LimitVerdict, PointError, PredictionMap, ToolAccuracy,
 };
 use etalon_formats::table;
-use etalon_identify::{Reliability, RobustComparison, ToolPoint, ToolPrediction};
+use etalon_identify::{Reliability, RobustComparison, ToolPoint, ToolPrediction, Untested};
 use etalon_robots::Robot;
 
 /// Solution of a campaign, with the targets of validation poses located.
@@ -44,14 +44,17 @@ pub struct Judgement {
     pub errors: Vec<PointError>,
     /// Implausible parameters, and readings to check first.
     pub plausibility: Vec<Message>,
+    /// Mistakes of the set-up that the data do not show.
+    pub untested: Vec<Untested>,
 }
 
 impl Judgement {
     /// Judges a solution.
     pub fn new(robot: &dyn Robot, solution: &Solution) -> Self {
         let errors = point_errors(robot, &solution.basis.sets, &solution.before, &solution.found.values);
-        let plausibility = plausibility(robot, solution, &errors);
-        Self { errors, plausibility }
+        let judged = judge_set_up(robot, solution);
+        let plausibility = plausibility(robot, solution, &errors, &judged);
+        Self { errors, plausibility, untested: judged.untested }
     }
 }
 

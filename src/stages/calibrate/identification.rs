@@ -17,7 +17,7 @@ use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule};
 use etalon_documents::{EffectProof, FieldDocument, IdentifiedDocuments, ParametersDocument, PointError};
-use etalon_documents::{parameters_document, warning_messages};
+use etalon_documents::{parameters_document, untested_mistakes, warning_messages};
 use etalon_identify::{Effects, Identification, Observation, Settings, Systematic, Warning};
 use etalon_robots::Robot;
 use std::collections::BTreeMap;
@@ -131,7 +131,7 @@ fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) 
         LocatedSolution { data, robot, solution: &solution, targets: &targets, locations: &locations, all: &all };
     // from the solution to errors, verdicts and predictions
     let validation_only = locations.message(robot, &solution.basis.sets)?;
-    let Judgement { errors, plausibility } = located.judge();
+    let Judgement { errors, plausibility, untested } = located.judge();
     let bound = located.exceeded_bound()?;
     let evaluation = located.evaluate(errors, proofs)?;
     let observations = [selection, outliers, logs.observations].concat();
@@ -144,7 +144,8 @@ fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) 
     findings.robust.clone_from(&controls.robust_message);
     // from all of them to documents
     let warnings = findings.ordered(&solution.found.warnings);
-    let documents = documents(located, evaluation, prediction, controls, &warnings);
+    let mut documents = documents(located, evaluation, prediction, controls, &warnings);
+    documents.parameters.untested = untested_mistakes(&untested);
     let Solution { basis: Basis { sets, settings, systematic }, before, found } = solution;
     let found = Identification { warnings, ..found };
     let again = Again { systematic, before, targets };

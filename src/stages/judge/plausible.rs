@@ -16,7 +16,7 @@ use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
     Identification, Judgement, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
-    chi_square_exceeds, exchanged_poses, far_message, hinted, judge, load_slips, moved_between, observed_noise_mm,
+    chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -54,9 +54,24 @@ const CHANCE: f64 = 1e-3;
 /// Maximum ratio of errors after to errors before that noise of an already good robot can cause.
 const WORSE: f64 = 1.1;
 
+/// Judgement of the set-up of a solution; of exchanged balls nothing else is judged.
+pub(crate) fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement {
+    let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
+    match exchanged(robot, &found.values) {
+        Some(_) => Judgement::default(),
+        None => judge(robot, &sets.calibration, settings, &[]),
+    }
+}
+
 /// Messages about the identified parameters and their errors: errors if the result cannot be a
-/// robot, and the observations to check first if they do not fit.
-pub fn plausibility(robot: &dyn Robot, solution: &Solution, errors: &[PointError]) -> Vec<Message> {
+/// robot, and the observations to check first if they do not fit. `judged` is the judgement of the
+/// set-up.
+pub(crate) fn plausibility(
+    robot: &dyn Robot,
+    solution: &Solution,
+    errors: &[PointError],
+    judged: &Judgement,
+) -> Vec<Message> {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     let observations = &sets.calibration[..];
     let unchecked = undetermined(robot, observations, settings, found);
@@ -66,12 +81,11 @@ pub fn plausibility(robot: &dyn Robot, solution: &Solution, errors: &[PointError
         Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
         None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms,
     };
-    let judged = match exchanged(robot, &found.values) {
-        Some(_) => Default::default(),
-        None => judge(robot, observations, settings, &[]),
-    };
-    messages.extend(untested(&judged));
-    contradict(robot, solution, errors, judged, &mut messages);
+    // a robot within its tolerances that leaves what the instrument leaves explains the data
+    let explains = found.residuals.chi_square.is_some() && !misfit && messages.iter().all(is_no_error);
+    let far_mm = if explains { None } else { far_before(robot, solution, errors) };
+    messages.extend(untested(judged));
+    contradict(far_mm, judged, &mut messages);
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
     }
@@ -285,29 +299,25 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
 }
 
 /// Adds the contradiction of the set-up to the messages: an error if the nominal robot is farther
-/// from most measurements than its tolerances allow, and no robot within them leaves what the
-/// measurements leave; or the change that explains the measurements, as the hint of the first
-/// error.
-fn contradict(
-    robot: &dyn Robot,
-    solution: &Solution,
-    errors: &[PointError],
-    judged: Judgement,
-    messages: &mut Vec<Message>,
-) {
-    if let Some(far_mm) = far_before(robot, solution, errors)
-        && (!judged.is_possible || judged.named.is_some())
-    {
-        messages.insert(0, warning_message(&hinted(far_message(far_mm), judged.named)));
+/// from most measurements (`far_mm`) than its tolerances allow, and no robot within them leaves
+/// what the measurements leave; or the change that explains the measurements, as the hint of the
+/// first error.
+fn contradict(far_mm: Option<[f64; 2]>, judged: &Judgement, messages: &mut Vec<Message>) {
+    if let Some(far) = far_mm.and_then(|far_mm| far_problem(far_mm, judged)) {
+        messages.insert(0, warning_message(&far));
         return;
     }
-    let Some(found) = judged.named else { return };
-    if messages.iter().all(|message| message.severity != Severity::Error) {
+    let Some(found) = &judged.named else { return };
+    if messages.iter().all(is_no_error) {
         messages.insert(0, error!("set-up-contradicted"));
     }
     if let Some(first) = messages.iter_mut().find(|message| message.severity == Severity::Error) {
-        first.hint = Some(set_up_hint(&found));
+        first.hint = Some(set_up_hint(found));
     }
+}
+
+fn is_no_error(message: &Message) -> bool {
+    message.severity != Severity::Error
 }
 
 /// Returns a warning about poses whose joint values are exchanged.

@@ -98,6 +98,7 @@ pub(crate) fn identified(
         reliability: None,
         robust: None,
         observability: None,
+        untested: Vec::new(),
         solver: SolverSummary {
             method: Worded::default(),
             iterations: 1,

@@ -7,10 +7,9 @@ use etalon::base::message::{Message, Severity};
 use etalon::base::phrase;
 use etalon::identify::{Identification, Prior, Settings, fit_frames, identify_from};
 use etalon::robots::Role;
+use etalon::stages::calibrate::evaluation::Judgement;
 use etalon::stages::calibrate::solution::{Basis, Solution};
-use etalon::stages::evaluate::errors::point_errors;
 use etalon::stages::evaluate::sets::Sets;
-use etalon::stages::judge::plausible::plausibility;
 use rayon::prelude::*;
 
 /// Shares of a value by the data below which the oracle may hold its parameter.
@@ -83,9 +82,8 @@ fn outcome(seed: u64) -> Outcome {
         Err(error) => return failed(format!("{error:?}")),
     };
     let sets = Sets { calibration: arm.calibration.clone(), validation: arm.validation.clone(), ..Sets::default() };
-    let errors = point_errors(robot, &sets, &before, &found.values);
     let solution = Solution { basis: Basis { sets, settings, ..Basis::default() }, before, found };
-    let mut messages = plausibility(robot, &solution, &errors);
+    let mut messages = Judgement::new(robot, &solution).plausibility;
     let Solution { before, found, .. } = solution;
     messages.extend(found.warnings.iter().map(|w| w.message.clone()));
     let refused = messages.iter().filter(|m| accuses(m)).map(|m| format!("{} ({:?})", m.what, m.hint)).collect();

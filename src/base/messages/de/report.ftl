@@ -1059,6 +1059,10 @@ reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von A
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
 reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherheit des Messgeräts: das Modell passt nicht, es gelten die Abweichungen an den Validierungsposen
+reservation-set-up-untested = { $count ->
+        [one] ein Fehler des Aufbaus ist
+       *[other] { $count } Fehler des Aufbaus sind
+    } von den Messungen nicht geprüft; der Flansch wiche um bis zu { $flange_mm } mm und { $flange_deg } deg ab
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld

@@ -1008,6 +1008,10 @@ reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of 
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
 reservation-model-does-not-fit = residuals are { $times } × the uncertainty of the instrument: the model does not fit, and the errors at the validation poses apply
+reservation-set-up-untested = { $count ->
+        [one] one mistake of the set-up is
+       *[other] { $count } mistakes of the set-up are
+    } not tested by the measurements, and would change the flange by up to { $flange_mm } mm and { $flange_deg } deg
 reservation-no-warm-up = the robot was not warmed up before the test
 reservations = Reservations: { $reasons }.
 residual-field = Residual field

@@ -1065,6 +1065,10 @@ reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
 reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne s’ajuste pas, et les erreurs aux poses de validation font foi
+reservation-set-up-untested = { $count ->
+        [one] une erreur du montage n’est pas contrôlée
+       *[other] { $count } erreurs du montage ne sont pas contrôlées
+    } par les mesures ; la bride différerait de { $flange_mm } mm et { $flange_deg } deg au plus
 reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
 reservations = Réserves : { $reasons }.
 residual-field = Champ résiduel
