@@ -315,16 +315,21 @@ impl Campaign {
     }
 }
 
-/// Incomplete lines of a proposal: each value `"?"`, and each line with a joint in `UNIT`.
+/// Incomplete lines of a proposal: each value `"?"`, and each line with a joint or a time in
+/// `UNIT`.
 fn open_questions(name: &str, text: &str) -> Problems {
     let stated = |line: &str| line.split(" #").next().unwrap_or(line).to_owned();
     let open = |line: &str| {
         let stated = stated(line);
-        !stated.trim_start().starts_with('#') && (stated.contains("= \"?\"") || stated.contains("_UNIT ="))
+        let open = ["= \"?\"", "_UNIT =", "\"time_UNIT\""].iter().any(|part| stated.contains(part));
+        open && !stated.trim_start().starts_with('#')
     };
     let question = |(at, line): (usize, &str)| {
-        let message = if stated(line).contains("_UNIT =") {
+        let timeless = stated(line).replace("time_UNIT", "");
+        let message = if timeless.contains("_UNIT =") {
             error!("joint-unit-open")
+        } else if stated(line).contains("time_UNIT") {
+            error!("time-unit-open")
         } else {
             let key = line.split('=').next().unwrap_or("").trim();
             let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());

@@ -4,7 +4,7 @@ use super::fit_text::as_text;
 use super::fit_tracim;
 use super::{Output, Verdict};
 use crate::stages::observe::qif_fit::{ProbeStated, refit};
-use crate::tasks::text_format::word;
+use crate::tasks::text_format::stated_format;
 use crate::tasks::{Table, TextFormat};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Place, Problems};
@@ -31,8 +31,9 @@ pub struct FitCommand {
     /// Files with points.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Format of the files by its name in campaigns: inspec, geopak_gws, ply, polyworks_report ...
-    #[arg(long, value_name = "NAME", conflicts_with = "columns")]
+    /// Format of the files as in campaigns: by name (inspec, geopak_gws, ply, polyworks_report
+    /// ...), or as a table of keys ('{ delimiter = ";", columns = ["label", "x", "y", "z"] }').
+    #[arg(long, value_name = "FORMAT", conflicts_with_all = ["columns", "angle_unit"])]
     format: Option<String>,
     #[command(flatten)]
     text: TextFormat,
@@ -248,7 +249,7 @@ impl FitCommand {
 
     /// Stated format.
     fn format(&self) -> Result<Format, Problems> {
-        self.format.as_deref().map_or_else(|| self.text.format(), |name| word("--format", name))
+        self.format.as_deref().map_or_else(|| self.text.format(), stated_format)
     }
 
     fn fit(&self, label: &str, points: Source) -> Result<FitDocument, Problems> {

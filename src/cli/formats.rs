@@ -5,7 +5,7 @@ use super::{Output, Verdict};
 use etalon_base::phrase;
 use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Propose how to read and join files, with reasons and doubts, as lines for campaign.toml.
 #[derive(Debug, clap::Args)]
@@ -35,7 +35,8 @@ impl Formats {
         let mut lines = String::new();
         match &self.files[..] {
             [file] => {
-                let document = propose_file_for(file, robot)?;
+                let mut document = propose_file_for(file, robot)?;
+                document.toml = in_campaign(document.toml, std::slice::from_ref(file));
                 let text = document.toml.clone().into_bytes();
                 lines.clone_from(&document.toml);
                 out.print(if self.json { etalon_documents::to_json(&document)? } else { text })?;
@@ -45,6 +46,7 @@ impl Formats {
                 if let (Some(path), false) = (&self.robot, self.json) {
                     refusal = refusal_of_lines(path, files, &toml);
                 }
+                let toml = in_campaign(toml, files);
                 lines.clone_from(&toml);
                 out.print(if self.json { etalon_documents::to_json(&documents)? } else { toml.into_bytes() })?;
             }
@@ -60,4 +62,18 @@ impl Formats {
         }
         Ok(Verdict::Met)
     }
+}
+
+/// Lines with the paths of files as the campaign in one of their folders names them, if there is
+/// such a campaign.
+fn in_campaign(lines: String, files: &[PathBuf]) -> String {
+    let quoted = |text: &str| toml::Value::from(text).to_string();
+    let of_campaign = |file: &Path| {
+        let folder = file.ancestors().skip(1).find(|folder| folder.join("campaign.toml").is_file())?;
+        Some(file.strip_prefix(folder).ok()?.display().to_string())
+    };
+    files.iter().fold(lines, |lines, file| match of_campaign(file) {
+        Some(name) => lines.replace(&quoted(&file.display().to_string()), &quoted(&name)),
+        None => lines,
+    })
 }

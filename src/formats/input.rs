@@ -5,7 +5,7 @@ use super::exports::Format;
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{magic, ros_bag, workbook};
-use encoding_rs::{DecoderResult, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
+use encoding_rs::DecoderResult;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result as Read, nearest};
 use etalon_base::{error, files, phrase};
@@ -175,29 +175,49 @@ fn is_document(bytes: &[u8]) -> bool {
 }
 
 /// First bytes of kinds of files without text, and the kind.
-const KINDS: [(&[u8], &str); 6] = [
+const KINDS: [(&[u8], &str); 7] = [
     (b"MATLAB 7.3 MAT-file", "matlab-hdf5"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),
     (b"%PDF", "pdf"),
     (b"#ROSBAG V2.0", "rosbag1"),
+    (b"ASTM-E57", "e57"),
 ];
 
 /// Rejects a kind of file without text.
 fn refuse(bytes: &[u8], file: &str) -> Result<(), Message> {
     match KINDS.into_iter().find(|(start, _)| bytes.starts_with(start)) {
         Some((_, kind)) => Err(error!("file-not-text", file, kind)),
+        None if is_binary_stl(bytes) => Err(error!("file-not-text", file, kind = "stl")),
         None => Ok(()),
     }
 }
 
+/// `true` for the beginning of a binary STL file: a header of 80 bytes, a count, and triangles of
+/// 50 bytes whose last two are zero.
+fn is_binary_stl(bytes: &[u8]) -> bool {
+    let count = bytes.get(80..84).and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
+    let triangles = bytes.get(84..).unwrap_or_default().chunks_exact(50);
+    let whole = triangles.len().min(100);
+    count.is_some_and(|count| count > 0 && whole > 0 && count as usize >= whole)
+        && bytes[..84].contains(&0)
+        && triangles.take(100).all(|triangle| triangle[48..] == [0, 0])
+}
+
 fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
     match encoding {
-        Encoding::Utf8 => UTF_8,
-        Encoding::Utf16Le => UTF_16LE,
-        Encoding::Utf16Be => UTF_16BE,
-        Encoding::Windows1252 => WINDOWS_1252,
+        Encoding::Utf8 => encoding_rs::UTF_8,
+        Encoding::Utf16Le => encoding_rs::UTF_16LE,
+        Encoding::Utf16Be => encoding_rs::UTF_16BE,
+        Encoding::Windows1252 => encoding_rs::WINDOWS_1252,
+        Encoding::Windows1250 => encoding_rs::WINDOWS_1250,
+        Encoding::Windows1251 => encoding_rs::WINDOWS_1251,
+        Encoding::ShiftJis => encoding_rs::SHIFT_JIS,
+        Encoding::EucJp => encoding_rs::EUC_JP,
+        Encoding::Gb18030 => encoding_rs::GB18030,
+        Encoding::Big5 => encoding_rs::BIG5,
+        Encoding::EucKr => encoding_rs::EUC_KR,
     }
 }
 
@@ -230,7 +250,10 @@ pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Messag
         }
         _ => {
             let body = &bytes[skipped..];
-            decoded(body, encoding).map_err(|at| not_in_encoding(body, at, skipped, encoding))?
+            decoded(body, encoding).map_err(|at| {
+                let message = not_in_encoding(body, at, skipped, encoding);
+                with_guess(message, body, at, encoding)
+            })?
         }
     };
     if let Some(at) = text.find('\0') {
@@ -250,11 +273,54 @@ fn not_in_encoding(bytes: &[u8], at: usize, skipped: usize, encoding: Encoding) 
 }
 
 fn not_utf8(bytes: &[u8], at: usize) -> Message {
-    let message = not_in_encoding(bytes, at, 0, Encoding::Utf8);
-    match decoded(&[bytes.get(at).copied().unwrap_or_default()], Encoding::Windows1252) {
-        Ok(character) => message.hint(phrase!("encoding-windows", character)),
-        Err(_) => message,
+    with_guess(not_in_encoding(bytes, at, 0, Encoding::Utf8), bytes, at, Encoding::Utf8)
+}
+
+/// Adds the hint of the encoding that the bytes seem to have, with its reading of the text at the
+/// byte `at`.
+fn with_guess(message: Message, bytes: &[u8], at: usize, refused: Encoding) -> Message {
+    let Some(guessed) = guessed_encoding(bytes).filter(|guessed| *guessed != refused) else { return message };
+    let wide = matches!(guessed, Encoding::Utf16Le | Encoding::Utf16Be);
+    let end = bytes[at..].iter().position(|b| b.is_ascii() && !b.is_ascii_alphanumeric() && !wide);
+    let sample = &bytes[at..end.map_or(bytes.len(), |end| at + end)];
+    let (text, _) = coding(guessed)
+        .decode_without_bom_handling(&sample[..sample.len().min(24) & !1 | usize::from(sample.len() == 1)]);
+    let sample: String = text.chars().filter(|c| !c.is_control() && *c != '\u{fffd}').take(8).collect();
+    message.hint(phrase!("encoding-guessed", encoding = guessed.name(), sample))
+}
+
+/// Encoding that bytes without a byte-order mark seem to have, if they are not UTF-8; `None` for
+/// bytes that no encoding reads.
+///
+/// UTF-16 has a zero in every second byte. Of the encodings with two bytes a character, the one in
+/// which nearly all of these are frequent characters: kana and the first level of JIS X 0208, or
+/// the first level of GB 2312.
+pub(crate) fn guessed_encoding(bytes: &[u8]) -> Option<Encoding> {
+    let nul = |odd: usize| bytes.iter().skip(odd).step_by(2).filter(|b| **b == 0).count() * 8 > bytes.len() * 3;
+    match (nul(1), nul(0)) {
+        (true, false) => return Some(Encoding::Utf16Le),
+        (false, true) => return Some(Encoding::Utf16Be),
+        _ => {}
     }
+    let frequent = |encoding: Encoding, is_frequent: &dyn Fn(u8, u8) -> bool| {
+        let text = decoded(bytes, encoding).ok()?;
+        let mut pairs = (0usize, 0usize);
+        let mut rest = bytes.iter();
+        while let Some(first) = rest.next() {
+            let single = first.is_ascii() || encoding == Encoding::ShiftJis && (0xa1..=0xdf).contains(first);
+            if single {
+                continue;
+            }
+            let second = *rest.next()?;
+            pairs = (pairs.0 + 1, pairs.1 + usize::from(is_frequent(*first, second)));
+        }
+        (pairs.0 > 0 && pairs.1 * 10 >= pairs.0 * 9 && !text.contains('\0')).then_some(encoding)
+    };
+    let japanese = |first: u8, _| matches!(first, 0x81..=0x84 | 0x88..=0x97);
+    let chinese = |first: u8, second: u8| matches!(first, 0xa1..=0xa3 | 0xb0..=0xd7) && second >= 0xa1;
+    frequent(Encoding::ShiftJis, &japanese)
+        .or_else(|| frequent(Encoding::Gb18030, &chinese))
+        .or_else(|| decoded(bytes, Encoding::Windows1252).is_ok().then_some(Encoding::Windows1252))
 }
 
 /// The text of bytes, or the first byte that does not belong to the encoding.
@@ -355,7 +421,7 @@ mod tests {
             error
         };
         let utf8 = is_invalid(b"a\n\xb12.000\n", None, 2, 2, "utf-8");
-        let hint = phrase!("encoding-windows", character = "±");
+        let hint = phrase!("encoding-guessed", encoding = "windows-1252", sample = "±2");
         assert!(utf8.is("encoding-invalid", &[("hex", &"0xB1"), ("hint", &hint)]), "{utf8}");
         is_invalid(b"a\n\x81", Some(Encoding::Windows1252), 2, 2, "windows-1252");
         is_invalid(&LE[2..], None, 0, 1, "utf-8");
@@ -364,6 +430,45 @@ mod tests {
         let stated = error(LE, Some(Encoding::Utf8));
         assert!(stated.is("encoding-differs", &[("of_file", &"utf-16le"), ("stated", &"utf-8")]), "{stated}");
         assert!(error(b"1\x002\x00", None).is("nul-byte", &[("line", &1)]));
+    }
+
+    /// As Python's codecs write it.
+    const JAPANESE: &[u8] = b"\x97v\x91f\x96\xbc,\x91\xaa\x92\xe8\x92lX\n\x8b\x85_1,1272.6193\n";
+    const CHINESE: &[u8] = b"\xb5\xe3\xba\xc5,\xb2\xe2\xc1\xbf\xd6\xb5X\nK1,1272.6193\n";
+
+    #[test]
+    fn east_asian_texts_are_read_and_their_encoding_is_found() {
+        for (bytes, encoding, text) in [
+            (JAPANESE, Encoding::ShiftJis, "要素名,測定値X\n球_1,1272.6193\n"),
+            (CHINESE, Encoding::Gb18030, "点号,测量值X\nK1,1272.6193\n"),
+        ] {
+            assert_eq!(decode(bytes.to_vec(), Some(encoding)).unwrap(), text);
+            assert_eq!(guessed_encoding(bytes), Some(encoding));
+            for stated in [None, Some(Encoding::Windows1252)] {
+                let refused = decode(bytes.to_vec(), stated);
+                let hinted = |message: &Message| {
+                    message.hint.as_ref().is_some_and(|hint| hint.to_string().contains(encoding.name()))
+                };
+                // windows-1252 has a letter for nearly every byte
+                assert!(refused.as_ref().map_or_else(hinted, |_| stated.is_some()), "{refused:?}");
+            }
+        }
+        for western in ["Größe;Länge;°C\n", "mesuré;±0,1\n", "Ä\n", "señal, año\n"] {
+            let (bytes, _, _) = encoding_rs::WINDOWS_1252.encode(western);
+            assert_eq!(guessed_encoding(&bytes), Some(Encoding::Windows1252), "{western}");
+        }
+    }
+
+    #[test]
+    fn a_binary_stl_file_is_no_text() {
+        let mut bytes = vec![b' '; 80];
+        bytes.extend(2u32.to_le_bytes());
+        for triangle in 0..2 {
+            (0..12).for_each(|k| bytes.extend((0.5 * (triangle + k) as f32).to_le_bytes()));
+            bytes.extend([0, 0]);
+        }
+        assert!(refuse(&bytes, "f").unwrap_err().is("file-not-text", &[("kind", &"stl")]));
+        assert!(refuse(" ".repeat(200).as_bytes(), "f").is_ok());
     }
 
     #[test]

@@ -46,7 +46,6 @@ pub use tables::observations::{TableReading, observations, observations_with};
 
 use crate::dialect::Unit;
 use etalon_base::catalogue::IntoArgument;
-use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::{error, warning};
@@ -77,19 +76,14 @@ pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
 
 /// Returns labels and positions (mm) of a file.
 ///
-/// A row that was not measured is an error in a table. In a format with its own reader, rows that
-/// are not points are left out, with a warning.
+/// Rows that were not measured are left out, with a warning that counts them.
 pub fn points_and_refused(
     file: &str,
     text: &str,
     format: &Format,
     unit: Unit,
 ) -> Result<(Vec<Labelled>, Option<Message>)> {
-    let (rows, mut problems) = format.read(file, &text.into(), unit);
-    if format.about().points_only {
-        let refused = rows.iter().filter(|row| !row.is_left_out).filter_map(|row| Some((row, row.refused.as_ref()?)));
-        problems.0.extend(refused.map(|(row, reason)| error!("row-without-point", reason).at(row.place_in(file))));
-    }
+    let (rows, problems) = format.read(file, &text.into(), unit);
     problems.check()?;
     let refused: Vec<&Point> = rows.iter().filter(|row| row.refused.is_some() && !row.is_left_out).collect();
     let said = refused.first().map(|first| {
@@ -102,10 +96,7 @@ pub fn points_and_refused(
 
 /// Reads the text of a file in a format; for a binary format, one character for each byte.
 pub fn text_in(path: &Path, format: &Format) -> Result<String> {
-    match format.about().binary {
-        true => into_text(path, read_bytes(path)?, None, format),
-        false => files::text(path, files::read(path)?),
-    }
+    into_text(path, read_bytes(path)?, None, format)
 }
 
 /// Returns the samples of a recording as a table `time_s x_mm y_mm z_mm`.

@@ -1,5 +1,6 @@
 //! Guesses of the dialect of a text: every delimiter with every pair of marks gets a score.
 
+use crate::head::{Head, StatedUnit, filled_width, first_data_row, is_worded, most_common, stated_units};
 use crate::lexer::{Row, parsed, split};
 use crate::{Decimal, Delimiter, Form, Header, Missing, Thousands, two_commas};
 use etalon_base::message::Message;
@@ -52,6 +53,12 @@ pub struct Guess<'t> {
     pub names: Option<Row<'t>>,
     /// `true` if the names are in a comment.
     pub commented: bool,
+    /// Names and units of the columns, of all rows that state them.
+    pub head: Head,
+    /// Units of lengths that the lines above the data state.
+    pub stated_units: Vec<StatedUnit>,
+    /// Line of the first data row.
+    pub first: usize,
     /// Number of data rows.
     pub rows: usize,
     /// Number of data rows with the usual number of fields and at least two numbers.
@@ -111,6 +118,9 @@ pub fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
         guesses = guesses.into_iter().filter_map(|g| guess(more, Form { header: None, ..g.form })).collect();
         guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     }
+    for guess in &mut guesses {
+        guess.stated_units = stated_units(text, &guess.form, guess.first, &|at| guess.numeric.get(at) == Some(&true));
+    }
     guesses
 }
 
@@ -123,12 +133,13 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let is_number = |field: &Cow<str>| parsed(field, decimal, thousands).is_some();
     let is_plain = |field: &Cow<str>| parsed(field, decimal, None).is_some();
     let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
-    let header = all.iter().position(|row| numbers(row) >= 2)?;
+    let of_sheet = form.sheet.is_some();
+    let number = |field: &str| parsed(field, decimal, thousands).is_some();
+    let header = first_data_row(&all, of_sheet, &number, &is_gap)?;
     let end = form.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
     // trailing empty fields do not count
-    let width = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
-    let of_sheet = form.sheet.is_some();
+    let width = |row: &Row| filled_width(row);
     // a sheet omits trailing empty cells
     let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
     let fits = |row: &Row| {
@@ -155,10 +166,7 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let contradicted = good.iter().flat_map(|row| &row.fields).filter(|f| has_marks(f) && !is_number(f)).count();
     let plain = plain * used.len() as f64 / (used.len() + contradicted).max(1) as f64;
     // rows with numbers before the data may be data
-    let worded = |row: &&Row| {
-        !row.fields.iter().any(|f| f.trim_start_matches(['+', '-', '.']).starts_with(|c: char| c.is_ascii_digit()))
-    };
-    let passed = all[..header].iter().filter(|row| !worded(row)).count();
+    let passed = all[..header].iter().filter(|row| !is_worded(row)).count();
     let taken = good.len() as f64 / (data.len() + passed) as f64;
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
     let holds = |field: &Cow<str>| is_number(field) || is_gap(field);
@@ -168,15 +176,23 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     form.header = Some(Header::Rows(header));
     let numeric: Vec<bool> = numeric.collect();
     let mut names = header.checked_sub(1).map(|i| all[i].clone());
+    let blanks = form.delimiter == Some(Delimiter::Blank);
+    let mut head = Head::new(&all[..header], numeric.len(), blanks);
     let worded = names.as_ref().is_some_and(|row| row.fields.len() >= numeric.len());
-    let comment = form.comment.as_deref().filter(|_| !worded);
+    let comment = form.comment.as_deref().filter(|_| !worded && head.names.is_none());
     let named = comment.and_then(|comment| named_by_comment(sample, &form, comment, first, numeric.len()));
     let commented = named.is_some();
-    names = named.or(names);
+    if let Some(row) = named {
+        head = Head::new(std::slice::from_ref(&row), numeric.len(), blanks);
+        names = Some(row);
+    }
     Some(Guess {
         header,
         names,
         commented,
+        head,
+        stated_units: Vec::new(),
+        first,
         rows: data.len(),
         read: good.len(),
         unread: data.iter().find(|row| !fits(row)).map(|row| row.line),
@@ -198,15 +214,18 @@ fn has_marks(field: &str) -> bool {
     inside && digits.contains(is_mark) && ends(digits.chars().next()) && ends(digits.chars().next_back())
 }
 
-/// Returns the last comment before the data, which begin at line `first`, if it has a word for each
-/// of `columns`.
+/// Returns the last comment with words before the data, which begin at line `first`, if it has a
+/// word for each of `columns`. Below it are only lines without words, such as the number of rows.
 fn named_by_comment<'t>(text: &'t str, form: &Form, comment: &str, first: usize, columns: usize) -> Option<Row<'t>> {
     let lines: Vec<(usize, &str)> = text.lines().take(first.saturating_sub(1)).enumerate().collect();
-    let (at, line) = lines.into_iter().rev().find(|(_, line)| !line.trim().is_empty())?;
+    let (at, line) = lines.into_iter().rev().find(|(_, line)| line.contains(char::is_alphabetic))?;
     let words = line.trim_start().strip_prefix(comment)?;
     let plain = Form { comment: None, ..form.clone() };
     let (mut rows, _) = split("", words, &plain);
-    let mut row = rows.pop().filter(|row| row.fields.len() == columns)?;
+    let blanks = form.delimiter == Some(Delimiter::Blank);
+    let bracketed = |row: &Row| row.fields.iter().filter(|field| field.starts_with(['[', '('])).count();
+    let width = |row: &Row| row.fields.len() - if blanks { bracketed(row) } else { 0 };
+    let mut row = rows.pop().filter(|row| row.fields.len() == columns || width(row) == columns)?;
     let is_number = |field: &Cow<str>| parsed(field, form.decimal(), form.thousands).is_some();
     let worded =
         row.fields.iter().any(|field| field.contains(char::is_alphabetic)) && !row.fields.iter().any(is_number);
@@ -214,43 +233,34 @@ fn named_by_comment<'t>(text: &'t str, form: &Form, comment: &str, first: usize,
     worded.then_some(row)
 }
 
-/// Returns the count that occurs most often, the largest if there are several.
-fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
-    let mut times = std::collections::BTreeMap::new();
-    counts.for_each(|count| *times.entry(count).or_insert(0usize) += 1);
-    times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
-}
-
-/// Returns the names of all columns, if the header has a name for each. A unit in brackets behind a
-/// blank belongs to the name before it.
+/// Returns the names of all columns, if the head has a name for each.
 pub fn names(guess: &Guess) -> Option<Vec<String>> {
-    let fields: Vec<&str> = guess.names.as_ref()?.fields.iter().map(AsRef::as_ref).collect();
-    let columns = guess.numeric.len();
-    let mut names: Vec<String> = Vec::new();
-    if guess.form.delimiter == Some(Delimiter::Blank) && fields.len() > columns {
-        for field in fields {
-            match names.last_mut().filter(|_| field.starts_with(['[', '('])) {
-                Some(name) => name.extend([" ", field]),
-                None => names.push(field.to_owned()),
-            }
-        }
-        names.retain(|name| !name.is_empty());
-        if names.len() != columns {
-            return None;
-        }
-    } else {
-        names = fields.into_iter().map(str::to_owned).collect();
-    }
-    // a header has words
-    (names.len() >= columns && names.iter().any(|n| n.contains(char::is_alphabetic))).then(|| {
-        names.truncate(columns);
-        names
-    })
+    guess.head.names.clone()
 }
 
-/// `true` for a date or a time of day.
+/// `true` for a date or a time of day: numbers with a colon, a `T`, or two of the marks of a date
+/// between them.
 pub fn is_time(cell: &str) -> bool {
-    let digits = cell.bytes().filter(u8::is_ascii_digit).count();
-    digits >= 4
-        && cell.bytes().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'))
+    let bytes = cell.as_bytes();
+    let is_digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
+    let between = |at: &usize| *at > 0 && is_digit(at - 1) && is_digit(at + 1);
+    let marks = (0..bytes.len()).filter(|at| matches!(bytes[*at], b'-' | b'.' | b'/')).filter(between).count();
+    let plain = bytes.iter().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'));
+    let digits = bytes.iter().filter(|b| b.is_ascii_digit()).count();
+    digits >= 4 && plain && (marks >= 2 || bytes.contains(&b':') || bytes.contains(&b'T'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_with_its_sign_behind_it_is_no_date() {
+        for time in ["2022-10-11", "11.10.2022", "02/12/25 16:52:45", "16:52:45.125", "20221011T150648Z"] {
+            assert!(is_time(time), "{time}");
+        }
+        for number in ["345.6780-", "-345.6780", "12345", "1234.5 678"] {
+            assert!(!is_time(number), "{number}");
+        }
+    }
 }

@@ -26,6 +26,33 @@ pub enum Encoding {
     #[serde(rename = "windows-1252", alias = "cp1252")]
     #[schemars(extend("aliases" = ["cp1252"]))]
     Windows1252,
+    /// Central European Windows.
+    #[serde(rename = "windows-1250", alias = "cp1250")]
+    #[schemars(extend("aliases" = ["cp1250"]))]
+    Windows1250,
+    /// Cyrillic Windows.
+    #[serde(rename = "windows-1251", alias = "cp1251")]
+    #[schemars(extend("aliases" = ["cp1251"]))]
+    Windows1251,
+    /// Japanese Windows.
+    #[serde(rename = "shift_jis", alias = "cp932")]
+    #[schemars(extend("aliases" = ["cp932"]))]
+    ShiftJis,
+    /// Japanese Unix.
+    #[serde(rename = "euc-jp")]
+    EucJp,
+    /// Simplified Chinese.
+    #[serde(rename = "gb18030", alias = "gbk", alias = "gb2312", alias = "cp936")]
+    #[schemars(extend("aliases" = ["gbk", "gb2312", "cp936"]))]
+    Gb18030,
+    /// Traditional Chinese.
+    #[serde(rename = "big5", alias = "cp950")]
+    #[schemars(extend("aliases" = ["cp950"]))]
+    Big5,
+    /// Korean.
+    #[serde(rename = "euc-kr", alias = "cp949")]
+    #[schemars(extend("aliases" = ["cp949"]))]
+    EucKr,
 }
 
 impl Encoding {
@@ -36,6 +63,13 @@ impl Encoding {
             Self::Utf16Le => "utf-16le",
             Self::Utf16Be => "utf-16be",
             Self::Windows1252 => "windows-1252",
+            Self::Windows1250 => "windows-1250",
+            Self::Windows1251 => "windows-1251",
+            Self::ShiftJis => "shift_jis",
+            Self::EucJp => "euc-jp",
+            Self::Gb18030 => "gb18030",
+            Self::Big5 => "big5",
+            Self::EucKr => "euc-kr",
         }
     }
 }

@@ -183,6 +183,9 @@ pub struct TextFormat {
     /// Contents of the columns from the left, e.g. label,x,y,z; `-` for an unused column.
     #[arg(long, value_delimiter = ',', allow_hyphen_values = true)]
     columns: Vec<String>,
+    /// Unit of azimuth, zenith and elevation: deg, rad or gon.
+    #[arg(long, value_name = "UNIT")]
+    angle_unit: Option<String>,
     #[command(flatten)]
     #[serde(flatten)]
     form: TextForm,
@@ -240,7 +243,8 @@ impl TextFormat {
         let by_heading = matches!(&columns, Columns::Named(named) if named.iter().any(|(_, at)| is_heading(at)));
         let mut form = form.form()?;
         form.header = form.header.or(Some(Header::Rows(usize::from(by_heading))));
-        let dialect = Dialect { form, columns, ..Dialect::default() };
+        let angle_unit = stated("--angle-unit", self.angle_unit.as_deref())?;
+        let dialect = Dialect { form, columns, angle_unit, ..Dialect::default() };
         Problems(dialect.check()).check()?;
         Ok(Format::from(dialect))
     }
@@ -388,6 +392,21 @@ fn parse_column_source(text: &str) -> ColumnSource {
         Ok(number) if number > 0 => ColumnSource::Number(number),
         _ => text.into(),
     }
+}
+
+/// Format of an option: a name, or a table of keys as a campaign states it.
+pub(crate) fn stated_format(text: &str) -> Result<Format, Problems> {
+    #[derive(Deserialize)]
+    struct Stated {
+        format: Format,
+    }
+    if !text.trim_start().starts_with('{') {
+        return word("--format", text);
+    }
+    let refused = |reason: &str| error!("option-refused", option = "--format", reason = reason.trim());
+    let stated: Stated = toml::from_str(&format!("format = {text}")).map_err(|e| refused(e.message()))?;
+    Problems(stated.format.dialect.check()).check()?;
+    Ok(stated.format)
 }
 
 /// A word of an option, as the campaign spells it.

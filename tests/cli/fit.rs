@@ -348,3 +348,62 @@ fn a_direction_that_points_do_not_determine_is_named_with_its_uncertainty() {
     let plate: String = (0..25).map(|i| format!("{} {} 0.0{}\n", i % 5 * 25, i / 5 * 25, i * 7 % 3)).collect();
     assert_eq!(ids(&fitted(&plate, &["plane"]).0), [""; 0]);
 }
+
+/// Points of a sphere of radius 38.1 mm as rows of a table.
+fn sphere(row: impl Fn(usize, [f64; 3]) -> String) -> String {
+    let point = |i: usize| {
+        let ((s, c), (t, d)) = ((1.3 * i as f64).sin_cos(), (0.4 * i as f64 - 1.0).sin_cos());
+        [1234.567 + 38.1 * d * c, -345.678 + 38.1 * d * s, 89.012 + 38.1 * t]
+    };
+    (0..12).map(|i| row(i, point(i)) + "\n").collect()
+}
+
+#[test]
+fn one_language_of_tables_reads_the_files_of_every_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let radius = |bytes: &[u8], options: &[&str]| {
+        std::fs::write(folder.path().join("p.txt"), bytes).unwrap();
+        let answered = etalon(folder.path(), &[&["fit", "sphere", "p.txt", "--json"], options].concat());
+        let said = text(&answered.stderr);
+        let document: Option<FitDocument> = serde_json::from_slice(&answered.stdout).ok();
+        (document.and_then(|document| document.geometry.radius_mm), said)
+    };
+    let fits = |bytes: &[u8], options: &[&str]| {
+        let (radius, said) = radius(bytes, options);
+        assert!(radius.is_some_and(|radius| (radius - 38.1).abs() < 1e-3), "{radius:?}: {said}");
+        said
+    };
+    let plain = format!("Name\tX\tY\tZ\n{}", sphere(|i, [x, y, z]| format!("K{i}\t{x:.4}\t{y:.4}\t{z:.4}")));
+    let columns = ["--unit", "mm", "--delimiter", "tab", "--header", "1", "--columns", "label,x,y,z"];
+    let utf_16: Vec<u8> = "\u{feff}".encode_utf16().chain(plain.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    fits(&utf_16, &columns);
+    fits(plain.replace('\n', "\r").as_bytes(), &columns);
+    let japanese: Vec<u8> = [b"\x93_\t".as_slice(), plain.trim_start_matches("Name\t").as_bytes()].concat();
+    fits(&japanese, &[&columns[..], &["--encoding", "shift_jis"]].concat());
+    // rows that were not measured are counted
+    let gaps = plain.clone() + "K90\tNaN\tNaN\tNaN\nK91\t\t\t\n";
+    assert!(fits(gaps.as_bytes(), &columns).says("warning[rows-left-out] count=2"));
+    // a header that takes a row
+    let (none, said) =
+        radius(format!("take\n\n{plain}").as_bytes(), &[&columns[..4], &["--header", "3"], &columns[6..]].concat());
+    assert!(none.is_none() && said.says("error[header-is-data] rows=3"), "{said}");
+    // a unit of the file
+    let units = plain.replacen('\n', "\n\tm\tm\tm\n", 1);
+    let (none, said) = radius(units.as_bytes(), &[&columns[..4], &["--header", "2"], &columns[6..]].concat());
+    assert!(none.is_none() && said.says("error[unit-differs] of_file=m"), "{said}");
+    // polar coordinates in a format as a campaign states it, and by options
+    let polar = sphere(|i, [x, y, z]| {
+        let (flat, gon) = (x.hypot(y), 200.0 / std::f64::consts::PI);
+        let azimuth = (gon * y.atan2(x)).rem_euclid(400.0);
+        format!("{i};{azimuth:.7};{:.7};{:.7}", gon * flat.atan2(z), x.hypot(y).hypot(z) / 1000.0)
+    });
+    let polar = format!("Point;Hz;V;D\n{polar}");
+    let keys = "{ delimiter = \";\", header = 1, angle_unit = \"gon\", columns = [\"label\", \"azimuth\", \"zenith\", \"distance\"] }";
+    fits(polar.as_bytes(), &["--unit", "m", "--format", keys]);
+    let options = ["--unit", "m", "--delimiter", ";", "--header", "1", "--columns", "label,azimuth,zenith,distance"];
+    fits(polar.as_bytes(), &[&options[..], &["--angle-unit", "gon"]].concat());
+    let (none, said) = radius(polar.as_bytes(), &options);
+    assert!(none.is_none() && said.says("error[angle-unit-missing]") && said.contains("--angle-unit"), "{said}");
+    let (none, said) = radius(polar.as_bytes(), &["--unit", "m", "--format", "{ delimiter = 3 }"]);
+    assert!(none.is_none() && said.says("error[option-refused] option=--format"), "{said}");
+}

@@ -67,7 +67,7 @@ fn answered(document: &FormatsDocument, right: &Right) -> String {
     }
     let order = right.orientation.as_deref().unwrap_or("zyx");
     text = text.replace("orientation = \"?\"", &format!("orientation = \"{order}\""));
-    text.replace("_UNIT", &format!("_{joint}")).replace("\"?\"", "\"T\"")
+    text.replace("time_UNIT", "time_s").replace("_UNIT", &format!("_{joint}")).replace("\"?\"", "\"T\"")
 }
 
 #[derive(Deserialize)]

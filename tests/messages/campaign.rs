@@ -25,6 +25,7 @@ const TOML: &[Case] = &[
     ("not-a-measured-value", CMM, &[(C, "_um = 2.7", "_um = nan")], CHECK),
     ("table-key-twice", CMM, &[(C, "factor = 2\n", "factor = 2\ncoverage_factor = 3\n")], CHECK),
     ("key-open key=target", CMM, &[(C, LABEL, "target = \"?\"")], CHECK),
+    ("time-unit-open", CMM, &[(C, "pose = \"pose\"", "time_UNIT = \"Timestamp\"")], CHECK),
     ("joint-unit-open", CMM, &[(C, "rho1_mm = ", "rho1_UNIT = ")], CHECK),
     ("campaign-missing", "", &[], "check @/nowhere"),
     ("environment-missing name=ETALON_NO_FOLDER", CMM, &[(C, "\"enc", "\"$ETALON_NO_FOLDER/enc")], CHECK),

@@ -266,6 +266,16 @@ pub(super) const QIF: &str = "<QIFDocument versionQIF=\"3.0.0\"><FileUnits><Prim
 
 /// Commands with a table of a few rows.
 const TABLES: &[Case] = &[
+    (
+        "header-is-data rows=1",
+        CMM,
+        &[(
+            C,
+            "file = \"exports/poses.txt\"\nformat = \"polyworks\"",
+            "file = \"exports/poses.txt\"\nformat = { delimiter = \"blank\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"] }",
+        )],
+        CHECK,
+    ),
     ("columns-not-read count=1", "surfaces", &[("observations.csv", "offset_mm,u_mm", "offset_mm,um_mm")], RUN),
     (
         "proposal-not-toml",

@@ -112,6 +112,10 @@ pub enum ColumnRole {
     Timestamp,
     /// Date, if the time of day is in another column.
     Date,
+    /// Time in nanoseconds.
+    TimeNs,
+    /// Time in microseconds.
+    TimeUs,
     /// Time in milliseconds.
     TimeMs,
     /// Time in seconds.
@@ -175,6 +179,8 @@ impl ColumnRole {
             Self::Deleted => "deleted",
             Self::Timestamp => "timestamp",
             Self::Date => "date",
+            Self::TimeNs => "time_ns",
+            Self::TimeUs => "time_us",
             Self::TimeMs => "time_ms",
             Self::TimeS => "time_s",
             Self::Skip => "-",

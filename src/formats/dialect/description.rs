@@ -5,7 +5,7 @@ use super::coordinates::{AngleUnit, CoordinateType};
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::error;
 use etalon_base::message::{Message, printable, printable_character};
-use etalon_tables::{ColumnSource, Decimal, Form, Header, Missing};
+use etalon_tables::{ColumnSource, Decimal, Form, Header, Missing, unit_word};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -87,22 +87,9 @@ impl Unit {
     /// A bare `_m` is not taken as a unit, because it may mean "measured".
     pub fn from_heading(name: &str) -> Option<Self> {
         let bracketed = name.split_once(['[', '(']).and_then(|(_, rest)| rest.split([']', ')']).next());
-        let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| unit(last)).filter(|u| *u != Self::Metre);
-        bracketed.and_then(unit).or_else(behind)
-    }
-}
-
-fn unit(word: &str) -> Option<Unit> {
-    let word = word.trim();
-    match word.to_lowercase().as_str() {
-        // M may be "measured"
-        "m" if word == "M" => None,
-        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" => Some(Unit::Millimetre),
-        "m" | "metre" | "metres" | "meter" | "meters" => Some(Unit::Metre),
-        // micro sign, Greek mu
-        "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => Some(Unit::Micrometre),
-        "in" | "inch" | "inches" | "\"" => Some(Unit::Inch),
-        _ => None,
+        let length = |word: &str| unit_word(word).and_then(Self::named);
+        let behind = || name.rsplit_once(['_', ' ']).and_then(|(_, last)| length(last)).filter(|u| *u != Self::Metre);
+        bracketed.and_then(length).or_else(behind)
     }
 }
 

@@ -13,7 +13,7 @@ use etalon_tables::filter::{Filter, no_row_selected};
 use etalon_tables::lexer::pose_name;
 use etalon_tables::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed, written_out};
 use etalon_tables::sheet::{column, header, number};
-use etalon_tables::{ColumnSource, Decimal, Delimiter, Expression, Form, Header};
+use etalon_tables::{ColumnSource, Decimal, Delimiter, Expression, Form, Header, stated_units};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
@@ -22,7 +22,7 @@ pub(super) struct Delimited;
 
 impl ExportFormat for Delimited {
     fn about(&self) -> About {
-        About { points_only: true, by_rows: true, ..About::default() }
+        About { by_rows: true, ..About::default() }
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -191,7 +191,9 @@ fn points(
     let first = lines.clone().find_map(|line| split(line).ok());
     let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
     let filter = Filter::new(file, form, header.as_ref())?;
-    problems.0.extend(header.as_ref().and_then(|header| other_unit(file, header, &roles, dialect, unit)));
+    let start = first.as_ref().map_or(0, |row| row.line);
+    problems.0.extend(other_unit(&Above { file, text, start, header: header.as_ref(), roles: &roles }, dialect, unit));
+    problems.0.extend(header.as_ref().and_then(|header| header_with_data(file, header, dialect, &roles)));
     let reader = Reader { file, text, dialect, unit, roles, computed, width, filter };
     let plain = reader.plain();
     let (mut points, mut names) = (Vec::new(), Names::default());
@@ -223,15 +225,48 @@ fn points(
     Ok(points)
 }
 
-/// Error if a heading of a length states another unit than the campaign.
-fn other_unit(file: &str, header: &Row, roles: &[ColumnRole], dialect: &Dialect, unit: Unit) -> Option<Message> {
+/// Lines above the data of a text.
+struct Above<'a> {
+    file: &'a str,
+    text: &'a str,
+    /// Line of the first data row.
+    start: usize,
+    header: Option<&'a Row<'a>>,
+    roles: &'a [ColumnRole],
+}
+
+/// Error if the file states another unit of lengths than the campaign: in a heading of a length, in
+/// a row of units, or in words above the data.
+fn other_unit(above: &Above, dialect: &Dialect, unit: Unit) -> Option<Message> {
+    let Above { file, text, start, header, roles } = above;
+    let is_length = |role: &ColumnRole| role.is_coordinate() && !role.is_angle();
     let of_topic = dialect.form.is_topic().then_some(Unit::Metre);
-    let mut lengths = roles.iter().zip(&header.fields).filter(|(r, _)| r.is_coordinate() && !r.is_angle());
-    let (name, of_file) = lengths.find_map(|(_, name)| {
+    let mut lengths = header.iter().flat_map(|row| roles.iter().zip(&row.fields)).filter(|(r, _)| is_length(r));
+    let of_heading = lengths.find_map(|(_, name)| {
         let of_heading = of_topic.or_else(|| Unit::from_heading(name)).filter(|said| *said != unit)?;
-        Some((name, of_heading.name()))
-    })?;
-    Some(error!("unit-differs", of_file, how = **name, stated = unit.name()).at(header.place(file)))
+        Some((name.to_string(), of_heading.name()))
+    });
+    if let (Some((how, of_file)), Some(header)) = (of_heading, header) {
+        return Some(error!("unit-differs", of_file, how, stated = unit.name()).at(header.place(file)));
+    }
+    let stated = stated_units(text, &dialect.form, *start, &|at| roles.get(at).is_some_and(is_length));
+    // of different statements one may be of other columns
+    let first = stated.first().filter(|_| stated.iter().all(|stated| stated.unit != unit.name()))?;
+    let line = text.lines().nth(first.line - 1).unwrap_or_default();
+    let message = error!("unit-differs", of_file = first.unit, how = first.how, stated = unit.name());
+    Some(message.at(Place::line(*file, first.line, line)))
+}
+
+/// Error if the last row of a header of a stated number of rows has numbers in all columns of
+/// coordinates, one of them with a decimal mark.
+fn header_with_data(file: &str, header: &Row, dialect: &Dialect, roles: &[ColumnRole]) -> Option<Message> {
+    let Header::Rows(rows) = dialect.header() else { return None };
+    let form = &dialect.form;
+    let mark = if form.decimal() == Decimal::Point { '.' } else { ',' };
+    let coordinates: Vec<usize> = (0..roles.len()).filter(|at| roles[*at].is_coordinate()).collect();
+    let is_number = |at: &usize| parsed(header.field(*at), form.decimal(), form.thousands).is_some();
+    let is_data = coordinates.iter().all(is_number) && coordinates.iter().any(|at| header.field(*at).contains(mark));
+    is_data.then(|| error!("header-is-data", rows, fewer = rows.saturating_sub(1)).at(header.place(file)))
 }
 
 /// Roles of the columns; computed columns follow the columns of the file.
@@ -401,7 +436,9 @@ impl Reader<'_> {
                 ColumnRole::Label => point.label = shared.shared(&format!("{}::{field}", point.label)),
                 ColumnRole::Target => point.target = Some(shared.shared(field)),
                 ColumnRole::TimeS => point.time_s = Some(value(i, field)),
-                ColumnRole::TimeMs => point.time_s = Some(value(i, field) / 1000.0),
+                ColumnRole::TimeMs => point.time_s = Some(value(i, field) / 1e3),
+                ColumnRole::TimeUs => point.time_s = Some(value(i, field) / 1e6),
+                ColumnRole::TimeNs => point.time_s = Some(value(i, field) / 1e9),
                 ColumnRole::Timestamp => stamp[1] = Some((i, field)),
                 ColumnRole::Date => stamp[0] = Some((i, field)),
                 ColumnRole::TemperatureC if self.dialect.form.missing.says(field) => {}
@@ -486,6 +523,12 @@ impl Reader<'_> {
         point.xyz_mm = place;
         if spread.is_some() {
             point.standard_uncertainty_mm = spread;
+        }
+        // a tracker of rigid bodies writes zeros for a body that it does not see
+        let unseen = turned.len() == 4 && turned.iter().all(|(_, value)| *value == 0.0) && place == [0.0; 3];
+        if unseen && self.dialect.form.missing.origin() {
+            point.refused = Some(Box::new(phrase!("row-invisible")));
+            return;
         }
         match orientation(&mut turned, self.dialect.rotation.as_deref()) {
             Ok(None) => {}
@@ -827,5 +870,51 @@ mod tests {
                 assert!((found - expected.sqrt()).abs() < 1e-7 * expected.sqrt().max(1e-4), "{of:?}");
             }
         }
+    }
+
+    /// Reads points in a dialect of commas with these rows of a header and columns.
+    fn read(text: &str, header: usize, columns: &str, unit: Unit) -> (Vec<Point>, Problems) {
+        let roles = columns.split(',').map(|name| {
+            let name = serde::de::value::StrDeserializer::<serde::de::value::Error>::new(name);
+            serde::Deserialize::deserialize(name).unwrap()
+        });
+        let form = Form { header: Some(Header::Rows(header)), ..Form::delimited(Delimiter::Comma) };
+        let dialect = Dialect { form, columns: roles.collect::<Vec<ColumnRole>>().into(), ..Dialect::default() };
+        point_rows("f", &text.into(), &dialect, unit)
+    }
+
+    #[test]
+    fn a_unit_anywhere_above_the_data_is_compared_with_the_stated_one() {
+        for head in ["-,m,m,m\n", "Unit,[m],[m],[m]\n", "Length Units,Meters\n", "units: m\n", "UNITS=M\n"] {
+            let text = format!("{head}Name,X,Y,Z\nA,1.5,2.5,3.5\n");
+            let (_, problems) = read(&text, 2, "label,x,y,z", Unit::Millimetre);
+            assert!(problems.0[0].is("unit-differs", &[("of_file", &"m"), ("stated", &"mm")]), "{head}: {problems:?}");
+            assert_eq!(problems.0[0].place.as_ref().and_then(|place| place.line), Some(1));
+            assert!(read(&text, 2, "label,x,y,z", Unit::Metre).1.0.is_empty());
+        }
+        // two statements, of which one agrees
+        let text = "units: m\nunit = mm\nA,1.5,2.5,3.5\n";
+        assert!(read(text, 2, "label,x,y,z", Unit::Millimetre).1.0.is_empty());
+    }
+
+    #[test]
+    fn a_header_that_takes_a_data_row_is_an_error() {
+        let text = "take 3\n\nX,Y,Z\n1.5,2.5,3.5\n4.5,5.5,6.5\n";
+        let (_, problems) = read(text, 3, "x,y,z", Unit::Millimetre);
+        assert!(problems.0[0].is("header-is-data", &[("rows", &3), ("fewer", &2)]), "{problems:?}");
+        assert_eq!(read(text, 2, "x,y,z", Unit::Millimetre).0.len(), 2);
+        // numbers may be headings
+        assert!(read("1,2,3\n1.5,2.5,3.5\n", 1, "x,y,z", Unit::Millimetre).1.0.is_empty());
+    }
+
+    #[test]
+    fn a_body_that_the_tracker_does_not_see_is_not_measured() {
+        let text = "0,0,0,0,0,0,0\n1.5,2.5,3.5,1,0,0,0\n";
+        let (points, problems) = read(text, 0, "x,y,z,qw,qx,qy,qz", Unit::Millimetre);
+        assert!(problems.0.is_empty(), "{problems:?}");
+        assert!(points[0].refused.as_ref().is_some_and(|reason| reason.id == "row-invisible"));
+        assert!(points[1].refused.is_none() && points[1].orientation.is_some());
+        let (_, problems) = read("1.5,2.5,3.5,0,0,0,0\n", 0, "x,y,z,qw,qx,qy,qz", Unit::Millimetre);
+        assert!(problems.0[0].is("quaternion-length", &[]), "{problems:?}");
     }
 }

@@ -121,9 +121,6 @@ pub(crate) struct About {
     pub decimal_comma: bool,
     /// `true` if files may be binary: a character of the text is then a byte.
     pub binary: bool,
-    /// `true` if a row that is not a point is an error where points are needed; otherwise the row
-    /// is left out with a warning.
-    pub points_only: bool,
     /// `true` if the format reads row by row, without the list of all lines.
     pub by_rows: bool,
 }

@@ -13,7 +13,7 @@ pub(super) struct Polyworks;
 
 impl ExportFormat for Polyworks {
     fn about(&self) -> About {
-        About { name: "polyworks", title: "PolyWorks text", points_only: true, by_rows: true, ..About::default() }
+        About { name: "polyworks", title: "PolyWorks text", by_rows: true, ..About::default() }
     }
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {

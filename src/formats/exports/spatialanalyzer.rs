@@ -8,14 +8,15 @@ use crate::dialect::{ColumnRole, Dialect, Unit};
 use crate::{Point, SharedText};
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase};
-use etalon_tables::{Delimiter, Form};
+use etalon_tables::lexer::parsed;
+use etalon_tables::{Decimal, Delimiter, Form};
 
 /// ASCII points of SpatialAnalyzer.
 pub(super) struct SpatialAnalyzer;
 
 impl ExportFormat for SpatialAnalyzer {
     fn about(&self) -> About {
-        About { name: "spatialanalyzer", title: "SpatialAnalyzer ASCII", points_only: true, ..About::default() }
+        About { name: "spatialanalyzer", title: "SpatialAnalyzer ASCII", ..About::default() }
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {
@@ -140,12 +141,17 @@ fn named(comment: &str) -> Option<Vec<ColumnRole>> {
 }
 
 /// Columns by their count, without a comment that names them: up to three columns of the name, then
-/// x, y, z.
+/// x, y, z, and texts behind them such as the time of the measurement.
 fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
-    let fields = line.split(',').count();
-    match fields {
+    let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+    let fields = cells.len();
+    let is_number = |cell: &&str| parsed(cell, Decimal::Point, None).is_some();
+    let behind = cells.iter().rev().take_while(|cell| !is_number(cell)).count();
+    let read = if cells.iter().any(|cell| is_number(cell)) { fields - behind } else { fields };
+    match read {
         3..=6 => {
-            Ok([&vec![ColumnRole::Label; fields - 3][..], &[ColumnRole::X, ColumnRole::Y, ColumnRole::Z]].concat())
+            let xyz = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
+            Ok([&vec![ColumnRole::Label; read - 3][..], &xyz, &vec![ColumnRole::Skip; fields - read]].concat())
         }
         _ => {
             let message = error!("row-field-count", fields = fields, expected = phrase!("spatialanalyzer-fields"));
@@ -181,6 +187,8 @@ mod tests {
         let named = format!("{HEAD}// Group,  Point,  X,  Y,  Z,  RMS\n\nG, 7, 1.5, -2, 3.0, 0.01\n");
         assert_eq!(read(&named), [("G::7".to_owned(), xyz)]);
         assert_eq!(SpatialAnalyzer.frame(&named), Some("A::WORLD"));
+        let stamped = format!("{HEAD}C,  G,  0,  1.5,  -2.0,  3.0,  02/12/25 16:42:11\n");
+        assert_eq!(read(&stamped), [("C::G::0".to_owned(), xyz)]);
     }
 
     #[test]
@@ -197,7 +205,7 @@ mod tests {
         }
         let spherical = error("// AXES = SPHERICAL: R, T, P\n1,2,3\n", Unit::Millimetre);
         assert!(spherical.is("coordinates-not-cartesian", &[("found", &"SPHERICAL")]), "{spherical}");
-        for (row, found) in [("C, G, 0, 1, 2, 3, 02/12/25 16:42:11\n", 7), ("C G P 1 2 3\n", 1)] {
+        for (row, found) in [("C, G, 0, 1, 2, 3, 0.01\n", 7), ("C G P 1 2 3\n", 1)] {
             assert!(error(row, Unit::Millimetre).is("row-field-count", &[("fields", &found)]), "{row}");
         }
     }

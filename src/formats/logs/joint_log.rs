@@ -7,7 +7,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_robots::{Joint, Quantity};
 
 /// Keys of `columns` for the time, with their units (s).
-const TIMES: [(&str, f64); 3] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_ns", 1e-9)];
+const TIMES: [(&str, f64); 4] = [("time_s", 1.0), ("time_ms", 1e-3), ("time_us", 1e-6), ("time_ns", 1e-9)];
 
 /// Suffix of columns of the directions from which joints came.
 pub const DIRECTION: &str = "_direction";

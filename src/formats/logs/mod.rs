@@ -52,8 +52,8 @@ pub struct Log {
     /// Form of its text. Rows without a value of a joint or a time are left out.
     #[serde(flatten)]
     pub form: Form,
-    /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_ns`, `label` (of the point
-    /// touched), the joints with their units, and the directions from which joints came
+    /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_us`, `time_ns`, `label` (of the
+    /// point touched), the joints with their units, and the directions from which joints came
     /// (`q1_direction`: +1 from below, -1 from above), the payload (`load_kg`, `load_x_mm`,
     /// `load_y_mm`, `load_z_mm`), torques of joints (`tau1_nm`), and the temperature of the robot
     /// (`temperature_c`).

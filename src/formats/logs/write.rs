@@ -83,6 +83,7 @@ fn content(values: &JointLog, key: &str, column: &Column) -> std::result::Result
         "cycle" => return Ok(Content::Cycle),
         "time_s" => return Ok(Content::Time(1.0, 6)),
         "time_ms" => return Ok(Content::Time(1e3, 0)),
+        "time_us" => return Ok(Content::Time(1e6, 0)),
         "time_ns" => return Ok(Content::Time(1e9, 0)),
         LABEL => return Ok(Content::Label),
         ASSEMBLY if values.has(ASSEMBLY) => return Ok(Content::Assembly),

@@ -282,7 +282,9 @@ fn apply(
             kept.push(set);
         }
     }
-    found.points = kept;
+    let before = std::mem::replace(&mut found.points, kept);
+    let now = |number: usize| found.points.iter().position(|set| Some(set) == before.get(number));
+    found.turned_points = found.turned_points.iter().filter_map(|(n, at)| Some((now(*n)?, *at))).collect();
     remarks
 }
 

@@ -24,6 +24,107 @@ struct Set {
     kind: Kind,
 }
 
+/// Words of positions that name no body.
+const NEUTRAL: [&str; 20] = [
+    "p",
+    "pos",
+    "position",
+    "t",
+    "tcp",
+    "pt",
+    "c",
+    "coord",
+    "coordinate",
+    "coordinates",
+    "trans",
+    "translation",
+    "loc",
+    "location",
+    "point",
+    "座標",
+    "坐标",
+    "koordinate",
+    "coordonnee",
+    "coordenada",
+];
+/// Words of orientations that name no body.
+const TURNED: [&str; 14] = [
+    "r",
+    "rot",
+    "rotation",
+    "orientation",
+    "euler",
+    "rpy",
+    "q",
+    "quat",
+    "quaternion",
+    "ori",
+    "orient",
+    "attitude",
+    "姿勢",
+    "姿态",
+];
+
+/// Words of the robot's own bodies, whose poses its controller computes.
+const OF_CONTROLLER: [&str; 12] = [
+    "flange",
+    "flansch",
+    "bride",
+    "brida",
+    "flangia",
+    "robot",
+    "roboter",
+    "controller",
+    "effector",
+    "eef",
+    "法兰",
+    "フランジ",
+];
+
+/// Returns the words that name a body: neither words of positions and orientations, nor numbers of
+/// components, nor words for measured.
+fn body(tag: &str) -> Vec<&str> {
+    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word) && !stands_for(word, Word::Measured);
+    tag.split(' ').filter(|word| !word.is_empty()).filter(names).collect()
+}
+
+/// Returns the name of the target that the headings of a point give; empty for words that name no
+/// body.
+pub(super) fn target_name(tag: &str) -> String {
+    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word);
+    tag.split(' ').filter(names).collect::<Vec<&str>>().join("_")
+}
+
+/// Columns of easting, northing and height, if the headings name the first two.
+fn survey_axes(table: &Table) -> [Option<usize>; 3] {
+    const NAMES: [&[&str]; 3] = [
+        &["easting", "east", "ostwert", "rechtswert", "rechts", "este", "est", "e", "东", "东坐标"],
+        &["northing", "north", "nordwert", "hochwert", "hoch", "norte", "nord", "n", "北", "北坐标"],
+        &[
+            "elevation",
+            "elev",
+            "height",
+            "hohe",
+            "altitude",
+            "alt",
+            "cote",
+            "quota",
+            "cota",
+            "h",
+            "z",
+            "up",
+            "高程",
+            "高",
+        ],
+    ];
+    let named = |names: &[&str]| {
+        let is_named = |column: &Column| column.is_numeric() && names.contains(&column.heading.joined().as_str());
+        table.columns.iter().position(is_named)
+    };
+    let found = NAMES.map(named);
+    if found[0].is_some() && found[1].is_some() { found } else { [None; 3] }
+}
+
 /// Returns the axis that a heading names, and its other words.
 fn heading_axis(column: &Column) -> Option<(usize, String)> {
     const BEFORE: [&str; 10] = ["", "p", "pos", "t", "tcp", "pt", "c", "coord", "trans", "loc"];
@@ -45,42 +146,64 @@ fn heading_axis(column: &Column) -> Option<(usize, String)> {
     Some((axis, rest.join(" ")))
 }
 
+/// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`),
+/// and this word, if the table has the headings of all three axes.
+fn joined_axis(column: &Column, table: &Table) -> Option<(usize, String)> {
+    let [word] = &column.heading.words[..] else { return None };
+    let last = word.chars().last()?;
+    let axis = ['x', 'y', 'z'].iter().position(|axis| *axis == last)?;
+    let before = &word[..word.len() - 1];
+    let known = [Word::Measured, Word::Commanded, Word::Difference];
+    let is_known = before == "d" || before.len() > 2 && known.into_iter().any(|meaning| stands_for(before, meaning));
+    let has = |axis: char| table.columns.iter().any(|other| other.heading.joined() == format!("{before}{axis}"));
+    (is_known && ['x', 'y', 'z'].into_iter().all(has)).then(|| (axis, before.to_owned()))
+}
+
 /// Returns the kind of a set by the words of its headings.
 fn kind_by_words(tag: &str) -> Kind {
     let has = |meaning: Word| tag.split(' ').any(|word| stands_for(word, meaning));
     let long = |meaning: Word| tag.split(' ').any(|word| word.len() > 1 && stands_for(word, meaning));
-    let neutral = [
-        "p",
-        "pos",
-        "position",
-        "t",
-        "tcp",
-        "pt",
-        "c",
-        "coord",
-        "coordinate",
-        "coordinates",
-        "trans",
-        "translation",
-        "loc",
-        "point",
-    ];
     match () {
         () if tag.is_empty() => Kind::Plain,
         () if has(Word::Uncertainty) || has(Word::Motion) || tag == "n" || long(Word::Normal) => Kind::Other,
-        () if tag.split(' ').any(|word| {
-            ["r", "rot", "rotation", "orientation", "euler", "rpy", "q", "quat", "quaternion"].contains(&word)
-        }) =>
-        {
-            Kind::Other
-        }
+        () if tag.split(' ').any(|word| TURNED.contains(&word)) => Kind::Other,
         () if has(Word::Difference) => Kind::Difference,
         () if tag == "target" => Kind::Named,
         () if has(Word::Commanded) && !long(Word::Measured) => Kind::Commanded,
         () if has(Word::Measured) => Kind::Measured,
-        () if tag.split(' ').all(|word| neutral.contains(&word)) => Kind::Plain,
+        () if tag.split(' ').all(|word| NEUTRAL.contains(&word)) => Kind::Plain,
         () => Kind::Named,
     }
+}
+
+/// `true` if the third of three sets is the second minus the first in all rows, to the digits of
+/// the file.
+fn are_differences(table: &Table, [first, second, third]: [&PointSet; 3]) -> bool {
+    let axes = (0..3).map(|axis| [first.columns[axis], second.columns[axis], third.columns[axis]]);
+    let mut any = false;
+    let all = axes.filter(|columns| columns.iter().any(Option::is_some)).all(|columns| {
+        let [Some(a), Some(b), Some(c)] = columns else { return false };
+        let largest = table.columns[c].largest();
+        any |= largest > 0.0;
+        let rounding = 5e-3 * largest + 1e-9 * table.columns[a].largest();
+        table.finite_rows([a, b, c]).all(|[a, b, c]| (b - a - c).abs() <= rounding.max(2e-4 * c.abs()))
+    });
+    all && any
+}
+
+/// `true` if two points are much nearer to each other in all rows than the points of the rows are.
+fn nearly_agree(table: &Table, a: &PointSet, b: &PointSet) -> bool {
+    const NEAR: f64 = 2e-3;
+    let span = |at: usize| {
+        let (low, high) = table.columns[at].range();
+        high - low
+    };
+    let spread = a.columns.iter().flatten().map(|at| span(*at)).fold(0.0, f64::max);
+    let near = |(a, b): (&Option<usize>, &Option<usize>)| match (a, b) {
+        (Some(a), Some(b)) => table.finite_rows([*a, *b]).all(|[a, b]| (a - b).abs() <= NEAR * spread),
+        _ => false,
+    };
+    spread > 0.0 && a.columns.iter().zip(&b.columns).filter(|(a, b)| a.is_some() || b.is_some()).all(near)
 }
 
 impl Interpretation {
@@ -90,9 +213,12 @@ impl Interpretation {
             return;
         }
         let mut sets: Vec<Set> = Vec::new();
+        let survey = survey_axes(table);
         for (i, column) in table.columns.iter().enumerate() {
             let free = self.taken[i].meaning == Meaning::Unknown && column.is_numeric();
-            let Some((axis, tag)) = heading_axis(column).filter(|_| free) else { continue };
+            let of_survey = survey.iter().position(|at| *at == Some(i)).map(|axis| (axis, String::new()));
+            let named = || heading_axis(column).or_else(|| joined_axis(column, table));
+            let Some((axis, tag)) = of_survey.or_else(named).filter(|_| free) else { continue };
             match sets.iter_mut().find(|set| set.points.tag == tag && set.points.columns[axis].is_none()) {
                 Some(set) => set.points.columns[axis] = Some(i),
                 None => {
@@ -115,6 +241,8 @@ impl Interpretation {
                 set.kind = Kind::Commanded;
             }
         }
+        self.related_sets(&mut sets, table);
+        self.bodies = sets.iter().map(|set| set.points.tag.clone()).collect();
         let others: Vec<&Set> = sets.iter().filter(|set| set.kind == Kind::Other).collect();
         for set in &others {
             for at in set.points.columns.iter().flatten() {
@@ -168,8 +296,105 @@ impl Interpretation {
         }
     }
 
+    /// Finds the sets whose difference is a third one in all rows: commanded and measured values
+    /// with their deviation, if the headings do not say which is which.
+    fn related_sets(&mut self, sets: &mut [Set], table: &Table) {
+        let unnamed = |set: &Set| matches!(set.kind, Kind::Plain | Kind::Named);
+        let triples = (0..sets.len()).flat_map(|a| (0..sets.len()).map(move |b| (a, b)));
+        let triples = triples.flat_map(|(a, b)| (0..sets.len()).map(move |c| [a, b, c]));
+        let is_related = |[a, b, c]: &[usize; 3]| {
+            let kinds = [Kind::Plain, Kind::Named];
+            let fits = |at: usize, more: Kind| kinds.contains(&sets[at].kind) || sets[at].kind == more;
+            a != b
+                && b != c
+                && a != c
+                && (unnamed(&sets[*a]) || unnamed(&sets[*b]) || unnamed(&sets[*c]))
+                && fits(*a, Kind::Commanded)
+                && fits(*b, Kind::Measured)
+                && fits(*c, Kind::Difference)
+                && are_differences(table, [*a, *b, *c].map(|at| &sets[at].points))
+        };
+        let Some([a, b, c]) = triples.clone().find(is_related) else { return };
+        (sets[a].kind, sets[b].kind, sets[c].kind) = (Kind::Commanded, Kind::Measured, Kind::Difference);
+        let columns = |at: usize| sets[at].points.columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+        self.doubt(phrase!(
+            "doubt-sets-by-difference",
+            commanded = columns(a),
+            measured = columns(b),
+            difference = columns(c)
+        ));
+    }
+
+    /// Asks which of several points is the measured one, if their headings are equal or their
+    /// coordinates nearly agree in all rows.
+    fn ask_about_sets(&mut self, table: &Table) {
+        let alike = |i: usize, j: usize| {
+            let (a, b) = (&self.points[i], &self.points[j]);
+            target_name(&a.tag) == target_name(&b.tag) || nearly_agree(table, a, b)
+        };
+        let count = self.points.len();
+        let pair = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).find(|(i, j)| alike(*i, *j));
+        let columns = |at: usize| self.points[at].columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+        if let Some((i, j)) = pair {
+            self.ask(phrase!("ask-sets-alike", first = columns(i), second = columns(j)));
+        }
+    }
+
+    /// Gives each point the quaternion of its body; a quaternion of another body is not taken.
+    pub(super) fn own_orientations(&mut self) {
+        let quaternions = std::mem::take(&mut self.quaternions);
+        let mut left: Vec<(String, [usize; 4])> = quaternions.clone();
+        for number in 0..self.points.len() {
+            let of_point: Vec<String> = body(&self.points[number].tag).into_iter().map(str::to_owned).collect();
+            let same = |(tag, _): &(String, [usize; 4])| body(tag) == of_point;
+            // a heading that names no body is of the only point
+            let alone = |(tag, _): &(String, [usize; 4])| {
+                number == 0 && (body(tag).is_empty() || of_point.is_empty()) && !self.is_of_another_body(tag)
+            };
+            // of equal headings those next to the coordinates
+            let own = &self.points[number].columns;
+            let gap = |columns: &[usize; 4]| {
+                own.iter().flatten().flat_map(|at| columns.map(|of| of.abs_diff(*at))).min().unwrap_or(0)
+            };
+            let nearest = |fits: &dyn Fn(&(String, [usize; 4])) -> bool| {
+                (0..left.len()).filter(|at| fits(&left[*at])).min_by_key(|at| gap(&left[*at].1))
+            };
+            let Some(at) = nearest(&same).or_else(|| nearest(&alone)) else { continue };
+            let (tag, columns) = left.remove(at);
+            if body(&tag) != of_point && !body(&tag).is_empty() {
+                self.doubt(phrase!("doubt-orientation-of-body", body = tag));
+            }
+            if number > 0 {
+                self.turned_points.push((number, columns));
+            } else {
+                self.quaternions.push((tag, columns));
+            }
+        }
+        if self.points.is_empty() {
+            self.quaternions = quaternions;
+            return;
+        }
+        for (k, at) in left.iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
+            self.take(*at, Meaning::OtherOrientation(k), phrase!("why-other-body"));
+        }
+        for (k, at) in self.turned_points.clone().iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
+            self.take(*at, Meaning::OtherOrientation(k), phrase!("why-heading-and-four"));
+        }
+    }
+
+    /// `true` if the words before a component of an orientation name a body whose coordinates are
+    /// another set than the measured point.
+    pub(super) fn is_of_another_body(&self, words: &str) -> bool {
+        let named = body(words);
+        let Some(point) = self.points.first().filter(|_| !named.is_empty()) else { return false };
+        let is_named = |tag: &str| body(tag) == named;
+        !is_named(&point.tag) && self.bodies.iter().any(|tag| is_named(tag))
+            || !body(&point.tag).is_empty() && !is_named(&point.tag) && self.points.len() > 1
+    }
+
     /// Adds doubts and questions about the coordinates.
     fn judge(&mut self, sets: &[Set], table: &Table) {
+        self.ask_about_sets(table);
         let one = |kind: Kind| sets.iter().find(|set| set.kind == kind).map(|set| set.points.clone());
         if self.points.is_empty()
             && let Some(commanded) = one(Kind::Commanded)
@@ -190,6 +415,14 @@ impl Interpretation {
             .collect();
         if !left.is_empty() && !self.points.is_empty() {
             self.doubt(phrase!("doubt-coordinates-left", left));
+        }
+        let computed = |set: &&PointSet| {
+            let mut words = set.tag.split(' ');
+            words.clone().any(|word| OF_CONTROLLER.contains(&word))
+                && !words.any(|word| word.len() > 1 && stands_for(word, Word::Measured))
+        };
+        if let Some(body) = self.points.iter().find(computed).map(|set| set.tag.clone()) {
+            self.doubt(phrase!("doubt-controller-pose", body));
         }
         let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
         if self.points.iter().any(bare) {
@@ -232,9 +465,9 @@ impl Interpretation {
         let first = rest.first().map(|i| &table.columns[*i]);
         if let Some(column) = first.filter(|column| before && column.is_increasing() && !column.is_constant()) {
             let quaternion = rest.len() == 7 && table.are_unit([rest[3], rest[4], rest[5], rest[6]]);
-            let step = column.numbers().take(2).collect::<Vec<f64>>();
-            if !quaternion {
-                match column.is_whole() && step.windows(2).all(|pair| pair[1] - pair[0] == 1.0) {
+            let cloud = self.are_scanned(table, &rest);
+            if !quaternion && !cloud {
+                match column.is_counter() || column.counts_mostly() {
                     true => set(self, rest[0], Meaning::Count, phrase!("why-counts")),
                     false => {
                         set(self, rest[0], Meaning::Time, phrase!("why-increases"));
@@ -255,6 +488,11 @@ impl Interpretation {
 
     /// Interprets the numbers of a row by their count and values.
     fn by_count(&mut self, table: &Table, rest: &[usize]) {
+        if self.are_scanned(table, rest) {
+            self.point_at(&rest[..3]);
+            rest[3..].iter().for_each(|at| self.take(*at, Meaning::Appearance, phrase!("why-colours")));
+            return self.doubt(phrase!("doubt-scanned"));
+        }
         let set = |found: &mut Self, at: usize, meaning: Meaning, why: Phrase| found.take(at, meaning, why);
         match *rest {
             [x, y, z, a, b, c, d] if table.are_unit([a, b, c, d]) => {
@@ -297,6 +535,20 @@ impl Interpretation {
             }
             _ => {}
         }
+    }
+
+    /// `true` for the numbers of a scanned point: its coordinates, its intensity or none, and three
+    /// whole numbers up to 255, its colour.
+    fn are_scanned(&self, table: &Table, rest: &[usize]) -> bool {
+        let [.., r, g, b] = *rest else { return false };
+        let is_colour = |at: usize| {
+            let (low, high) = table.columns[at].range();
+            table.columns[at].is_whole() && low >= 0.0 && high <= 255.0
+        };
+        let fractional = |at: &usize| !table.columns[*at].is_whole();
+        let varied = [r, g, b].iter().any(|at| !table.columns[*at].is_constant());
+        let number = matches!(rest.len(), 6 | 7) && [r, g, b].into_iter().all(is_colour) && varied;
+        number && self.has_no_text() && rest[..3].iter().all(fractional)
     }
 
     fn has_no_text(&self) -> bool {

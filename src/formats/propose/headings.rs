@@ -1,4 +1,7 @@
-//! Words and units in headings of columns, in English, German, French, Italian and Spanish.
+//! Words and units in headings of columns, in English, German, French, Italian, Spanish, Chinese
+//! and Japanese.
+
+use etalon_tables::{is_grad, unit_word};
 
 /// Heading split into words and unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -9,6 +12,8 @@ pub(super) struct Heading {
     pub unit: Option<&'static str>,
     /// `true` if the unit is a bare `_m`, which may mean "measured".
     pub bare_metre: bool,
+    /// `true` if the unit is spelled `grad`, which means gon or degree.
+    pub grad: bool,
     /// `true` if the kinematics of the nominal robot fit with the unit.
     pub fitted: bool,
 }
@@ -40,54 +45,57 @@ pub(super) enum Word {
 
 /// Words of headings by meaning.
 const WORDS: [(Word, &str); 20] = [
-    (Word::Time, "time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts"),
-    (Word::Date, "date datum data fecha"),
+    (
+        Word::Time,
+        "時刻 時間 时间 时刻 hora heure ora tick ticks time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts",
+    ),
+    (Word::Date, "日付 日期 date datum data fecha"),
     (
         Word::Label,
-        "label name point points pointname id bezeichnung punkt punktname messpunkt nom nome nombre punto etichetta etiqueta \
+        "点名 点号 测点 测点号 名称 名前 要素名 要素 番号 编号 序号名 点 測定点 label name point points pointname id bezeichnung punkt punktname messpunkt nom nome nombre punto etichetta etiqueta \
          libelle repere ptname pointid tag element feature",
     ),
     (
         Word::Target,
-        "target smr marker ball reflector reflektor kugel marke cible bille mire bersaglio prisma esfera sfera zielmarke",
+        "靶球 靶标 ターゲット 反射球 target smr marker ball reflector reflektor kugel marke cible bille mire bersaglio prisma esfera sfera zielmarke",
     ),
-    (Word::Pose, "pose poses posenr poseid stellung posture posa postura lage"),
+    (Word::Pose, "位姿 姿勢 ポーズ pose poses posenr poseid stellung posture posa postura lage"),
     (
         Word::Cycle,
-        "cycle run repeat repetition trial zyklus wiederholung lauf durchgang cycles essai ciclo prova repeticion ripetizione rep",
+        "循环 次数 回数 cycle run repeat repetition trial zyklus wiederholung lauf durchgang cycles essai ciclo prova repeticion ripetizione rep",
     ),
     (
         Word::Count,
-        "index idx no nr num number seq order step line row zeile nummer numero numer n count counter frame sample nb ligne riga fila \
+        "序号 連番 行号 index idx no nr num number seq order step line row zeile nummer numero numer n count counter frame sample nb ligne riga fila \
          measurement",
     ),
     (
         Word::Measured,
-        "measured meas measurement measure actual act ist istwert gemessen mess mesure mesuree medido medida misurato misurata real \
+        "測定 測定値 実測 実測値 测量 测量值 实测 实测值 测定 测定值 gemessene istwerte gemessener measured meas measurement measure actual act ist istwert gemessen mess mesure mesuree medido medida misurato misurata real \
          tracker observed m laser lt rist",
     ),
     (
         Word::Commanded,
-        "goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint plan planned theoretical \
+        "設計 設計値 公称 公称値 基準値 理論値 设计 设计值 理论 理论值 名义 名义值 标称 标称值 sollwerte goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint plan planned theoretical \
          theoretisch theor theorique consigne nominale teorico teorica objetivo programmed prog rsol expected obiettivo",
     ),
     (
         Word::Difference,
-        "dif diff difference dev deviation delta error err abweichung ecart erreur desviacion errore scarto residual d diferencia",
+        "偏差 誤差 误差 差 差值 abw dif diff difference dev deviation delta error err abweichung ecart erreur desviacion errore scarto residual d diferencia",
     ),
     (
         Word::Uncertainty,
-        "u std sigma sd unc uncertainty stdev uncert rms unsicherheit incertitude incertezza incertidumbre stddev",
+        "不确定度 不確かさ u std sigma sd unc uncertainty stdev uncert rms unsicherheit incertitude incertezza incertidumbre stddev",
     ),
-    (Word::Temperature, "temp temperature temperatur temperatura temperatures airtemp"),
+    (Word::Temperature, "温度 気温 气温 temp temperature temperatur temperatura temperatures airtemp"),
     (Word::Deleted, "deleted geloescht geloscht supprime cancellato borrado"),
     (
         Word::Distance,
-        "distance dist range laenge lange longueur length distanz distanza distancia abstand slope entfernung seil wire",
+        "距离 距離 斜距 distance dist range laenge lange longueur length distanz distanza distancia abstand slope entfernung seil wire",
     ),
-    (Word::Azimuth, "azimuth az hz horizontal azimut acimut"),
-    (Word::Zenith, "zenith zen zenit vz cenit"),
-    (Word::Elevation, "elevation el hohenwinkel site elevazione elevacion"),
+    (Word::Azimuth, "水平角 方位角 azimuth az hz horizontal azimut acimut"),
+    (Word::Zenith, "天顶距 天頂角 天顶角 鉛直角 zenith zen zenit vz cenit"),
+    (Word::Elevation, "仰角 高度角 竖直角 elevation el hohenwinkel site elevazione elevacion"),
     (
         Word::Motion,
         "vel velocity speed v acc acceleration force torque current geschwindigkeit vitesse velocita velocidad beschleunigung kraft \
@@ -96,7 +104,7 @@ const WORDS: [(Word, &str); 20] = [
     (Word::Normal, "normal n nx ny nz dir direction normale richtung"),
     (
         Word::Joint,
-        "joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
+        "关节 関節 轴 軸 joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
          leg legs bein beine strut jambe gamba pata",
     ),
 ];
@@ -118,8 +126,11 @@ impl Heading {
             let end = after.find([']', ')', '}', '>']).unwrap_or(after.len());
             let within = after.get(1..end).unwrap_or("");
             rest.push_str(before);
-            match unit(within) {
-                Some(unit) => heading.unit = heading.unit.or(Some(unit)),
+            match unit_word(within) {
+                Some(unit) => {
+                    heading.unit = heading.unit.or(Some(unit));
+                    heading.grad |= is_grad(within);
+                }
                 None => rest.extend([" ", within, " "]),
             }
             open = after.get(end + 1..).unwrap_or("");
@@ -130,8 +141,10 @@ impl Heading {
         if let Some((before, last)) = rest.rsplit_once(['_', ' ', '/', ',', '-'])
             && heading.unit.is_none()
             && !before.trim().is_empty()
-            && let Some(unit) = unit(last)
+            && let Some(unit) = unit_word(last)
+            && !(last.len() == 1 && ["C", "K"].contains(&unit) && !has_temperature(before))
         {
+            heading.grad = is_grad(last);
             heading.bare_metre = unit == "m";
             heading.unit = Some(unit);
             heading.words = words(before);
@@ -162,40 +175,22 @@ impl Heading {
     }
 }
 
-/// Returns the unit that a word names, spelled as in the keys of a campaign.
-fn unit(word: &str) -> Option<&'static str> {
-    let word = word.trim();
-    if word == "M" {
-        return None;
-    }
-    Some(match word.to_lowercase().trim_end_matches('.') {
-        "mm" | "millimetre" | "millimetres" | "millimeter" | "millimeters" | "millimetri" | "milimetros" => "mm",
-        "m" | "metre" | "metres" | "meter" | "meters" | "metri" | "metros" => "m",
-        "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" => "um",
-        "in" | "inch" | "inches" | "\"" | "zoll" | "pouce" | "pouces" => "inch",
-        "deg" | "\u{b0}" | "degree" | "degrees" | "grad" | "degre" | "degres" | "gradi" | "grados" => "deg",
-        "rad" | "radian" | "radians" | "radianti" | "radianes" | "radiant" => "rad",
-        "gon" => "gon",
-        "s" | "sec" | "secs" | "second" | "seconds" | "sek" | "sekunden" | "secondes" | "secondi" => "s",
-        "ms" | "msec" | "millisecond" | "milliseconds" => "ms",
-        "us" | "\u{b5}s" => "us",
-        "ns" | "nsec" | "nanoseconds" => "ns",
-        "c" | "\u{b0}c" | "degc" | "celsius" => "C",
-        "k" | "kelvin" => "K",
-        _ => return None,
-    })
+/// `true` if a word names a temperature.
+fn has_temperature(text: &str) -> bool {
+    words(text).iter().any(|word| stands_for(word, Word::Temperature))
 }
 
 /// Splits a text into words in lower case without accents.
 ///
-/// A word ends at a character that is neither letter nor digit, between letters and digits, and
-/// before an upper-case letter behind a lower-case one.
+/// A word ends at a character that is neither letter nor digit, between letters and digits, between
+/// Chinese or Japanese and other letters, and before an upper-case letter behind a lower-case one.
 fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut last = ' ';
     for c in text.chars() {
         let part = !c.is_alphanumeric()
             || c.is_ascii_digit() != last.is_ascii_digit() && last.is_alphanumeric()
+            || is_east_asian(c) != is_east_asian(last) && last.is_alphanumeric()
             || c.is_uppercase() && last.is_lowercase();
         if part || words.is_empty() {
             words.push(String::new());
@@ -214,6 +209,11 @@ fn words(text: &str) -> Vec<String> {
         _ => vec![word],
     };
     words.into_iter().flat_map(parts).collect()
+}
+
+/// `true` for a letter of Chinese or Japanese.
+fn is_east_asian(c: char) -> bool {
+    matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{9fff}' | '\u{f900}'..='\u{faff}')
 }
 
 /// Returns a letter in lower case without accent.
@@ -251,6 +251,8 @@ mod tests {
         assert_eq!(of("PosX"), ("pos x".into(), None));
         assert_eq!(of("Température (°C)"), ("temperature".into(), Some("C")));
         assert_eq!(of("q1_deg"), ("q 1".into(), Some("deg")));
+        assert_eq!(of("Flange C"), ("flange c".into(), None));
+        assert_eq!(of("temperature_c"), ("temperature".into(), Some("C")));
         assert_eq!(of("m_00"), ("m 00".into(), None));
         assert_eq!(of("leg1_mm"), ("leg 1".into(), Some("mm")));
         assert_eq!(of("Leg 1 [mm]"), of("leg1_mm"));

@@ -1,5 +1,6 @@
 //! Lines of a proposal for campaign.toml, from the interpretation of the columns.
 
+use super::coordinates;
 use super::meaning::{Interpretation, Meaning, PointSet};
 use super::several::POSE_LINE;
 use super::table::Table;
@@ -76,6 +77,8 @@ pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         Meaning::Time => match found.time_unit {
             None | Some("s") => ColumnRole::TimeS,
             Some("ms") => ColumnRole::TimeMs,
+            Some("us") => ColumnRole::TimeUs,
+            Some("ns") => ColumnRole::TimeNs,
             _ => ColumnRole::Skip,
         },
         Meaning::Point(of, axis) if of == set => XYZ[axis.min(2)],
@@ -100,7 +103,12 @@ pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         seen.push(role);
         if again { ColumnRole::Skip } else { role }
     };
-    found.taken.iter().map(|taken| once(role(taken.meaning))).collect()
+    let mut roles: Vec<ColumnRole> = found.taken.iter().map(|taken| once(role(taken.meaning))).collect();
+    let of_point = found.turned_points.iter().filter(|(number, _)| *number == set);
+    for (k, at) in of_point.flat_map(|(_, columns)| columns.iter().enumerate()) {
+        roles[*at] = ColumnRole::ORIENTATIONS[0][k];
+    }
+    roles
 }
 
 impl Proposal<'_> {
@@ -160,6 +168,18 @@ impl Proposal<'_> {
         (once && whole && !name.is_empty()).then_some(name)
     }
 
+    /// Returns the group of columns that a point alone is in.
+    fn group(&self, set: &PointSet) -> Option<String> {
+        let of = |set: &PointSet| {
+            let mut groups = set.columns.iter().flatten().map(|at| self.table.columns[*at].group.clone());
+            let first = groups.next()??;
+            groups.all(|group| group.as_ref() == Some(&first)).then_some(first)
+        };
+        let group = of(set)?;
+        let alone = self.found.points.iter().filter(|other| of(other).as_ref() == Some(&group)).count() == 1;
+        (alone && self.found.points.len() > 1).then_some(group)
+    }
+
     /// Returns the unit in the headings of a point.
     fn unit(&self, set: &PointSet) -> Option<Unit> {
         let of = |at: &usize| {
@@ -206,6 +226,15 @@ impl Proposal<'_> {
         Dialect { form: self.best.form.clone(), columns, angle_unit, coverage_factor, ..Dialect::default() }
     }
 
+    /// Returns the dialect as TOML; a time whose unit is open has the unit UNIT.
+    fn timed(&self, dialect: &Dialect) -> String {
+        let written = dialect.to_string();
+        match self.found.time_unit_open {
+            true => written.replace("\"time_s\"", "\"time_UNIT\"").replace("time_s = ", "time_UNIT = "),
+            false => written,
+        }
+    }
+
     /// Returns the lines of exports of points.
     fn points(&self, document: &mut FormatsDocument) -> String {
         document.kind = "export".to_owned();
@@ -224,9 +253,10 @@ impl Proposal<'_> {
     fn export(&self, document: &mut FormatsDocument, set: usize) -> String {
         let roles = roles(self.found, set);
         let points = self.found.points.get(set);
-        let unit = points.and_then(|points| self.unit(points));
+        let distance = || Unit::named(self.table.columns[self.found.first(Meaning::Distance)?].heading.unit?);
+        let unit = points.map_or_else(distance, |points| self.unit(points));
         let dialect = self.dialect(set);
-        let mut out = format!("[[export]]\nfile = {}\nformat = {dialect}\n", quoted(self.file));
+        let mut out = format!("[[export]]\nfile = {}\nformat = {}\n", quoted(self.file), self.timed(&dialect));
         let fitted = |at: &usize| self.table.columns[*at].heading.fitted;
         out += &match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
             true => fitted_unit_line(unit.map(Unit::name)),
@@ -258,7 +288,12 @@ impl Proposal<'_> {
                 "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n",
             );
         } else if !has(ColumnRole::Target) {
-            let tag = points.map(|points| points.tag.replace(' ', "_")).filter(|_| self.found.points.len() > 1);
+            let alike = |name: &str| {
+                self.found.points.iter().filter(|points| coordinates::target_name(&points.tag) == name).count() > 1
+            };
+            let tag = points.map(|points| coordinates::target_name(&points.tag));
+            let tag = tag.filter(|tag| self.found.points.len() > 1 && !alike(tag));
+            let tag = points.and_then(|points| self.group(points)).or(tag);
             match tag {
                 Some(tag) if tag.parse::<u32>().is_ok() => {
                     let _ = writeln!(out, "target = \"marker_{tag}\"");
@@ -271,8 +306,9 @@ impl Proposal<'_> {
         }
         // a column or the label may state the pose; the times of several targets tell their poses
         let several = has(ColumnRole::Timestamp) && has(ColumnRole::Target) && self.has_several_targets();
-        let stated = [ColumnRole::Label, ColumnRole::Pose, ColumnRole::TimeS, ColumnRole::TimeMs];
-        if !several && !stated.iter().any(|role| has(*role)) {
+        let stated = [ColumnRole::Label, ColumnRole::Pose];
+        let timed = [ColumnRole::TimeS, ColumnRole::TimeMs, ColumnRole::TimeUs, ColumnRole::TimeNs];
+        if !several && !stated.iter().chain(&timed).any(|role| has(*role)) {
             out.push_str(POSE_LINE);
         }
         out
@@ -311,6 +347,7 @@ impl Proposal<'_> {
                 Meaning::Unknown => true,
                 Meaning::Count => !named,
                 Meaning::Rotation(_) => has_point && !turned,
+                Meaning::OtherOrientation(_) => !self.found.turned_points.iter().any(|(_, at)| at.contains(&i)),
                 Meaning::Uncertainty(_)
                 | Meaning::ExpandedUncertainty(_)
                 | Meaning::Distance
@@ -603,9 +640,9 @@ impl Proposal<'_> {
                 Meaning::Cycle => "cycle".to_owned(),
                 Meaning::Label => "label".to_owned(),
                 Meaning::Time => {
-                    let unit =
-                        unit_of(at).or(self.table.columns[at].heading.unit).filter(|u| ["s", "ms", "ns"].contains(u));
-                    format!("time_{}", unit.unwrap_or("s"))
+                    let unit = unit_of(at).or(self.found.time_unit).filter(|u| ["s", "ms", "us", "ns"].contains(u));
+                    let open = if kind.is_none() && self.found.time_unit_open { "UNIT" } else { "s" };
+                    format!("time_{}", unit.unwrap_or(open))
                 }
                 _ => match unit_of(at) {
                     Some(unit @ ("s" | "ms" | "ns")) if self.found.first(Meaning::Time).is_none() => {

@@ -5,6 +5,7 @@ use super::headings::{Heading, Word, stands_for};
 use super::table::{Column, Table};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use etalon_tables::guess::Guess;
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +47,10 @@ pub(super) enum Meaning {
     Temperature,
     Deleted,
     Motion,
+    /// Component of a quaternion of another body than the first measured point.
+    OtherOrientation(usize),
+    /// Intensity or colour of a scanned point.
+    Appearance,
 }
 
 impl Meaning {
@@ -85,6 +90,10 @@ impl Meaning {
             Self::Temperature => phrase!("means-temperature"),
             Self::Deleted => phrase!("means-deleted"),
             Self::Motion => phrase!("means-motion"),
+            Self::OtherOrientation(at) => {
+                phrase!("means-other-orientation", component = ["qw", "qx", "qy", "qz"][at.min(3)])
+            }
+            Self::Appearance => phrase!("means-appearance"),
         }
     }
 
@@ -119,8 +128,16 @@ pub(super) struct Interpretation {
     pub commanded: Option<PointSet>,
     /// Difference between commanded and measured point.
     pub difference: Option<PointSet>,
-    /// Unit of the column of times, if its heading states one.
+    /// Words of the headings of all sets of coordinates, without the axis.
+    pub bodies: Vec<String>,
+    /// Quaternions: words of their headings, and columns, the scalar first.
+    pub quaternions: Vec<(String, [usize; 4])>,
+    /// Quaternions of further measured points: number of the point, and columns.
+    pub turned_points: Vec<(usize, [usize; 4])>,
+    /// Unit of the column of times, if its heading or its values state one.
     pub time_unit: Option<&'static str>,
+    /// `true` if the unit of the times is not known.
+    pub time_unit_open: bool,
     /// Names of the joints in robot.toml; empty if no robot was given.
     pub joint_names: Vec<String>,
     /// Columns of joints that count in the opposite direction.
@@ -192,13 +209,35 @@ impl Interpretation {
             found.quaternion(table);
             found.joints(table);
             found.coordinates(table);
+            found.own_orientations();
             found.rotations(table);
             found.singles(table);
             found.rest(table);
         } else {
             found.by_position(table);
         }
+        found.clock_unit(table);
+        found.number_with_gaps(table);
         found
+    }
+
+    /// Gives coordinates without a unit in their heading the unit of lengths that the head of the
+    /// file states; two different statements are a doubt.
+    pub fn unit_of_head(&mut self, table: &mut Table, guess: &Guess) {
+        let Some(first) = guess.stated_units.first() else { return };
+        if let Some(other) = guess.stated_units.iter().find(|stated| stated.unit != first.unit) {
+            let (line, unit, second, of_second) = (first.line, first.unit, other.line, other.unit);
+            return self.doubt(phrase!("doubt-units-differ", line, unit, second, of_second));
+        }
+        for (column, taken) in table.columns.iter_mut().zip(&self.taken) {
+            let is_length = matches!(
+                taken.meaning,
+                Meaning::Point(..) | Meaning::Commanded(_) | Meaning::Difference(_) | Meaning::Distance
+            );
+            if is_length && column.heading.unit.is_none() {
+                column.heading.unit = Some(first.unit);
+            }
+        }
     }
 
     /// Returns the columns for which `number` gives a number, in the order of the numbers.
@@ -343,8 +382,16 @@ impl Interpretation {
         }
     }
 
-    /// Finds four columns of a unit quaternion.
+    /// Finds the quaternions: four columns each, by their headings or by their values.
     fn quaternion(&mut self, table: &Table) {
+        while self.next_quaternion(table) {}
+        if self.quaternions.is_empty() {
+            while self.quaternion_by_values(table) {}
+        }
+    }
+
+    /// Takes the first four free columns whose headings name the components of a quaternion.
+    fn next_quaternion(&mut self, table: &Table) -> bool {
         const FORMS: [[&str; 4]; 4] = [
             ["qw", "qx", "qy", "qz"],
             ["w", "x", "y", "z"],
@@ -386,16 +433,20 @@ impl Interpretation {
                 for (k, at) in all.into_iter().enumerate() {
                     self.take(at, Meaning::Quaternion(k), why.clone());
                 }
-                return;
+                self.quaternions.push((tag.trim().to_owned(), all));
+                return true;
             }
         }
-        self.quaternion_by_values(table);
+        false
     }
 
-    /// Finds four neighbouring columns of length 1 in all rows under headings of any spelling.
-    fn quaternion_by_values(&mut self, table: &Table) {
+    /// Takes four neighbouring columns of length 1 in all rows under headings of any spelling;
+    /// `true` if there are such columns.
+    fn quaternion_by_values(&mut self, table: &Table) -> bool {
+        let normal = ["nx", "ny", "nz", "n x", "n y", "n z", "normal x", "normal y", "normal z"];
         let without_unit = |(i, column): (usize, &Column)| {
-            (column.heading.unit.is_none() || column.component_letter().is_some()).then_some(i)
+            let is_free = column.heading.unit.is_none() || column.component_letter().is_some();
+            (is_free && !normal.contains(&column.heading.joined().as_str())).then_some(i)
         };
         let free: Vec<usize> = self.free(table).filter_map(without_unit).collect();
         let neighbours = free.windows(4).filter_map(|four| <[usize; 4]>::try_from(four).ok());
@@ -405,19 +456,26 @@ impl Interpretation {
                 all.iter().any(|at| !table.columns[*at].is_constant())
                     && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
             };
-            if table.rows < FEWEST_ROWS || !table.are_unit(all) || named.is_none() && !varies() {
+            // further quaternions are named
+            let unsure = named.is_none() && (!self.quaternions.is_empty() || !varies());
+            if table.rows < FEWEST_ROWS || !table.are_unit(all) || unsure {
                 continue;
             }
             // without a name of the scalar it is the first, as a question
+            let mut ordered = all;
             for (at, k) in all.into_iter().zip(named.unwrap_or([0, 1, 2, 3])) {
                 self.take(at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
+                ordered[k] = at;
             }
+            let words = &table.columns[ordered[1]].heading.words;
+            self.quaternions.push((words[..words.len().saturating_sub(1)].join(" "), ordered));
             if named.is_none() {
                 let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
                 self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns));
             }
-            return;
+            return true;
         }
+        false
     }
 }
 
@@ -622,7 +680,8 @@ impl Interpretation {
                 let alone = words == name
                     || name.len() > 1 && words.ends_with(&format!(" {name}"))
                     || words.split_once(' ').is_some_and(stated);
-                allowed(*i) && alone
+                let body = words.strip_suffix(name).unwrap_or("");
+                allowed(*i) && alone && !self.is_of_another_body(body)
             };
             self.free(table).find(fits).map(|(i, _)| i)
         };
@@ -634,6 +693,11 @@ impl Interpretation {
     fn singles(&mut self, table: &Table) {
         let has = |found: &Self, meaning: Meaning| found.taken.iter().any(|taken| taken.meaning == meaning);
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        // `az` beside `ax` and `ay` is a component
+        let is_axis = |heading: &Heading| {
+            let has = |name: &str| table.columns.iter().any(|column| column.heading.joined() == name);
+            heading.joined() == "az" && has("ax") && has("ay")
+        };
         for i in free {
             let column = &table.columns[i];
             let heading = &column.heading;
@@ -642,7 +706,7 @@ impl Interpretation {
             let first = |meaning: Word| heading.words.first().is_some_and(|word| stands_for(word, meaning));
             let meaning = match () {
                 () if heading.has(Word::Temperature) || heading.unit == Some("C") => Meaning::Temperature,
-                () if heading.has(Word::Azimuth) => Meaning::Azimuth,
+                () if heading.has(Word::Azimuth) && !is_axis(heading) => Meaning::Azimuth,
                 () if heading.has(Word::Zenith) => Meaning::Zenith,
                 () if heading.has(Word::Elevation) => Meaning::Elevation,
                 () if heading.has(Word::Deleted) => Meaning::Deleted,
@@ -677,9 +741,6 @@ impl Interpretation {
                 _ => phrase!("why-heading"),
             };
             self.take(i, meaning, why);
-            if meaning == Meaning::Time {
-                self.time_unit = heading.unit;
-            }
             if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
                 self.doubt(phrase!("doubt-time-decreases", column = table.called(i)));
             }
@@ -707,7 +768,14 @@ impl Interpretation {
 
     /// Finds directions `i j k` and `nx ny nz` of length 1.
     fn directions(&mut self, table: &Table) {
-        for form in [["i", "j", "k"], ["nx", "ny", "nz"], ["n x", "n y", "n z"], ["ni", "nj", "nk"]] {
+        const FORMS: [[&str; 3]; 5] = [
+            ["i", "j", "k"],
+            ["nx", "ny", "nz"],
+            ["n x", "n y", "n z"],
+            ["ni", "nj", "nk"],
+            ["normal x", "normal y", "normal z"],
+        ];
+        for form in FORMS {
             let at = |name: &str| {
                 let free = |(i, column): (usize, &Column)| {
                     (column.is_numeric()
@@ -728,6 +796,45 @@ impl Interpretation {
             }
             return;
         }
+    }
+
+    /// Finds the unit of the times: in the heading, or by the size and the step of the values. A
+    /// unit that neither shows is a question.
+    fn clock_unit(&mut self, table: &Table) {
+        let Some(at) = self.first(Meaning::Time) else { return };
+        let column = &table.columns[at];
+        let known = column.heading.unit.filter(|unit| ["s", "ms", "us", "ns"].contains(unit));
+        self.time_unit = known.or_else(|| column.epoch_unit());
+        if self.time_unit.is_some() {
+            if column.heading.unit.is_none()
+                && let Some(unit) = self.time_unit
+                && let Some(why) = self.taken[at].why.take()
+            {
+                self.taken[at].why = Some(phrase!("why-epoch", why, unit));
+            }
+            return;
+        }
+        if column.has_step_of_seconds() {
+            return;
+        }
+        self.time_unit_open = true;
+        let (column, step) = (table.called(at), column.usual_step());
+        self.ask(phrase!("ask-time-unit", column, step));
+    }
+
+    /// Takes a running number with gaps or out of order for the number of the pose, as a question:
+    /// the number of the row is another.
+    fn number_with_gaps(&mut self, table: &Table) {
+        let named = [Meaning::Label, Meaning::Pose, Meaning::Time, Meaning::Clock, Meaning::TimeOfDay];
+        if named.iter().any(|meaning| self.first(*meaning).is_some()) {
+            return;
+        }
+        let gap = |at: &usize| table.columns[*at].first_gap().or_else(|| table.columns[*at].first_out_of_order());
+        let counted = |at: &usize| self.taken[*at].meaning == Meaning::Count;
+        let Some(at) = (0..table.columns.len()).filter(counted).find(|at| gap(at).is_some()) else { return };
+        let Some([before, after]) = gap(&at) else { return };
+        self.take(at, Meaning::Pose, phrase!("why-counts-with-gaps"));
+        self.ask(phrase!("ask-number-with-gaps", column = table.called(at), before, after));
     }
 
     /// Interprets the remaining columns by their values.

@@ -10,6 +10,8 @@ mod lines;
 mod meaning;
 mod motion;
 mod native;
+#[cfg(test)]
+mod reading_tests;
 mod recording;
 mod several;
 mod structure;
@@ -23,7 +25,7 @@ pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
 use super::exports::{Format, Recognised, head, recognise};
-use super::input::{decode, read_bytes};
+use super::input::{decode, guessed_encoding, read_bytes};
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{Point, ros_bag, workbook};
@@ -174,12 +176,7 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
         Ok(text) => return Ok((text, None)),
         Err(message) => message,
     };
-    let nul = |odd: usize| bytes.iter().skip(odd).step_by(2).filter(|b| **b == 0).count() * 8 > bytes.len() * 3;
-    let stated = match (nul(1), nul(0)) {
-        (true, false) => Encoding::Utf16Le,
-        (false, true) => Encoding::Utf16Be,
-        _ => Encoding::Windows1252,
-    };
+    let Some(stated) = guessed_encoding(&bytes) else { return Err(first) };
     match decode(bytes, Some(stated)) {
         Ok(text) => Ok((text, Some(stated))),
         Err(_) => Err(first),
@@ -221,7 +218,8 @@ fn propose_known_format(
         document.ask(phrase!("ask-unit"));
     }
     let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
-    let lines = match columns.is_empty() || columns.contains(&ColumnRole::Label) {
+    let labelled = points.is_empty() || points.iter().any(|point| !point.label.is_empty());
+    let lines = match columns.is_empty() && labelled || columns.contains(&ColumnRole::Label) {
         true => lines,
         false => {
             lines
@@ -273,8 +271,9 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     let mut tables: Vec<(Table, Interpretation)> = guesses
         .iter()
         .map(|guess| {
-            let table = Table::read(text, guess);
-            let found = Interpretation::new(&table);
+            let mut table = Table::read(text, guess);
+            let mut found = Interpretation::new(&table);
+            found.unit_of_head(&mut table, guess);
             (table, found)
         })
         .collect();
@@ -370,7 +369,10 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     let mut reasons = vec![fields, phrase!("because-decimal-marks", fractions, numbers, mark)];
     if let Some(row) = &best.names {
         let is = if names(best).is_some() { "header" } else { "last" };
-        reasons.push(phrase!("because-line", line = row.line, is));
+        reasons.push(phrase!("because-line", line = best.head.line.unwrap_or(row.line), is));
+    }
+    if let Some(stated) = best.stated_units.first() {
+        reasons.push(phrase!("because-unit-stated", line = stated.line, how = stated.how));
     }
     if table.sampled {
         reasons.push(phrase!("because-sampled", rows = table.rows));

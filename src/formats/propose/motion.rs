@@ -48,6 +48,11 @@ impl Motion {
         })
     }
 
+    /// Returns the times of the rows (s).
+    pub fn times_s(&self) -> &[f64] {
+        &self.times_s
+    }
+
     /// Returns the names of the joints that do not move in the whole recording.
     pub fn still(&self) -> Vec<String> {
         let within = self.within();

@@ -13,6 +13,7 @@ use crate::input::read_bytes;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
+use etalon_base::worded::Worded;
 use etalon_documents::FormatsJoin;
 use etalon_robots::Robot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -62,6 +63,8 @@ pub(super) struct Part {
     pub read: Option<(Table, Interpretation)>,
     /// Motion of a recording of messages.
     motion: Option<Motion>,
+    /// Unit of the times, if the duration of another file shows it.
+    clock: Option<&'static str>,
 }
 
 /// Minimum number of rows of a recorded motion per measured point.
@@ -100,6 +103,7 @@ pub(super) struct Join {
 /// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
     let mut parts = paths.iter().map(|path| Part::new(path, robot)).collect::<Result<Vec<Part>>>()?;
+    compare_clocks(&mut parts);
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
     let (log, order) = ordered(robot, &mut parts, &exports);
     let mut joined: Vec<(usize, Join)> = Vec::new();
@@ -120,6 +124,10 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     // a recorded table may have poses that join it; a recording of messages has times alone
     let timed = log.filter(|log| joined.is_empty() || is_recording_of_messages(&parts[*log]));
     let meeting = timed.and_then(|log| meeting(&parts, &exports, log, targets.len()));
+    let by_time = meeting.is_some() || joined.iter().any(|(_, join)| join.by == "time");
+    if !by_time && !exports.is_empty() {
+        parts.iter_mut().filter(|part| part.document.kind == "log").for_each(Part::leave_clock);
+    }
     let tail = match log {
         Some(log) if !exports.is_empty() => match meeting {
             Some(Meeting::Standstills { at_least_s, .. }) => {
@@ -152,6 +160,34 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     toml += &tail;
     let still = parts.iter().filter_map(Part::motion).flat_map(|motion| motion.still()).collect();
     Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
+}
+
+/// Settles the unit of a clock that no heading states by the duration of another file whose times
+/// have a unit.
+fn compare_clocks(parts: &mut [Part]) {
+    let open = |part: &Part| part.read.as_ref().is_some_and(|(_, found)| found.time_unit_open);
+    let duration = |times: &[f64]| Some(times.last()? - times.first()?).filter(|span| *span > 0.0);
+    let known = |part: &Part| match &part.motion {
+        Some(motion) => duration(motion.times_s()),
+        None => duration(&part.times_s().filter(|_| !open(part))?),
+    };
+    let Some(known_s) = parts.iter().find_map(known) else { return };
+    for part in parts.iter_mut().filter(|part| open(part)) {
+        let Some(span) = part.times_s().and_then(|times| duration(&times)) else { continue };
+        let fits = |unit: &&str| (0.1..10.0).contains(&(span * seconds_per(Some(unit)) / known_s));
+        part.clock = ["s", "ms", "us", "ns"].into_iter().find(|unit| fits(&unit));
+        part.state_clock();
+    }
+}
+
+/// Returns the unit of times in seconds; one second for an open unit.
+fn seconds_per(unit: Option<&str>) -> f64 {
+    match unit {
+        Some("ms") => 1e-3,
+        Some("us") => 1e-6,
+        Some("ns") => 1e-9,
+        _ => 1.0,
+    }
 }
 
 /// Kinds of tables of a test by ISO 9283.
@@ -476,12 +512,13 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
     let stem = stem(&part.document.file);
     let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
     let toml = &mut part.document.toml;
-    if toml.contains(TARGET_LINE) {
-        *toml = toml.replace(
-            TARGET_LINE,
-            &format!("target = \"{stem}\"           # named after the file: the file names no target\n"),
-        );
-        add(&stem);
+    // each point of a row is another target
+    let open = toml.matches(TARGET_LINE).count();
+    for number in 1..=open {
+        let name = if open == 1 { stem.clone() } else { format!("{stem}_{number}") };
+        let line = format!("target = {}           # named after the file: the file names no target\n", quoted(&name));
+        *toml = toml.replacen(TARGET_LINE, &line, 1);
+        add(&name);
     }
     // a format of its own states no form of its labels
     if part.document.format.is_some() && keys.labels.is_some() && join.is_some() {
@@ -539,7 +576,7 @@ impl Part {
         )?;
         let is_recording = matches!(document.format.as_deref(), Some("mcap" | "db3"));
         let motion = is_recording.then(|| read_bytes(path).ok().and_then(|bytes| recording::motion(&bytes))).flatten();
-        Ok(Self { path: path.to_owned(), document, read, motion })
+        Ok(Self { path: path.to_owned(), document, read, motion, clock: None })
     }
 
     /// Returns the motion of a log with times.
@@ -549,7 +586,7 @@ impl Part {
         }
         let (table, found) = self.read.as_ref()?;
         let times = &table.columns[found.first(Meaning::Time)?].values;
-        let factor = if found.time_unit == Some("ms") { 1e-3 } else { 1.0 };
+        let factor = seconds_per(found.time_unit);
         let columns = found.joint_columns();
         let joints = (0..table.rows).map(|row| columns.iter().map(|at| table.columns[*at].values[row]).collect());
         let mut motion = Motion::new(times.iter().map(|time| factor * time).collect(), joints.collect())?;
@@ -562,7 +599,7 @@ impl Part {
         let (table, found) = self.read.as_ref()?;
         let mut times: Vec<f64> = match found.first(Meaning::Time) {
             Some(at) => {
-                let factor = if found.time_unit == Some("ms") { 1e-3 } else { 1.0 };
+                let factor = seconds_per(found.time_unit);
                 table.columns[at].values.iter().map(|time| factor * time).collect()
             }
             None => {
@@ -589,7 +626,42 @@ impl Part {
             }),
         )?;
         self.read = read;
+        self.state_clock();
         Ok(())
+    }
+
+    /// Writes the unit of the times that the duration of another file shows.
+    fn state_clock(&mut self) {
+        let (Some(unit), Some((_, found))) = (self.clock, &mut self.read) else { return };
+        (found.time_unit, found.time_unit_open) = (Some(unit), false);
+        self.document.toml = self.document.toml.replace("time_UNIT", &format!("time_{unit}"));
+        self.withdraw("ask-time-unit");
+    }
+
+    /// Leaves out the times of a log, whose unit is open, if no join needs them.
+    fn leave_clock(&mut self) {
+        let Some((table, found)) = self.read.as_ref().filter(|(_, found)| found.time_unit_open) else { return };
+        let Some(at) = found.first(Meaning::Time) else { return };
+        let named = table.columns[at].name.as_deref().map(quoted).into_iter().chain([(at + 1).to_string()]);
+        let called = table.called(at);
+        for source in named {
+            let entry = format!("time_UNIT = {source}, ");
+            self.document.toml = self.document.toml.replace(&entry, "");
+        }
+        if !self.document.toml.contains("time_UNIT") {
+            self.withdraw("ask-time-unit");
+            self.doubt(phrase!("doubt-columns-not-read", columns = vec![called], more = 0));
+        }
+    }
+
+    /// Removes a question that is answered.
+    fn withdraw(&mut self, id: &str) {
+        let is_asked = |question: &Worded| question.phrase().is_some_and(|phrase| phrase.id == id);
+        for question in self.document.questions.iter().filter(|question| is_asked(question)) {
+            let line = format!("# QUESTION: {}\n", printable(&question.to_string()));
+            self.document.toml = self.document.toml.replace(&line, "");
+        }
+        self.document.questions.retain(|question| !is_asked(question));
     }
 
     fn doubt(&mut self, doubt: Phrase) {

@@ -1,6 +1,6 @@
 //! Table of one reading of a file: its columns with all values.
 
-use super::headings::Heading;
+use super::headings::{Heading, Word};
 use etalon_robots::Robot;
 use etalon_tables::guess::{Guess, is_time, names};
 use etalon_tables::lexer::{Row, each_row, marked};
@@ -30,6 +30,8 @@ pub(super) struct Column {
     pub name: Option<String>,
     /// Words and unit of the name.
     pub heading: Heading,
+    /// Name of the group of columns above the heading.
+    pub group: Option<String>,
     /// Values of a column of numbers, NaN if not measured; empty for a column of texts.
     pub values: Vec<f64>,
     /// Distinct texts, at most [`TEXTS`].
@@ -48,11 +50,16 @@ impl Table {
     pub fn read(text: &str, guess: &Guess) -> Self {
         let width = guess.numeric.len();
         let names = names(guess).unwrap_or_default();
+        let unit = |i: usize| guess.head.units.get(i).copied().flatten();
         let mut columns: Vec<Column> = (0..width.min(MOST_COLUMNS))
             .map(|i| {
                 let name = names.get(i).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
-                let heading = name.as_deref().map(Heading::parse).unwrap_or_default();
-                Column { name, heading, clock: true, ..Column::default() }
+                let mut heading = name.as_deref().map(Heading::parse).unwrap_or_default();
+                if unit(i).is_some() {
+                    (heading.unit, heading.bare_metre) = (unit(i), false);
+                }
+                let group = guess.head.groups.get(i).cloned().flatten();
+                Column { name, heading, group, clock: true, ..Column::default() }
             })
             .collect();
         let skipped = guess.header;
@@ -71,6 +78,7 @@ impl Table {
                 column.add(row.field(i), guess.numeric[i], guess);
             }
         }
+        columns.iter_mut().for_each(Column::decide_grad);
         Self { columns, rows, sampled, width }
     }
 
@@ -130,6 +138,15 @@ pub fn heading_without_unit(heading: &str) -> &str {
 const UNIT: f64 = 2e-3;
 
 impl Column {
+    /// Decides whether `grad` of an angle of an instrument means gon: angles above 360 do. Others
+    /// leave the unit open.
+    fn decide_grad(&mut self) {
+        let angles = [Word::Azimuth, Word::Zenith, Word::Elevation];
+        if self.heading.grad && angles.into_iter().any(|word| self.heading.has(word)) {
+            self.heading.unit = (self.largest() > 360.0).then_some("gon");
+        }
+    }
+
     fn add(&mut self, field: &str, numeric: bool, guess: &Guess) {
         if numeric {
             self.values.push(marked(field, guess.form.decimal(), guess.form.thousands).unwrap_or(f64::NAN));
@@ -180,6 +197,71 @@ impl Column {
     pub fn is_increasing(&self) -> bool {
         let values: Vec<f64> = self.numbers().collect();
         values.len() > 1 && values.windows(2).all(|pair| pair[1] > pair[0])
+    }
+
+    /// `true` for whole numbers that increase by one in all rows.
+    pub fn is_counter(&self) -> bool {
+        let values: Vec<f64> = self.numbers().collect();
+        self.is_whole() && values.len() > 1 && values.windows(2).all(|pair| pair[1] - pair[0] == 1.0)
+    }
+
+    /// Returns the first two neighbours that a running number does not have: whole numbers that
+    /// increase in steps of different sizes.
+    pub fn first_gap(&self) -> Option<[f64; 2]> {
+        let values: Vec<f64> = self.numbers().collect();
+        let steps = || values.windows(2).filter_map(|pair| <[f64; 2]>::try_from(pair).ok());
+        let least = steps().map(|[before, after]| after - before).fold(f64::INFINITY, f64::min);
+        // beyond 2^53 numbers lose their last digits
+        let running = self.is_whole() && self.is_increasing() && self.largest() < 9e15;
+        steps().find(|[before, after]| running && after - before > least)
+    }
+
+    /// `true` if a running number increases by one in most of its steps.
+    pub fn counts_mostly(&self) -> bool {
+        let values: Vec<f64> = self.numbers().collect();
+        let ones = values.windows(2).filter(|pair| pair[1] - pair[0] == 1.0).count();
+        self.is_whole() && self.is_increasing() && 2 * ones + 1 >= values.len()
+    }
+
+    /// Returns the first two neighbours that are not in order, if the column has each of its whole
+    /// numbers once and few others are between them.
+    pub fn first_out_of_order(&self) -> Option<[f64; 2]> {
+        let values: Vec<f64> = self.numbers().collect();
+        let mut sorted = values.clone();
+        sorted.sort_by(f64::total_cmp);
+        let (low, high) = self.range();
+        let once = self.is_whole() && sorted.windows(2).all(|pair| pair[0] != pair[1]);
+        let dense = high - low < 4.0 * values.len() as f64;
+        let mut steps = values.windows(2).filter_map(|pair| <[f64; 2]>::try_from(pair).ok());
+        steps.find(|[before, after]| once && dense && after < before)
+    }
+
+    /// Returns the unit of times that count from 1970, by their size.
+    pub fn epoch_unit(&self) -> Option<&'static str> {
+        // from 2001 to 2096
+        let since_1970 = |second: f64| self.numbers().all(|v| (1e9 * second..4e9 * second).contains(&v));
+        let units = [("s", 1.0), ("ms", 1e3), ("us", 1e6), ("ns", 1e9)];
+        units.into_iter().find(|(_, second)| self.is_numeric() && since_1970(*second)).map(|(unit, _)| unit)
+    }
+
+    /// Returns the median step between neighbouring values.
+    pub fn usual_step(&self) -> f64 {
+        let values: Vec<f64> = self.numbers().collect();
+        let mut steps: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).collect();
+        steps.sort_by(f64::total_cmp);
+        steps.get(steps.len() / 2).copied().unwrap_or(0.0)
+    }
+
+    /// `true` if times with this step are seconds: in any smaller unit a clock of a robot or of an
+    /// instrument has a step of one and more.
+    pub fn has_step_of_seconds(&self) -> bool {
+        let step = self.usual_step();
+        let (low, high) = self.range();
+        // days since 1900, as worksheets write them, of 2009 and later
+        let days = low > 40_000.0 && high < 80_000.0 && step < 2e-3;
+        let others = ["min", "minutes", "h", "hours", "d", "days", "tick", "ticks", "frame", "frames"];
+        let other = self.heading.words.iter().any(|word| others.contains(&word.as_str()));
+        step < 1.0 && !self.is_whole() && !days && !other
     }
 
     /// `true` if no value is smaller than the one before, and the last exceeds the first.

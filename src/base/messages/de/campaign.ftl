@@ -268,6 +268,9 @@ key-open = `{ $key }` ist noch offen
 joint-unit-open = die Einheit der Gelenke ist noch offen
     .hint = deg, rad, mm oder m für UNIT einsetzen
 
+time-unit-open = die Einheit der Zeiten ist noch offen
+    .hint = `time_s`, `time_ms`, `time_us` oder `time_ns` für `time_UNIT` einsetzen
+
 kind-expected = { $kind ->
         [text] ein Text
         [number] eine Zahl

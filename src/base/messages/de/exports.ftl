@@ -38,6 +38,8 @@ file-not-text = `{ $file }` ist { $kind ->
         [gzip] mit gzip komprimiert
         [xls] eine alte Excel-Mappe (.xls)
         [rosbag1] eine Aufzeichnung von ROS 1 (.bag)
+        [stl] eine binäre STL-Datei
+        [e57] eine E57-Datei
        *[pdf] ein PDF-Dokument
     }
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)
@@ -49,6 +51,8 @@ file-not-text = `{ $file }` ist { $kind ->
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
         [rosbag1] sie umwandeln: `rosbags-convert --src DATEI --dst ORDNER --dst-storage mcap`; dann die .mcap-Datei und `topic` angeben
+        [stl] die Punkte als PLY oder als Text exportieren
+        [e57] die Punkte als PLY oder als Text exportieren
        *[pdf] die Punkte als Text exportieren
     }
 
@@ -58,7 +62,7 @@ encoding-differs = die Datei beginnt mit der Byte-Reihenfolge-Marke (BOM) von { 
 encoding-invalid = Byte { $byte } (Zeile { $line }, { $hex }) ist in { $encoding } nicht gültig
     .hint = die Kodierung der Datei angeben, zum Beispiel `encoding = "windows-1252"`
 
-encoding-windows = die Kodierung der Datei angeben, zum Beispiel `encoding = "windows-1252"`: das Byte ist dann `{ $character }`
+encoding-guessed = die Kodierung der Datei angeben, zum Beispiel `encoding = "{ $encoding }"`: der Text ist dann `{ $sample }`
 
 nul-byte = die Datei enthält ein NUL-Byte (Zeile { $line })
     .expected = Text
@@ -491,6 +495,7 @@ row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
 row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten
 row-cell-empty = nicht gemessen: { $column } ist leer
+row-invisible = nicht gemessen: 0 0 0 mit dem Quaternion 0 0 0 0
 row-not-measured = nicht gemessen: { $column } ist `{ $cell }`
 characteristic-of-no-axis = keine Koordinate: der Name des Merkmals endet nicht auf X, Y oder Z
 feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf dem Element liegen

@@ -69,7 +69,7 @@ not-coordinates = `{ $key }` nennt { $count ->
     .expected = x und y, im Raum auch z; Radius, Azimut und z; oder Azimut, Zenit- oder Höhenwinkel und Abstand
 
 angle-unit-missing = `{ $key }` nennt Winkel ohne Einheit
-    .hint = `angle_unit` angeben: "deg", "rad" oder "gon"
+    .hint = `angle_unit` (Option `--angle-unit`) angeben: "deg", "rad" oder "gon"
 
 coordinate-type-differs = `coordinates` gibt { $stated ->
         [cartesian] kartesische
@@ -84,6 +84,9 @@ coordinate-type-differs = `coordinates` gibt { $stated ->
 
 header-not-stated = `columns` nennt die Überschrift `{ $column }`, aber es ist keine Kopfzeile angegeben
     .hint = `header = 1` angeben oder die Nummer der Spalte nennen
+
+header-is-data = Zeile { $rows } der Kopfzeilen enthält Zahlen in den Spalten der Koordinaten
+    .hint = leere Zeilen und Kommentare zählen nicht: `header = { $fewer }` angeben
 
 expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden: { $fault ->
         [too-long] er ist länger als 1000 Zeichen

@@ -6,13 +6,16 @@ ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointStat
 ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
 ask-log-of-format = ob es Folgendes ist: { $what } (`[log]` mit `format = "{ $format }"`)
+ask-number-with-gaps = ob { $column } wie vorgeschlagen die Nummer der Pose ist: sie springt von { $before } auf { $after }, die Nummer der Zeile ist also eine andere
 ask-order-of-columns = ob die Spalten x, y, z in dieser Reihenfolge sind oder Winkel und Abstände
 ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die erste
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
 ask-seconds = ob `{ $name }` in Sekunden ist (sonst `time_ms`, `time_ns`)
+ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind: ihre Überschriften sind gleich oder ihre Werte fast gleich: zwei Zielmarken, oder Soll und gemessene Koordinaten
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
+ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
 ask-unit = die Einheit der Längen
 ask-unit-of-size = die Einheit der Längen: die größte ist { $largest }, also passt { $units ->
         [inch-or-mm] inch oder mm
@@ -48,12 +51,14 @@ because-topic = das Topic `{ $topic }` hat { $count ->
         [one] 1 Nachricht
        *[other] { $count } Nachrichten
     } vom Typ { $message_type }
+because-unit-stated = Zeile { $line } gibt die Einheit an: { $how }
 doubt-all-commanded = alle Koordinaten heißen wie Sollwerte: sie sind keine Messung
 doubt-bare-metre = die Überschriften enden auf `_m`: Meter oder „gemessen“
 doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }{ $more ->
         [0] {""}
        *[other] {" "}und { $more } weitere
     }
+doubt-controller-pose = Koordinaten von `{ $body }` sind vielleicht die, die die Steuerung berechnet: ein Messgerät misst eine Zielmarke
 doubt-coordinates-left = Koordinaten von { $left } werden nicht verwendet: andere haben eine passendere Überschrift
 doubt-dates = Datumsangaben mit `/` lassen offen, ob Tag oder Monat zuerst kommt: sie werden nicht gelesen
 doubt-decimal-mark = keine Zahl hat ein Dezimalzeichen: `{ $mark }` wird angenommen
@@ -69,6 +74,7 @@ doubt-more-problems = und { $count ->
        *[other] { $count } weitere Probleme
     } dieser Art
 doubt-order-of-joints = die Gelenke stehen in der Datei nicht der Reihe nach: sie werden nach ihren Nummern geordnet
+doubt-orientation-of-body = die Orientierung `{ $body }` wird für die des gemessenen Punkts gehalten: ihre Überschriften nennen einen anderen Körper
 doubt-origin = Zeile { $line } ist 0 0 0: sie gilt als „nicht gemessen“, wenn `missing` nichts anderes angibt
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 Spalte
@@ -87,7 +93,9 @@ doubt-rows-not-read = { $count ->
        *[other] { $count } Zeilen
     } so nicht lesbar; die erste ist Zeile { $line }
 doubt-rows-refused = Zeile { $line }: { $reason }; weitere Zeilen: { $more }
+doubt-scanned = die Zahlen hinter x, y, z werden für Intensität und Farbe gehalten: ganze Zahlen bis 255
 doubt-second-log = auch das Topic `{ $topic }` hat Gelenkwerte
+doubt-sets-by-difference = die Spalten { $difference } sind in allen Zeilen die Differenz der Spalten { $measured } und { $commanded }: gelesen als gemessen minus Soll
 doubt-several-logs = { $count } Protokolle: { $first } identifiziert den Roboter, die anderen werden damit verglichen; Zeilen einer Aufzeichnung in mehreren Dateien gehören in eine Datei
 doubt-sign-of-difference = das Vorzeichen der Differenz ist nicht angegeben: eine Zeile mit der Messung vergleichen
 doubt-six-without-headings = sechs Zahlen ohne Überschriften: eine Position und drei Winkel oder Gelenke, davon drei Schubgelenke
@@ -95,6 +103,7 @@ doubt-thousands-mark = jedes `{ $mark }` steht vor drei Ziffern: es kann ein Tau
 doubt-time-decreases = { $column } heißt wie eine Zeit, fällt aber
 doubt-topic-unreadable = das Topic `{ $topic }` kann nicht gelesen werden: { $reason }
 doubt-two-families = { $names } könnten auch Gelenke sein: `{ $kept }` wird verwendet
+doubt-units-differ = die Datei gibt { $unit } (Zeile { $line }) und { $of_second } (Zeile { $second }) an
 doubt-unnamed-joints = { $names } werden als Gelenke gelesen: keine andere Größe passt, aber die Datei benennt sie nicht
 doubt-words-of-header = Zeile { $line } hat { $words } Wörter für { $columns } Spalten: die Reihenfolge ist unbekannt
 is-aqdef = eine Datei im ASCII-Transferformat von Q-DAS, erkannt am ersten Feld
@@ -122,6 +131,7 @@ is-spatialanalyzer = ein Punktexport von SpatialAnalyzer, erkannt an den Komment
 is-twincat = ein Export von Beckhoff TwinCAT 3 Scope: der Kopf nennt den Beginn des Exports
 is-ur-rtde = eine RTDE-Aufzeichnung von Universal Robots: die Kopfzeile enthält die RTDE-Namen der Gelenkpositionen
 is-vda-fs = eine VDA-FS-Datei, erkannt am Kopf
+means-appearance = Intensität oder Farbe
 means-azimuth = Azimut
 means-clock = Datum und Uhrzeit
 means-commanded = Sollwert von { $axis }
@@ -142,6 +152,7 @@ means-measured = Messwert von { $axis }
 means-measured-of-point = Messwert von { $axis } des Punkts { $number }
 means-motion = Geschwindigkeit, Kraft oder Strom
 means-other-joint = Sollwert eines Gelenks
+means-other-orientation = Quaternion { $component } eines anderen Körpers
 means-pose = Name der Pose
 means-quaternion = Quaternion { $component }
 means-rotation = Rotation, Zahl { $number } von drei
@@ -163,13 +174,16 @@ why-ambiguous-dates = Datumsangaben, deren Tag und Monat vertauscht sein könnte
 why-as-many-as-joints = jede Zeile hat so viele Zahlen, wie ein Arm Gelenke hat, und keine drei bilden einen Einheitsvektor
 why-axes-differ = die Überschriften dreier Spalten unterscheiden sich nur in x, y und z
 why-behind-lengths = nach drei Längen, die größer als jeder Winkel sind
+why-colours = ganze Zahlen bis 255 hinter einem Punkt
 why-commanded-heading = die Überschrift nennt einen Sollwert
 why-commanded-rotation = die Überschrift nennt den Sollwert einer Rotation
 why-counts = ganze Zahlen, die um 1 steigen
 why-counts-first = ganze Zahlen, die von Zeile zu Zeile steigen, am Zeilenanfang
+why-counts-with-gaps = ganze Zahlen, die mit Lücken zunehmen
 why-dates = jede Zelle ist ein Datum oder eine Uhrzeit
 why-difference-heading = die Überschrift nennt eine Differenz
 why-empty = sie ist leer
+why-epoch = { $why }; der Größe nach { $unit } seit 1970
 why-fits-without = der nominale Roboter passt ohne sie
 why-four-of-length-one = die vier Zahlen haben in allen Zeilen den Betrag 1
 why-heading = die Überschrift
@@ -189,6 +203,7 @@ why-measured-heading = die Überschrift nennt einen Messwert
 why-nine-orthonormal = die neun Zahlen bilden in allen Zeilen eine orthonormale Matrix
 why-nothing-known = die Bedeutung der Überschrift ist unbekannt
 why-orthonormal = in allen Zeilen orthonormal, zeilenweise gelesen
+why-other-body = ihre Überschrift nennt einen anderen Körper als den gemessenen Punkt
 why-other-family = die Gelenke sind den Spalten `{ $kept }` entnommen
 why-others-measured = die Überschrift nennt einen Sollwert, und andere Spalten sind gemessen
 why-place = ihr Platz: nichts benennt die Spalten

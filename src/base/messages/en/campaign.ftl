@@ -567,6 +567,13 @@ key-open = `{ $key }` is incomplete
 joint-unit-open = the unit of the joints is not stated
     .hint = replace UNIT by deg, rad, mm or m
 
+# Means: A proposed campaign does not state the unit of the times of an export or a log.
+# Matters: Points would be joined with joint values of another moment.
+# Do: Replace `time_UNIT` by `time_s`, `time_ms`, `time_us` or `time_ns`.
+# Example: `time_UNIT = "Timestamp"`
+time-unit-open = the unit of the times is not stated
+    .hint = replace `time_UNIT` by `time_s`, `time_ms`, `time_us` or `time_ns`
+
 kind-expected = { $kind ->
         [text] a text
         [number] a number

@@ -61,6 +61,8 @@ file-not-text = `{ $file }` is { $kind ->
         [gzip] compressed with gzip
         [xls] an old Excel workbook (.xls)
         [rosbag1] a recording of ROS 1 (.bag)
+        [stl] a binary STL file
+        [e57] an E57 file
        *[pdf] a PDF document
     }
     .expected = text, a workbook (.xlsx), or a recording (.mcap)
@@ -72,6 +74,8 @@ file-not-text = `{ $file }` is { $kind ->
         [gzip] unpack the file
         [xls] save it as .xlsx or as text
         [rosbag1] convert it: `rosbags-convert --src FILE --dst FOLDER --dst-storage mcap`; then state the .mcap file and `topic`
+        [stl] export the points as PLY or as text
+        [e57] export the points as PLY or as text
        *[pdf] export the points as text
     }
 
@@ -89,7 +93,7 @@ encoding-differs = the file begins with the byte-order mark of { $of_file }; the
 encoding-invalid = byte { $byte } (line { $line }, { $hex }) is not { $encoding }
     .hint = state how the file was written, for example `encoding = "windows-1252"`
 
-encoding-windows = state how the file was written, for example `encoding = "windows-1252"`: this byte is then `{ $character }`
+encoding-guessed = state how the file was written, for example `encoding = "{ $encoding }"`: the text is then `{ $sample }`
 
 # Means: The text contains a zero byte.
 # Matters: Text contains no zero byte: the file is damaged, binary, or UTF-16 without a byte-order
@@ -838,6 +842,7 @@ row-marked-deleted = left out: it is marked as deleted (`{ $cell }`)
 row-left-out-by-cell = left out: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates
 row-cell-empty = not measured: { $column } is empty
+row-invisible = not measured: 0 0 0 with the quaternion 0 0 0 0
 row-not-measured = not measured: { $column } is `{ $cell }`
 characteristic-of-no-axis = no coordinate: the name of the characteristic does not end in X, Y or Z
 feature-of-no-point = a feature `{ $kind }`: its point may be anywhere on the feature

@@ -136,7 +136,7 @@ not-coordinates = `{ $key }` names { $count ->
 # Do: State `angle_unit` in the format.
 # Example: `columns = ["azimuth", "zenith", "distance"]` without `angle_unit`
 angle-unit-missing = `{ $key }` names angles without a unit
-    .hint = state `angle_unit`: "deg", "rad" or "gon"
+    .hint = state `angle_unit` (option `--angle-unit`): "deg", "rad" or "gon"
 
 # Means: `coordinates` confirms another coordinate type than the columns have.
 # Matters: One of the two statements is wrong.
@@ -159,6 +159,13 @@ coordinate-type-differs = `coordinates` states { $stated ->
 # Example: `columns = { x = "X" }` without `header`
 header-not-stated = `columns` names the heading `{ $column }`, and no header row is stated
     .hint = state `header = 1`, or give the number of the column
+
+# Means: The last row of the header has a number in each column of coordinates.
+# Matters: The first measured point would be lost, and the number of every later row would be wrong.
+# Do: State one row less: empty lines and comments are not rows.
+# Example: `header = 1` for a file whose first line is a point
+header-is-data = row { $rows } of the header has numbers in the columns of coordinates
+    .hint = empty lines and comments are not rows: state `header = { $fewer }`
 
 # Means: The expression of a computed column is incomplete or has an unknown sign.
 # Matters: The values of the column cannot be computed.

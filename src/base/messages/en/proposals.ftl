@@ -6,13 +6,16 @@ ask-joint-states = which joint of the robot each column is; JointState has rad f
 ask-joints = which joint each column is, and its unit
 ask-joints-of-format = which joint each column is, and its unit where it is not known
 ask-log-of-format = whether it is { $what } (`[log]` with `format = "{ $format }"`)
+ask-number-with-gaps = whether { $column } is the number of the pose, as proposed: it goes from { $before } to { $after }, so the number of the row is another
 ask-order-of-columns = whether the columns are x, y, z in this order, or angles and distances
 ask-quaternion-order = which of { $columns } is the scalar of the quaternion: the first is taken
 ask-recorded-motion = whether it is a recorded motion, as proposed, or points with times (then [[export]])
 ask-rotation = whether the three are a rotation vector, or angles and in which order they turn
 ask-seconds = whether `{ $name }` is in seconds (`time_ms`, `time_ns` otherwise)
+ask-sets-alike = what columns { $first } and columns { $second } are: their headings are equal, or their values nearly equal: two targets, or commanded and measured coordinates
 ask-sign-of-difference = whether the difference is commanded minus measured, as proposed, or measured minus commanded (then `+`)
 ask-targets-of-topics = which target each topic of poses or points is
+ask-time-unit = the unit of the times in { $column }: the step is { $step }
 ask-unit = the unit of lengths
 ask-unit-of-size = the unit of lengths: the largest is { $largest }, so { $units ->
         [inch-or-mm] inch or mm fits
@@ -48,12 +51,14 @@ because-topic = topic `{ $topic }` has { $count ->
         [one] 1 message
        *[other] { $count } messages
     } of type { $message_type }
+because-unit-stated = line { $line } states the unit: { $how }
 doubt-all-commanded = the headings of all coordinates say commanded: the file contains no measured coordinates
 doubt-bare-metre = the headings end in `_m`: metres, or "measured"
 doubt-columns-not-read = numbers that are not read: column { $columns }{ $more ->
         [0] {""}
        *[other] {" "}and { $more } more
     }
+doubt-controller-pose = coordinates of `{ $body }` may be what the controller computes: an instrument measures a target
 doubt-coordinates-left = coordinates of { $left } are not taken: others have a heading that is closer
 doubt-dates = dates with `/` do not state whether the day or the month is first: they are not read
 doubt-decimal-mark = no number has a decimal mark: `{ $mark }` is assumed
@@ -69,6 +74,7 @@ doubt-more-problems = and { $count ->
        *[other] { $count } more problems
     } like that
 doubt-order-of-joints = the joints are in no order in the file: they are taken in the order of their numbers
+doubt-orientation-of-body = the orientation `{ $body }` is taken for that of the measured point: its headings name another body
 doubt-origin = line { $line } is 0 0 0: taken as "not measured" unless `missing` states otherwise
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 column
@@ -87,7 +93,9 @@ doubt-rows-not-read = { $count ->
        *[other] { $count } rows
     } not read this way, the first is line { $line }
 doubt-rows-refused = line { $line }: { $reason }, and { $more } more
+doubt-scanned = the numbers behind x, y, z are taken for intensity and colour: whole numbers up to 255
 doubt-second-log = topic `{ $topic }` has joint values too
+doubt-sets-by-difference = columns { $difference } are the difference of columns { $measured } and { $commanded } in all rows: taken for measured minus commanded
 doubt-several-logs = { $count } logs: { $first } identifies the robot, the others are compared with it; rows of one recording in several files belong into one file
 doubt-sign-of-difference = the sign of the difference is not stated: compare a row with the measurement
 doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints, three of them prismatic
@@ -95,6 +103,7 @@ doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a tho
 doubt-time-decreases = { $column } is called a time and decreases
 doubt-topic-unreadable = topic `{ $topic }` cannot be read: { $reason }
 doubt-two-families = { $names } could be joints as well: `{ $kept }` is used
+doubt-units-differ = the file states { $unit } (line { $line }) and { $of_second } (line { $second })
 doubt-unnamed-joints = { $names } are taken as joints: no other quantity fits, but the file does not name them
 doubt-words-of-header = line { $line } has { $words } words for { $columns } columns: their order is not known
 is-aqdef = a file in the Q-DAS ASCII transfer format, by its first field
@@ -122,6 +131,7 @@ is-spatialanalyzer = a SpatialAnalyzer export of points, by its comments
 is-twincat = an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export
 is-ur-rtde = a recording of Universal Robots RTDE: its header has RTDE's names of joint positions
 is-vda-fs = a VDA-FS file, by its header
+means-appearance = intensity or colour
 means-azimuth = azimuth
 means-clock = date and time of day
 means-commanded = commanded { $axis }
@@ -142,6 +152,7 @@ means-measured = measured { $axis }
 means-measured-of-point = measured { $axis } of point { $number }
 means-motion = velocity, force or current
 means-other-joint = commanded joint
+means-other-orientation = quaternion { $component } of another body
 means-pose = name of the pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, number { $number } of three
@@ -163,13 +174,16 @@ why-ambiguous-dates = dates whose day and month could be exchanged
 why-as-many-as-joints = each row has as many numbers as an arm has joints, and no three of them form a unit vector
 why-axes-differ = the headings of three columns differ in x, y, z alone
 why-behind-lengths = behind three lengths that are larger than any angle
+why-colours = whole numbers behind a point, up to 255
 why-commanded-heading = its heading states a commanded value
 why-commanded-rotation = its heading states a commanded rotation
 why-counts = whole numbers that increase by 1
 why-counts-first = whole numbers that increase row by row, first in the row
+why-counts-with-gaps = whole numbers that increase, with gaps
 why-dates = every cell is a date or a time of day
 why-difference-heading = its heading states a difference
 why-empty = it is empty
+why-epoch = { $why }; { $unit } since 1970 by its size
 why-fits-without = the nominal robot fits without it
 why-four-of-length-one = the four numbers have norm 1 in all rows
 why-heading = its heading
@@ -189,6 +203,7 @@ why-measured-heading = its heading states a measured value
 why-nine-orthonormal = the nine numbers form an orthonormal matrix in all rows
 why-nothing-known = nothing is known of its heading
 why-orthonormal = orthonormal in all rows, row by row
+why-other-body = its heading names another body than the measured point
 why-other-family = the joints are taken from the columns `{ $kept }`
 why-others-measured = its heading states a commanded value, and others are measured
 why-place = its place: nothing names the columns

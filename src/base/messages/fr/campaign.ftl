@@ -268,6 +268,9 @@ key-open = `{ $key }` reste à compléter
 joint-unit-open = l’unité des articulations reste à indiquer
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
 
+time-unit-open = l’unité des temps reste à indiquer
+    .hint = écrire `time_s`, `time_ms`, `time_us` ou `time_ns` au lieu de `time_UNIT`
+
 kind-expected = { $kind ->
         [text] un texte
         [number] un nombre

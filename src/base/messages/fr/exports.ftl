@@ -38,6 +38,8 @@ file-not-text = `{ $file }` est { $kind ->
         [gzip] compressé avec gzip
         [xls] un ancien classeur Excel (.xls)
         [rosbag1] un enregistrement de ROS 1 (.bag)
+        [stl] un fichier STL binaire
+        [e57] un fichier E57
        *[pdf] un document PDF
     }
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)
@@ -49,6 +51,8 @@ file-not-text = `{ $file }` est { $kind ->
         [gzip] décompresser le fichier
         [xls] l’enregistrer en .xlsx ou en texte
         [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
+        [stl] exporter les points en PLY ou en texte
+        [e57] exporter les points en PLY ou en texte
        *[pdf] exporter les points en texte
     }
 
@@ -58,7 +62,7 @@ encoding-differs = le fichier commence par la marque d’ordre des octets (BOM) 
 encoding-invalid = l’octet { $byte } (ligne { $line }, { $hex }) n’est pas valable en { $encoding }
     .hint = indiquer l’encodage du fichier, par exemple `encoding = "windows-1252"`
 
-encoding-windows = indiquer l’encodage du fichier, par exemple `encoding = "windows-1252"` : cet octet est alors `{ $character }`
+encoding-guessed = indiquer l’encodage du fichier, par exemple `encoding = "{ $encoding }"` : le texte est alors `{ $sample }`
 
 nul-byte = le fichier contient un octet NUL (ligne { $line })
     .expected = du texte
@@ -491,6 +495,7 @@ row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesurée : pas de coordonnées
 row-cell-empty = non mesurée : { $column } est vide
+row-invisible = non mesurée : 0 0 0 avec le quaternion 0 0 0 0
 row-not-measured = non mesurée : { $column } est `{ $cell }`
 characteristic-of-no-axis = pas une coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
 feature-of-no-point = un élément `{ $kind }` : son point peut se trouver n’importe où sur l’élément

@@ -69,7 +69,7 @@ not-coordinates = `{ $key }` mentionne { $count ->
     .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou angle de site, et distance
 
 angle-unit-missing = `{ $key }` mentionne des angles sans unité
-    .hint = indiquer `angle_unit` : "deg", "rad" ou "gon"
+    .hint = indiquer `angle_unit` (option `--angle-unit`) : "deg", "rad" ou "gon"
 
 coordinate-type-differs = `coordinates` indique des coordonnées { $stated ->
         [cartesian] cartésiennes
@@ -84,6 +84,9 @@ coordinate-type-differs = `coordinates` indique des coordonnées { $stated ->
 
 header-not-stated = `columns` mentionne l’en-tête `{ $column }`, mais aucune ligne d’en-tête n’est indiquée
     .hint = indiquer `header = 1`, ou donner le numéro de la colonne
+
+header-is-data = la ligne { $rows } de l’en-tête contient des nombres dans les colonnes de coordonnées
+    .hint = les lignes vides et les commentaires ne comptent pas : indiquer `header = { $fewer }`
 
 expression-malformed = impossible de lire l’expression `{ $expression }` : { $fault ->
         [too-long] elle dépasse 1000 caractères

@@ -6,13 +6,16 @@ ask-joint-states = à quelle articulation du robot correspond chaque colonne ;
 ask-joints = à quelle articulation correspond chaque colonne, et son unité
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
 ask-log-of-format = s’il s’agit de ceci : { $what } (`[log]` avec `format = "{ $format }"`)
+ask-number-with-gaps = si { $column } est le numéro de la pose, comme proposé : il passe de { $before } à { $after }, le numéro de la ligne en est donc un autre
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
 ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première est supposée
 ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
 ask-rotation = si les trois nombres sont un vecteur rotation, ou des angles, et dans quel ordre ceux-ci tournent
 ask-seconds = si `{ $name }` est en secondes (sinon `time_ms`, `time_ns`)
+ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second } : leurs en-têtes sont égaux ou leurs valeurs presque égales : deux cibles, ou des coordonnées de consigne et mesurées
 ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
+ask-time-unit = l’unité des temps dans { $column } : le pas est { $step }
 ask-unit = l’unité des longueurs
 ask-unit-of-size = l’unité des longueurs : la plus grande est { $largest }, donc { $units ->
         [inch-or-mm] inch ou mm convient
@@ -48,12 +51,14 @@ because-topic = le topic `{ $topic }` a { $count ->
         [one] 1 message
        *[other] { $count } messages
     } du type { $message_type }
+because-unit-stated = la ligne { $line } indique l’unité : { $how }
 doubt-all-commanded = toutes les coordonnées portent le nom de valeurs commandées : ce ne sont pas des mesures
 doubt-bare-metre = les en-têtes se terminent par `_m` : mètres, ou « mesuré »
 doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
         [0] {""}
        *[other] {" "}et { $more } autres
     }
+doubt-controller-pose = les coordonnées de `{ $body }` sont peut-être celles que calcule le contrôleur : un instrument mesure une cible
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
 doubt-decimal-mark = aucun nombre n’a de séparateur décimal : `{ $mark }` est supposé
@@ -69,6 +74,7 @@ doubt-more-problems = et { $count ->
        *[other] { $count } autres problèmes
     } de ce genre
 doubt-order-of-joints = les articulations ne sont pas dans l’ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
+doubt-orientation-of-body = l’orientation `{ $body }` est prise pour celle du point mesuré : ses en-têtes nomment un autre corps
 doubt-origin = ligne { $line } : 0 0 0, considéré comme « non mesuré » sauf indication contraire de `missing`
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 colonne
@@ -87,7 +93,9 @@ doubt-rows-not-read = { $count ->
        *[other] { $count } lignes non lues
     } de cette façon ; la première est la ligne { $line }
 doubt-rows-refused = ligne { $line } : { $reason } ; autres lignes : { $more }
+doubt-scanned = les nombres après x, y, z sont pris pour l’intensité et la couleur : des entiers jusqu’à 255
 doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
+doubt-sets-by-difference = les colonnes { $difference } sont dans toutes les lignes la différence des colonnes { $measured } et { $commanded } : lue comme mesuré moins consigne
 doubt-several-logs = { $count } journaux : { $first } identifie le robot, les autres lui sont comparés ; les lignes d’un même enregistrement réparties sur plusieurs fichiers sont à réunir en un seul
 doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
 doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
@@ -95,6 +103,7 @@ doubt-thousands-mark = chaque `{ $mark }` précède trois chiffres : ce peut ê
 doubt-time-decreases = { $column } porte le nom d’un temps, mais diminue
 doubt-topic-unreadable = impossible de lire le topic `{ $topic }` : { $reason }
 doubt-two-families = { $names } pourraient aussi être des articulations : `{ $kept }` est utilisé
+doubt-units-differ = le fichier indique { $unit } (ligne { $line }) et { $of_second } (ligne { $second })
 doubt-unnamed-joints = { $names } sont pris pour des articulations : aucune autre grandeur ne convient, mais le fichier ne les nomme pas
 doubt-words-of-header = la ligne { $line } a { $words } mots pour { $columns } colonnes : leur ordre est inconnu
 is-aqdef = un fichier au format de transfert ASCII de Q-DAS, d’après son premier champ
@@ -122,6 +131,7 @@ is-spatialanalyzer = un export de points de SpatialAnalyzer, d’après ses comm
 is-twincat = un export de Beckhoff TwinCAT 3 Scope : son en-tête indique le début de l’export
 is-ur-rtde = un enregistrement RTDE d’Universal Robots : son en-tête contient les noms RTDE des positions articulaires
 is-vda-fs = un fichier VDA-FS, d’après son en-tête
+means-appearance = intensité ou couleur
 means-azimuth = azimut
 means-clock = date et heure
 means-commanded = { $axis } commandé
@@ -142,6 +152,7 @@ means-measured = { $axis } mesuré
 means-measured-of-point = { $axis } mesuré du point { $number }
 means-motion = vitesse, force ou courant
 means-other-joint = valeur articulaire commandée
+means-other-orientation = quaternion { $component } d’un autre corps
 means-pose = nom de la pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, nombre { $number } sur trois
@@ -163,13 +174,16 @@ why-ambiguous-dates = des dates dont le jour et le mois pourraient être interve
 why-as-many-as-joints = chaque ligne a autant de nombres qu’un bras a d’articulations, et aucun triplet n’est un vecteur unitaire
 why-axes-differ = les en-têtes de trois colonnes ne diffèrent que par x, y et z
 why-behind-lengths = après trois longueurs plus grandes que tout angle
+why-colours = des entiers jusqu’à 255 après un point
 why-commanded-heading = son en-tête indique une valeur commandée
 why-commanded-rotation = son en-tête indique une rotation commandée
 why-counts = des nombres entiers qui augmentent de 1
 why-counts-first = des nombres entiers qui augmentent d’une ligne à l’autre, en début de ligne
+why-counts-with-gaps = des entiers croissants, avec des lacunes
 why-dates = chaque cellule est une date ou une heure
 why-difference-heading = son en-tête indique une différence
 why-empty = elle est vide
+why-epoch = { $why } ; { $unit } depuis 1970 d’après sa grandeur
 why-fits-without = le robot nominal reproduit les données sans elle
 why-four-of-length-one = les quatre nombres ont la norme 1 à chaque ligne
 why-heading = son en-tête
@@ -189,6 +203,7 @@ why-measured-heading = son en-tête indique une valeur mesurée
 why-nine-orthonormal = les neuf nombres forment une matrice orthonormée à chaque ligne
 why-nothing-known = son en-tête n’a pas de signification connue
 why-orthonormal = orthonormée à chaque ligne, lue ligne par ligne
+why-other-body = son en-tête nomme un autre corps que le point mesuré
 why-other-family = les articulations sont prises dans les colonnes `{ $kept }`
 why-others-measured = son en-tête indique une valeur commandée, et d’autres colonnes sont mesurées
 why-place = sa place : rien n’indique le nom des colonnes

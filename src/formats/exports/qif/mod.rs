@@ -29,7 +29,7 @@ pub(super) struct Qif;
 
 impl ExportFormat for Qif {
     fn about(&self) -> About {
-        About { name: "qif", title: "QIF", points_only: true, ..About::default() }
+        About { name: "qif", title: "QIF", ..About::default() }
     }
 
     fn recognise(&self, text: &str) -> Option<Recognised> {

@@ -1,0 +1,297 @@
+//! Files of strangers: each is read rightly, or its proposal asks.
+
+use super::propose;
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
+use etalon_documents::FormatsDocument;
+use std::fmt::Write;
+
+/// Three coordinates (mm) of a row.
+fn xyz(row: usize) -> [f64; 3] {
+    let t = row as f64;
+    [1200.0 + 70.0 * (1.3 * t).sin(), -345.0 + 60.0 * (0.7 * t).cos(), 90.9 + 2.3 * t]
+}
+
+/// Rows of cells behind a head.
+fn table(head: &str, rows: usize, row: impl Fn(usize) -> String) -> String {
+    (0..rows).fold(head.to_owned(), |mut text, i| {
+        let _ = writeln!(text, "{}", row(i));
+        text
+    })
+}
+
+/// Cells of a row with a point.
+fn cells(values: &[f64], separator: &str) -> String {
+    values.iter().map(|value| format!("{value:.4}")).collect::<Vec<String>>().join(separator)
+}
+
+/// Phrases with this id among doubts or questions.
+fn said(document: &FormatsDocument, id: &str) -> Vec<Phrase> {
+    let all = document.doubts.iter().chain(&document.questions);
+    all.filter_map(|text| text.phrase().cloned()).filter(|phrase| phrase.id == id).collect()
+}
+
+fn holds(document: &FormatsDocument, lines: &str) {
+    assert!(document.toml.contains(lines), "{lines} is not in\n{}", document.toml);
+}
+
+/// Commanded, measured and deviation of a row.
+fn compared(row: usize) -> [Vec<f64>; 3] {
+    let measured = xyz(row);
+    let commanded: Vec<f64> = (0..3).map(|k| measured[k] + 0.4 * ((row + k) as f64).sin()).collect();
+    let rounded = |v: f64| (v * 1e4).round() / 1e4;
+    let difference = (0..3).map(|k| rounded(measured[k]) - rounded(commanded[k])).collect();
+    [commanded, measured.to_vec(), difference]
+}
+
+#[test]
+fn a_group_above_equal_headings_names_the_columns() {
+    for (groups, names) in [
+        ("Name,Nominal,,,Actual,,,Deviation,,", ",X,Y,Z,X,Y,Z,X,Y,Z"),
+        ("Punkt;Soll;Soll;Soll;Ist;Ist;Ist;Abweichung;Abweichung;Abweichung", "Nr;X;Y;Z;X;Y;Z;X;Y;Z"),
+        ("\t設計値\t\t\t測定値\t\t\t偏差\t\t", "点名\tX\tY\tZ\tX\tY\tZ\tX\tY\tZ"),
+    ] {
+        let separator = if groups.contains(';') {
+            ";"
+        } else if groups.contains('\t') {
+            "\t"
+        } else {
+            ","
+        };
+        let text = table(&format!("{groups}\n{names}\n"), 16, |i| {
+            format!("K{i}{separator}{}", cells(&compared(i).concat(), separator))
+        });
+        let document = propose("r.csv", &text);
+        assert_eq!(document.toml.matches("\n[[export]]\n").count(), 1, "{}", document.toml);
+        holds(&document, "columns = [\"label\", \"-\", \"-\", \"-\", \"x\", \"y\", \"z\", \"-\", \"-\", \"-\"]");
+        holds(&document, "header = 2");
+    }
+}
+
+#[test]
+fn equal_headings_without_a_group_are_told_apart_by_their_difference_or_asked() {
+    for names in ["Name,X,Y,Z,X,Y,Z,dX,dY,dZ", "Name,X,Y,Z,X,Y,Z,X,Y,Z", "Name,A X,A Y,A Z,B X,B Y,B Z,C X,C Y,C Z"] {
+        let text = table(&format!("{names}\n"), 16, |i| format!("K{i},{}", cells(&compared(i).concat(), ",")));
+        let document = propose("r.csv", &text);
+        assert_eq!(document.toml.matches("\n[[export]]\n").count(), 1, "{}", document.toml);
+        holds(&document, "\"-\", \"-\", \"-\", \"x\", \"y\", \"z\", \"-\", \"-\", \"-\"]");
+        assert_eq!(said(&document, "doubt-sets-by-difference").len(), 1, "{}", document.toml);
+    }
+    let text = table("Name,X,Y,Z,X,Y,Z\n", 16, |i| format!("K{i},{}", cells(&compared(i)[..2].concat(), ",")));
+    assert_eq!(said(&propose("r.csv", &text), "ask-sets-alike").len(), 1);
+    // markers of two names are far from each other
+    let apart = |i: usize| cells(&[xyz(i), xyz(i).map(|v| v + 300.0)].concat(), ",");
+    let document = propose("r.csv", &table("a_x,a_y,a_z,b_x,b_y,b_z\n", 16, apart));
+    assert!(said(&document, "ask-sets-alike").is_empty(), "{}", document.toml);
+    holds(&document, "target = \"a\"");
+    // the same names: two bodies are not one target
+    let document = propose("r.csv", &table("Tx,Ty,Tz,Tx,Ty,Tz\n", 16, apart));
+    assert_eq!(document.toml.matches("target = \"?\"").count(), 2, "{}", document.toml);
+    assert_eq!(said(&document, "ask-sets-alike").len(), 1);
+}
+
+#[test]
+fn an_orientation_belongs_to_the_body_that_its_headings_name() {
+    let turned = |i: usize| {
+        let half = 0.1 * i as f64;
+        format!("0,0,{:.8},{:.8}", half.sin(), half.cos())
+    };
+    let head = "flange_x,flange_y,flange_z,flange_qx,flange_qy,flange_qz,flange_qw,measurement_x,measurement_y,measurement_z\n";
+    let row = |i: usize| format!("{},{},{}", cells(&xyz(i).map(|v| v / 1000.0), ","), turned(i), cells(&xyz(i), ","));
+    let document = propose("h.csv", &table(head, 16, row));
+    holds(&document, "columns = [\"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"x\", \"y\", \"z\"]");
+    // each of two bodies has its own
+    let head = "a_x,a_y,a_z,a_qx,a_qy,a_qz,a_qw,b_x,b_y,b_z,b_qx,b_qy,b_qz,b_qw\n";
+    let row = |i: usize| {
+        format!("{},{},{},{}", cells(&xyz(i), ","), turned(i), cells(&xyz(i).map(|v| v + 300.0), ","), turned(i + 3))
+    };
+    let document = propose("h.csv", &table(head, 16, row));
+    holds(&document, "x = \"a_x\", y = \"a_y\", z = \"a_z\", qw = \"a_qw\", qx = \"a_qx\"");
+    holds(&document, "x = \"b_x\", y = \"b_y\", z = \"b_z\", qw = \"b_qw\", qx = \"b_qx\"");
+    // of equal headings those next to the coordinates
+    let head = "Q0,Qx,Qy,Qz,Tx,Ty,Tz,Q0,Qx,Qy,Qz,Tx,Ty,Tz\n";
+    let first = |i: usize| turned(i).split(',').rev().map(str::to_owned).collect::<Vec<String>>().join(",");
+    let row = |i: usize| {
+        format!("{},{},{},{}", first(i), cells(&xyz(i), ","), first(i + 3), cells(&xyz(i).map(|v| v + 300.0), ","))
+    };
+    let document = propose("h.csv", &table(head, 16, row));
+    holds(&document, "x = 5, y = 6, z = 7, qw = 1, qx = 2, qy = 3, qz = 4");
+    holds(&document, "x = 12, y = 13, z = 14, qw = 8, qx = 9, qy = 10, qz = 11");
+    // an orientation of an unnamed body is that of the only point
+    let head = "pos_x,pos_y,pos_z,rot_x,rot_y,rot_z,rot_w\n";
+    let document = propose("h.csv", &table(head, 16, |i| format!("{},{}", cells(&xyz(i), ","), turned(i))));
+    holds(&document, "columns = [\"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]");
+}
+
+#[test]
+fn coordinates_of_the_flange_may_be_computed() {
+    for (name, doubts) in [("flange", 1), ("measured_flange", 0), ("reflector", 0)] {
+        let head = format!("{name}_x,{name}_y,{name}_z\n");
+        let document = propose("p.csv", &table(&head, 16, |i| cells(&xyz(i), ",")));
+        assert_eq!(said(&document, "doubt-controller-pose").len(), doubts, "{}", document.toml);
+    }
+}
+
+#[test]
+fn a_running_number_with_gaps_names_the_pose_as_a_question() {
+    let numbers = [1, 2, 3, 4, 5, 8, 9, 10, 11, 13, 14, 15, 16];
+    for (head, separator, column) in
+        [("", " ", "column 1"), ("Nr;X;Y;Z\n", ";", "`Nr`"), ("index,x,y,z\n", ",", "`index`")]
+    {
+        let row = |i: usize| format!("{}{separator}{}", numbers[i], cells(&xyz(i), separator));
+        let document = propose("p.txt", &table(head, 13, row));
+        holds(&document, "columns = [\"pose\", \"x\", \"y\", \"z\"]");
+        assert!(!document.toml.contains("pose = \"row\""), "{}", document.toml);
+        let asked = phrase!("ask-number-with-gaps", column, before = 5.0, after = 8.0);
+        assert_eq!(said(&document, "ask-number-with-gaps"), [asked]);
+        let whole =
+            propose("p.txt", &table(head, 13, |i| format!("{}{separator}{}", i + 1, cells(&xyz(i), separator))));
+        assert!(whole.toml.contains("pose = \"row\"") && whole.toml.contains("[\"-\", \"x\""), "{}", whole.toml);
+    }
+}
+
+#[test]
+fn a_clock_has_a_unit_by_its_size_or_step_or_is_asked_for() {
+    let of = |heading: &str, times: &dyn Fn(usize) -> String| {
+        let head = format!("{heading},X,Y,Z\n");
+        propose("t.csv", &table(&head, 16, |i| format!("{},{}", times(i), cells(&xyz(i), ","))))
+    };
+    holds(&of("Timestamp", &|i| format!("{}", 1_764_342_000_000u64 + 10 * i as u64)), "[\"time_ms\", \"x\"");
+    holds(&of("stamp", &|i| format!("{}", 1_764_342_000_000_000u64 + 10 * i as u64)), "[\"time_us\", \"x\"");
+    holds(&of("stamp", &|i| format!("{}", 1_764_342_000_000_000_000u64 + 1000 * i as u64)), "[\"time_ns\", \"x\"");
+    holds(&of("time", &|i| format!("{:.3}", 1_764_342_000.0 + 0.01 * i as f64)), "[\"time_s\", \"x\"");
+    holds(&of("time", &|i| format!("{:.3}", 0.004 * i as f64)), "[\"time_s\", \"x\"");
+    holds(&of("time [ms]", &|i| format!("{}", 4 * i)), "[\"time_ms\", \"x\"");
+    for open in
+        [of("time", &|i| format!("{}", 4 * i)), of("Timestamp", &|i| format!("{:.1}", 1000.5 + 12.5 * i as f64))]
+    {
+        assert_eq!(said(&open, "ask-time-unit").len(), 1, "{}", open.toml);
+        holds(&open, "[\"time_UNIT\", \"x\"");
+    }
+}
+
+#[test]
+fn grad_is_gon_above_360_and_otherwise_a_question() {
+    let of = |first: f64| {
+        let row = |i: usize| format!("{i};{:.6};{:.6};{:.7}", first + 0.1 * i as f64, 95.5 - 0.1 * i as f64, 1.3);
+        propose("p.csv", &table("Point;Hz [grad];Vz [grad];Dist [m]\n", 16, row))
+    };
+    let document = of(380.0);
+    holds(&document, "angle_unit = \"gon\"");
+    holds(&document, "unit = \"m\"");
+    let document = of(120.0);
+    assert!(
+        !document.toml.contains("angle_unit =") && said(&document, "ask-angle-unit").len() == 1,
+        "{}",
+        document.toml
+    );
+}
+
+#[test]
+fn rows_of_units_and_units_in_words_state_the_unit() {
+    let row = |i: usize| format!("K{i},{}", cells(&xyz(i), ","));
+    for head in ["Name,X,Y,Z\n,mm,mm,mm\n", "Name,X,Y,Z\n-,[mm],[mm],[mm]\n", "Name,X,Y,Z\nUnit,(mm),(mm),(mm)\n"] {
+        let document = propose("p.csv", &table(head, 16, row));
+        holds(&document, "header = 2, columns = [\"label\", \"x\", \"y\", \"z\"]");
+        holds(&document, "unit = \"mm\"");
+    }
+    for head in
+        ["# units: mm\nName,X,Y,Z\n", "Length Units,Millimeters\nName,X,Y,Z\n", "# all coordinates in mm\nName,X,Y,Z\n"]
+    {
+        holds(&propose("p.csv", &table(head, 16, row)), "unit = \"mm\"");
+    }
+    let two = propose("p.csv", &table("# units: mm\n# unit = m\nName,X,Y,Z\n", 16, row));
+    assert!(two.toml.contains("unit = \"?\"") && said(&two, "doubt-units-differ").len() == 1, "{}", two.toml);
+}
+
+#[test]
+fn rows_with_numbers_above_the_headings_do_not_hide_them() {
+    let turned = |i: usize| format!("0,0,{:.6},{:.6}", (0.01 * i as f64).sin(), (0.01 * i as f64).cos());
+    let motive = "Format Version,1.23,Take Name,Take 1,Capture Frame Rate,120.000000,Rotation Type,Quaternion,Length Units,Meters\n\n\
+        ,Type,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n\
+        ,Name,ball,ball,ball,ball,ball,ball,ball\n,ID,\"D0EC\",\"D0EC\",\"D0EC\",\"D0EC\",\"D0EC\",\"D0EC\",\"D0EC\"\n\
+        ,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\nFrame,Time (Seconds),X,Y,Z,W,X,Y,Z\n";
+    let row =
+        |i: usize| format!("{i},{:.6},{},{}", i as f64 / 120.0, turned(i), cells(&xyz(i).map(|v| v / 1000.0), ","));
+    let document = propose("take.csv", &table(motive, 16, row));
+    holds(&document, "header = 6, columns = [\"-\", \"time_s\", \"qx\", \"qy\", \"qz\", \"qw\", \"x\", \"y\", \"z\"]");
+    holds(&document, "unit = \"m\"");
+
+    let two = "Format Version,1.23,Length Units,Millimeters\n,Name,A,A,A,A,A,A,A,B,B,B,B,B,B,B\n\
+        ,,Rotation,Rotation,Rotation,Rotation,Position,Position,Position,Rotation,Rotation,Rotation,Rotation,Position,Position,Position\n\
+        Frame,Time (Seconds),X,Y,Z,W,X,Y,Z,X,Y,Z,W,X,Y,Z\n";
+    let row = |i: usize| {
+        let apart = cells(&xyz(3 * i).map(|v| v + 500.0), ",");
+        format!("{i},{:.6},{},{},{},{apart}", i as f64 / 120.0, turned(i), cells(&xyz(i), ","), turned(i + 4))
+    };
+    let document = propose("take.csv", &table(two, 16, row));
+    holds(&document, "x = 7, y = 8, z = 9, qw = 6, qx = 3, qy = 4, qz = 5, time_s = \"Time (Seconds)\"");
+    holds(&document, "x = 14, y = 15, z = 16, qw = 13, qx = 10, qy = 11, qz = 12");
+    holds(&document, "target = \"b\"");
+    assert!(said(&document, "doubt-columns-not-read").is_empty(), "{}", document.toml);
+
+    // numbers above that look like the data
+    let row = |i: usize| format!("K{i},{}", cells(&xyz(i), ","));
+    let document = propose("p.csv", &table("Serial,12,34,56\nName,X,Y,Z\n", 16, row));
+    holds(&document, "header = 2, columns = [\"label\", \"x\", \"y\", \"z\"]");
+
+    let trc = "PathFileType\t4\t(X/Y/Z)\twalk.trc\n\
+        DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\tOrigDataRate\tOrigDataStartFrame\tOrigNumFrames\n\
+        100.00\t100.00\t16\t2\tmm\t100.00\t1\t16\nFrame#\tTime\tKnee\t\t\tHip\t\t\n\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n\n";
+    let row = |i: usize| {
+        format!(
+            "{}\t{:.3}\t{}\t{}",
+            i + 1,
+            0.01 * i as f64,
+            cells(&xyz(i), "\t"),
+            cells(&xyz(i).map(|v| v + 90.0), "\t")
+        )
+    };
+    let document = propose("walk.trc", &table(trc, 16, row));
+    assert_eq!(document.toml.matches("\n[[export]]\n").count(), 2, "{}", document.toml);
+    holds(&document, "time_s = 2");
+    holds(&document, "target = \"Knee\"");
+    holds(&document, "unit = \"mm\"");
+
+    let vicon = "Trajectories\n100\n,,Subject:Knee,,,Subject:Hip,,\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n";
+    let row = |i: usize| format!("{},0,{},{}", i + 1, cells(&xyz(i), ","), cells(&xyz(i).map(|v| v + 90.0), ","));
+    let document = propose("trial.csv", &table(vicon, 16, row));
+    assert_eq!(document.toml.matches("\n[[export]]\n").count(), 2, "{}", document.toml);
+    holds(&document, "target = \"Subject:Knee\"");
+    holds(&document, "x = 6, y = 7, z = 8");
+    holds(&document, "unit = \"mm\"");
+}
+
+#[test]
+fn headings_in_a_comment_above_a_count_name_the_columns() {
+    let row = |i: usize| {
+        let (s, c) = (0.06 * i as f64).sin_cos();
+        format!("{} 0.00{i:02} {s:.6} {c:.6} 0.00{i:02}", cells(&xyz(i), " "))
+    };
+    let document = propose("c.asc", &table("//X Y Z Scalar_field Nx Ny Nz\n16\n", 16, row));
+    holds(&document, "columns = [\"x\", \"y\", \"z\", \"-\", \"i\", \"j\", \"k\"]");
+    assert!(said(&document, "ask-quaternion-order").is_empty(), "{}", document.toml);
+}
+
+#[test]
+fn colours_of_a_scan_are_no_joints() {
+    for intensity in [" -1020", ""] {
+        let row = |i: usize| format!("{}{intensity} {} 59 38", cells(&xyz(i), " "), 90 + i);
+        let document = propose("c.pts", &table("16\n", 16, row));
+        holds(&document, "columns = [\"x\", \"y\", \"z\", \"-\", \"-\"");
+        assert!(document.kind == "export" && said(&document, "doubt-scanned").len() == 1, "{}", document.toml);
+    }
+}
+
+#[test]
+fn northing_and_easting_are_y_and_x_and_the_elevation_beside_them_is_a_height() {
+    let row = |i: usize| {
+        let [x, y, z] = xyz(i);
+        format!("{i},{},BALL", cells(&[y, x, z], ","))
+    };
+    for head in ["Point,Northing,Easting,Elevation,Code\n", "Punkt,Hochwert,Rechtswert,Höhe,Code\n", "ID,N,E,Z,Code\n"]
+    {
+        let document = propose("s.csv", &table(head, 16, row));
+        holds(&document, "columns = [\"label\", \"y\", \"x\", \"z\", \"-\"]");
+    }
+}

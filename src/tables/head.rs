@@ -1,0 +1,319 @@
+//! Head of a table: the row at which the data begin, the rows above it that name the columns, and
+//! the unit of lengths that the head states.
+
+use crate::Form;
+use crate::lexer::{Row, lines, row};
+use crate::units::{unit_cell, unit_word};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Maximum number of rows with numbers above the headings.
+const SEARCHED: usize = 60;
+/// Maximum number of rows above the headings that look like the data.
+const MOST_ABOVE: usize = 8;
+/// Number of rows that show how a data row looks.
+const SAMPLE: usize = 200;
+/// Maximum number of rows above the data that are searched for names of columns.
+const MOST_ROWS: usize = 8;
+/// Maximum number of lines above the data that are searched for a unit.
+const MOST_LINES: usize = 400;
+
+/// Rows above the data that name the columns.
+#[derive(Clone, Debug, Default)]
+pub struct Head {
+    /// Name of each column: of its heading, behind the names of the groups that tell equal headings
+    /// apart; `None` if no row has a name for each column.
+    pub names: Option<Vec<String>>,
+    /// Unit of each column in a row of units.
+    pub units: Vec<Option<&'static str>>,
+    /// Name of the group of each column, in a row whose cells stand above several columns each.
+    pub groups: Vec<Option<String>>,
+    /// Line of the row that names the columns.
+    pub line: Option<usize>,
+}
+
+/// Unit of lengths that the head of a file states.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StatedUnit {
+    /// Unit, spelled as in the keys of a campaign.
+    pub unit: &'static str,
+    /// Line of the statement.
+    pub line: usize,
+    /// Statement as the file writes it.
+    pub how: String,
+}
+
+/// `true` if no field begins with a digit: rows of headings, and rows without numbers.
+pub(crate) fn is_worded(row: &Row) -> bool {
+    !row.fields.iter().any(|f| f.trim_start_matches(['+', '-', '.']).starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Number of fields up to the last one that is filled.
+pub(crate) fn filled_width(row: &Row) -> usize {
+    row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1)
+}
+
+/// Returns the index of the first data row: the first row with two numbers, unless rows that look
+/// like the data begin only below a row of headings.
+pub(crate) fn first_data_row(
+    all: &[Row],
+    of_sheet: bool,
+    is_number: &dyn Fn(&str) -> bool,
+    is_gap: &dyn Fn(&str) -> bool,
+) -> Option<usize> {
+    let numbers = |row: &Row| row.fields.iter().filter(|f| is_number(f)).count();
+    let first = all.iter().position(|row| numbers(row) >= 2)?;
+    let data: Vec<&Row> = all[first..].iter().filter(|row| numbers(row) >= 2).take(SAMPLE).collect();
+    let width = match of_sheet {
+        true => None,
+        false => most_common(data.iter().map(|row| filled_width(row))),
+    };
+    let of_width = |row: &Row| width.is_none_or(|width| filled_width(row) == width);
+    let usual: Vec<&&Row> = data.iter().filter(|row| of_width(row)).collect();
+    let columns = usual.iter().map(|row| row.fields.len()).max().unwrap_or(0);
+    let holds = |row: &Row, at: usize| is_number(row.field(at)) || row.field(at).is_empty() || is_gap(row.field(at));
+    let is_numeric = |at: &usize| {
+        usual.iter().any(|row| is_number(row.field(*at)))
+            && usual.iter().filter(|row| holds(row, *at)).count() * 5 >= usual.len() * 4
+    };
+    let numeric: Vec<usize> = (0..columns).filter(is_numeric).collect();
+    let is_data = |row: &Row| numbers(row) >= 2 && of_width(row) && numeric.iter().all(|at| holds(row, *at));
+    let searched = &all[first..all.len().min(first + SEARCHED)];
+    let start = searched.iter().position(is_data)?;
+    let is_heading = |row: &Row| is_worded(row) && row.fields.iter().filter(|f| !f.is_empty()).count() >= 2;
+    if searched[..start].iter().any(is_heading) {
+        return Some(first + start);
+    }
+    // a line of numbers above the headings may look like the data
+    let names_all = |row: &Row| {
+        let words: BTreeSet<&str> = row.fields.iter().map(AsRef::as_ref).collect();
+        let distinct = words.len() == columns && row.fields.len() == columns && columns > 2;
+        distinct && is_worded(row) && !words.iter().any(|word| word.is_empty() || is_gap(word))
+    };
+    let heading = searched.iter().take(MOST_ABOVE + 1).position(names_all);
+    let below = heading.and_then(|at| Some(at + searched[at..].iter().position(is_data)?));
+    Some(first + below.filter(|at| data.len() >= 4 * at).unwrap_or(0))
+}
+
+impl Head {
+    /// Reads the head from the rows above the data of a table with this number of columns; in a row
+    /// whose fields are separated by `blanks`, a unit in brackets belongs to the name before it.
+    pub(crate) fn new(above: &[Row], columns: usize, blanks: bool) -> Self {
+        let mut head = Self { units: vec![None; columns], ..Self::default() };
+        // the number of rows that follow
+        let is_count = |row: &&Row| filled_width(row) == 1 && row.field(0).bytes().all(|b| b.is_ascii_digit());
+        let mut rows = above.iter().rev().take(MOST_ROWS).skip_while(is_count).peekable();
+        let Some(mut last) = rows.next() else { return head };
+        if let Some(units) = units_row(last, columns)
+            && let Some(named) = rows.peek().filter(|row| names_row(row, columns, blanks).is_some())
+        {
+            (head.units, last) = (units, named);
+            rows.next();
+        }
+        let Some(mut names) = names_row(last, columns, blanks) else { return head };
+        head.line = Some(last.line);
+        let mut groups: Vec<Vec<(String, bool)>> = rows
+            .filter(|row| is_worded(row) && (!blanks || row.fields.len() == columns))
+            .map(|row| spread(row, columns))
+            .collect();
+        // numbers of serial kind name a group worse than words
+        groups
+            .sort_by_key(|group| group.iter().filter(|(cell, _)| cell.contains(|c: char| c.is_ascii_digit())).count());
+        if let Some(group) = groups.iter().find(|group| is_spread(group)) {
+            head.groups = group.iter().map(|(cell, _)| Some(cell.clone()).filter(|cell| !cell.is_empty())).collect();
+        }
+        for group in groups {
+            add_group(&mut names, &group);
+        }
+        head.names = Some(names);
+        head
+    }
+}
+
+/// Names of all columns, if the row has a name for each.
+fn names_row(row: &Row, columns: usize, blanks: bool) -> Option<Vec<String>> {
+    let fields: Vec<&str> = row.fields.iter().map(AsRef::as_ref).collect();
+    let mut names: Vec<String> = Vec::new();
+    if blanks && fields.len() > columns {
+        for field in fields {
+            match names.last_mut().filter(|_| field.starts_with(['[', '('])) {
+                Some(name) => name.extend([" ", field]),
+                None => names.push(field.to_owned()),
+            }
+        }
+        names.retain(|name| !name.is_empty());
+        if names.len() != columns {
+            return None;
+        }
+    } else {
+        names = fields.into_iter().map(str::to_owned).collect();
+    }
+    // a header has words
+    (names.len() >= columns && names.iter().any(|n| n.contains(char::is_alphabetic))).then(|| {
+        names.truncate(columns);
+        names
+    })
+}
+
+/// Unit of each column, if every filled cell but the first one of the row is a unit.
+fn units_row(row: &Row, columns: usize) -> Option<Vec<Option<&'static str>>> {
+    let units: Vec<Option<&'static str>> = (0..columns).map(|at| unit_cell(row.field(at))).collect();
+    let empty = |cell: &str| cell.is_empty() || cell.chars().all(|c| !c.is_alphanumeric() && c != '"' && c != '\u{b0}');
+    let is_unit = |at: usize| units[at].is_some() || empty(row.field(at));
+    let count = units.iter().flatten().count();
+    let others = (1..columns).all(is_unit);
+    (others && (count >= 2 || count == 1 && is_unit(0)) && filled_width(row) <= columns).then_some(units)
+}
+
+/// Cells of a row of groups, each spread over the empty cells to its right, and `true` for a cell
+/// that is filled in the file.
+fn spread(row: &Row, columns: usize) -> Vec<(String, bool)> {
+    let mut last = "";
+    let cell = |at: usize| {
+        let field = row.field(at);
+        if !field.is_empty() {
+            last = field;
+        }
+        (last.to_owned(), !field.is_empty())
+    };
+    (0..columns).map(cell).collect()
+}
+
+/// `true` if two cells of a row stand above more than one column each.
+fn is_spread(group: &[(String, bool)]) -> bool {
+    group.windows(2).filter(|pair| pair[0].1 && !pair[1].1).count() >= 2
+}
+
+/// Puts the names of groups before headings that are equal or empty, if they tell these apart.
+fn add_group(names: &mut [String], group: &[(String, bool)]) {
+    let is_equal = |i: usize, j: usize| i != j && names[i] == names[j];
+    let columns = 0..names.len();
+    let splits = |i: usize| {
+        names[i].is_empty() && group[i].1
+            || !names[i].is_empty() && columns.clone().any(|j| is_equal(i, j) && group[i].0 != group[j].0)
+    };
+    let split: Vec<bool> = columns.clone().map(splits).collect();
+    // a group names all its columns whose heading is not unique
+    let again = |i: usize| !names[i].is_empty() && columns.clone().any(|j| is_equal(i, j));
+    let some = columns.clone().any(|i| split[i] && !names[i].is_empty());
+    let named = |i: &usize| split[*i] || some && again(*i);
+    let named: Vec<usize> = columns.clone().filter(named).collect();
+    for at in named.into_iter().filter(|at| !group[*at].0.is_empty()) {
+        names[at] = match names[at].as_str() {
+            "" => group[at].0.clone(),
+            name => format!("{} {name}", group[at].0),
+        };
+    }
+}
+
+/// Words of statements of a unit of lengths, in lower case.
+const UNIT_KEYS: [&str; 12] = [
+    "units",
+    "unit",
+    "einheiten",
+    "einheit",
+    "unités",
+    "unité",
+    "unita",
+    "unità",
+    "unidades",
+    "unidad",
+    "单位",
+    "単位",
+];
+
+/// Unit of lengths that a word states.
+fn length_unit(word: &str) -> Option<&'static str> {
+    unit_word(word.trim_matches(|c: char| matches!(c, '"' | '\'' | '(' | ')' | '[' | ']' | ';' | ',')))
+        .filter(|unit| ["mm", "m", "um", "inch"].contains(unit))
+}
+
+/// Returns the statements of a unit of lengths in the lines above the data, which begin at the line
+/// `first`: a key with its unit, a comment, or the cells of coordinates in rows of units. Cells in
+/// these `columns` count.
+pub fn stated_units(text: &str, form: &Form, first: usize, columns: &dyn Fn(usize) -> bool) -> Vec<StatedUnit> {
+    let above = text.lines().take(first.saturating_sub(1).min(MOST_LINES)).enumerate();
+    let mut stated: Vec<StatedUnit> = Vec::new();
+    let plain = Form { comment: None, ..form.clone() };
+    let is_comment = |line: &str| form.comment.as_deref().is_some_and(|mark| line.trim_start().starts_with(mark));
+    let mut last: Option<Row> = None;
+    for (i, line) in above.filter(|(_, line)| !line.trim().is_empty()) {
+        let mut add = |unit: Option<&'static str>, how: &str| {
+            stated.extend(unit.map(|unit| StatedUnit { unit, line: i + 1, how: how.trim().to_owned() }));
+        };
+        if let Some((unit, how)) = stated_in_words(line) {
+            add(Some(unit), &line[how]);
+            continue;
+        }
+        if is_comment(line) {
+            continue;
+        }
+        let Ok(cells) = row("", i + 1, line, &plain) else { continue };
+        let width = cells.fields.len();
+        let is_key = |cell: &str| {
+            let cell = cell.trim_end_matches([':', '=']).trim().to_lowercase();
+            UNIT_KEYS.iter().any(|key| cell == *key || cell.ends_with(&format!(" {key}")))
+        };
+        for at in (0..width).filter(|at| is_key(cells.field(*at))) {
+            add(length_unit(cells.field(at + 1)), &format!("{} {}", cells.field(at), cells.field(at + 1)));
+        }
+        for at in 0..width {
+            if let Some(last) = last.as_ref().filter(|last| is_key(last.field(at))) {
+                add(length_unit(cells.field(at)), &format!("{} {}", last.field(at), cells.field(at)));
+            }
+        }
+        if units_row(&cells, width).is_some() {
+            for at in (0..width).filter(|at| columns(*at)) {
+                add(length_unit(cells.field(at)), cells.field(at));
+            }
+        }
+        last = Some(cells);
+    }
+    stated
+}
+
+/// Returns the line of the first data row of a text whose head has this number of rows.
+pub fn first_data_line(text: &str, form: &Form, header: usize) -> Option<usize> {
+    lines(text, form).nth(header).map(|(line, _)| line)
+}
+
+/// Unit that a line states in words, and the place of the statement: `units: mm`, `UNITS=MM`,
+/// `coordinates in mm`.
+fn stated_in_words(line: &str) -> Option<(&'static str, Range<usize>)> {
+    let lower = line.to_lowercase();
+    if lower.len() != line.len() {
+        return None;
+    }
+    let word = |from: usize| {
+        let end = lower[from..].find(|c: char| !(c.is_alphanumeric() || "\u{b5}\u{3bc}\"".contains(c)));
+        from..end.map_or(lower.len(), |end| from + end)
+    };
+    // the unit behind a word of these, and one of these marks
+    let behind = |keys: &[&str], mark: &dyn Fn(&str) -> Option<usize>| {
+        let places = keys.iter().flat_map(|key| lower.match_indices(key));
+        places.filter(|(at, _)| lower[..*at].chars().next_back().is_none_or(|c| !c.is_alphanumeric())).find_map(
+            |(at, key)| {
+                let rest = at + key.len();
+                let value = rest + mark(&lower[rest..])?;
+                let opened = lower[value..].len() - lower[value..].trim_start_matches(['(', '[', ' ', '\t', '"']).len();
+                let unit = word(value + opened);
+                Some((length_unit(&lower[unit.clone()])?, at..unit.end))
+            },
+        )
+    };
+    let equals = |rest: &str| {
+        let marked = rest.trim_start();
+        marked.starts_with([':', '=', '/']).then(|| rest.len() - marked.len() + 1)
+    };
+    let lengths = ["coord", "value", "length", "position", "all ", "distance", "point"];
+    let measured = || behind(&["in"], &|rest| rest.starts_with(' ').then_some(1));
+    let key = behind(&UNIT_KEYS, &equals);
+    key.or_else(|| measured().filter(|_| lengths.iter().any(|word| lower.contains(word))))
+}
+
+/// Returns the count that occurs most often, the largest if there are several.
+pub(crate) fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> {
+    let mut times = std::collections::BTreeMap::new();
+    counts.for_each(|count| *times.entry(count).or_insert(0usize) += 1);
+    times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
+}
