@@ -11,12 +11,15 @@ mod geopak_gws;
 mod inspec;
 mod leica_at960;
 mod leica_emscon;
+mod leica_gsi;
+mod pcdmis_report;
 mod pcdmis_xyz;
 mod pivot;
 mod ply;
 mod polyworks;
 mod polyworks_project;
 pub mod polyworks_report;
+mod ptx;
 pub mod qif;
 mod sdss_plate;
 mod spatialanalyzer;
@@ -41,7 +44,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 /// Every named format. To add one: its file, and its line here.
-const FORMATS: [&dyn ExportFormat; 21] = [
+const FORMATS: [&dyn ExportFormat; 24] = [
     &polyworks::Polyworks,
     &qif::Qif,
     &spatialanalyzer::SpatialAnalyzer,
@@ -52,16 +55,19 @@ const FORMATS: [&dyn ExportFormat; 21] = [
     &dmis::DMIS,
     &dmis::GEOPAK,
     &pcdmis_xyz::PcdmisXyz,
+    &pcdmis_report::PcdmisReport,
     &geopak_gws::GeopakGws,
     &inspec::Inspec,
     &vda_fs::VdaFs,
     &ply::Ply,
+    &ptx::Ptx,
     &delimited::XYZ,
     &delimited::XYZIJK,
     &delimited::NAME_XYZ,
     &delimited::TRACKER,
     &leica_at960::LEICA_AT960,
     &leica_emscon::LEICA_EMSCON,
+    &leica_gsi::LeicaGsi,
     &sdss_plate::SDSS_PLATE,
 ];
 
