@@ -81,6 +81,7 @@ fn hostile_recordings_and_paths_are_refused_with_their_line() {
         (stamped("\n,"), "", "stream.csv:4"),
         (stamped("\n0.02,1e200,0,180\n0.021,"), "", "error[coordinate-missing]"),
         (good.clone(), "--rate-hz 1000000", "error[recording-implausible]"),
+        (good.clone(), "--rate-hz 5", "error[rate-contradicts-stamps]"),
         (good.clone(), "--rate-hz 0", "error[option-not-positive]: --rate-hz"),
         (good.clone(), "--still-mm NaN", "error[option-not-positive]: --still-mm"),
         (good.clone(), "--band-mm -1", "unexpected argument"),

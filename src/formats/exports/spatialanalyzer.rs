@@ -3,6 +3,7 @@
 //! target name may occur in several groups.
 
 use super::delimited::point_rows;
+use super::stamps::seconds;
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing};
 use crate::dialect::{ColumnRole, Dialect, Unit};
 use crate::{Point, SharedText};
@@ -84,9 +85,25 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
         columns: columns.into(),
         ..Dialect::default()
     };
-    let (points, more) = point_rows(file, text, &dialect, unit);
+    let (mut points, more) = point_rows(file, text, &dialect, unit);
     problems.0.extend(more.0);
+    add_times(&mut points);
     (points, problems)
+}
+
+/// Adds the times of day of stamps at the ends of the rows, if all are of one day. Their date, in
+/// which day and month may be exchanged, is not read.
+fn add_times(points: &mut [Point]) {
+    let stamp = |point: &Point| {
+        let (date, time) = point.text.rsplit(',').next()?.trim().split_once(' ')?;
+        Some((date.to_owned(), seconds("", time).ok()?))
+    };
+    let Some(stamps) = points.iter().map(stamp).collect::<Option<Vec<(String, f64)>>>() else { return };
+    if stamps.windows(2).all(|pair| pair[0].0 == pair[1].0) {
+        for (point, (_, time)) in points.iter_mut().zip(stamps) {
+            point.time_s = Some(time);
+        }
+    }
 }
 
 /// Error if the coordinates of a statement `CARTESIAN: X,  Y,  Z (mm)` are of another type.
@@ -189,6 +206,8 @@ mod tests {
         assert_eq!(SpatialAnalyzer.frame(&named), Some("A::WORLD"));
         let stamped = format!("{HEAD}C,  G,  0,  1.5,  -2.0,  3.0,  02/12/25 16:42:11\n");
         assert_eq!(read(&stamped), [("C::G::0".to_owned(), xyz)]);
+        let (points, _) = rows("f", &stamped.as_str().into(), Unit::Millimetre);
+        assert_eq!(points[0].time_s, Some(16.0 * 3600.0 + 42.0 * 60.0 + 11.0));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::table::{TIME, Table};
 use crate::tables::coordinates::{Coordinates, CoordinatesOf, like};
-use etalon_base::message::{Place, Result};
+use etalon_base::message::{Message, Place, Result};
 use etalon_base::{error, phrase};
 use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
@@ -11,8 +11,26 @@ use etalon_standards::iso9283::pose::test::CommandedPose;
 /// Largest share of implausible samples; above it the rate, the unit or the time stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
+/// Largest difference of the duration by the rate from that of the time stamps, as a share.
+const RATE: f64 = 0.05;
+
+/// Error if time stamps span another time than the samples take at the stated rate. The resolution
+/// of the stamps is their smallest step.
+fn rate_contradicts(table: &Table, rate_hz: f64) -> Option<Message> {
+    let stamps: Vec<f64> = table.numbers(TIME).ok()?.into_iter().filter(|time| time.is_finite()).collect();
+    let samples = stamps.len();
+    let stamped_s = stamps.last()? - stamps.first()?;
+    let steps = stamps.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0);
+    let resolution = steps.fold(f64::INFINITY, f64::min);
+    let by_rate_s = (samples - 1) as f64 / rate_hz;
+    let differs = (stamped_s - by_rate_s).abs() > 2.0 * resolution + RATE * by_rate_s;
+    (stamped_s > 0.0 && differs).then(|| {
+        error!("rate-contradicts-stamps", samples, rate_hz, by_rate_s, stamped_s).at(Place::file(table.file()))
+    })
+}
+
 /// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated
-/// rate, times follow from the sample numbers; `time_s` is not read.
+/// rate, times follow from the sample numbers; `time_s` may not contradict them.
 pub fn recording(table: &Table, rate_hz: Option<f64>) -> Result<Recording> {
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;
     let n = positions_mm.len();
@@ -33,6 +51,9 @@ pub fn recording(table: &Table, rate_hz: Option<f64>) -> Result<Recording> {
     if jumps.len() as f64 > MOST_LEFT_OUT * n as f64 {
         let message = error!("recording-implausible", count = jumps.len(), samples = n);
         return Err(message.at(table.place(jumps[0])).into());
+    }
+    if let Some(message) = rate_hz.and_then(|rate| rate_contradicts(table, rate)) {
+        return Err(message.into());
     }
     let left_out = jumps.iter().filter_map(|&i| table.line(i)).collect();
     Ok(Recording { stream, spatial, angles, left_out })

@@ -333,6 +333,9 @@ recording-time-missing = die Aufzeichnung hat keine Zeitspalte
 
 state-sampling-rate = die Abtastrate angeben (`--rate-hz`): aus Zeitstempeln, die gröber sind als die Abtastung, ergeben sich keine Zeiten
 
+rate-contradicts-stamps = { $samples } Abtastwerte mit { $rate_hz } Hz dauern { FIXED($by_rate_s, 2) } s; ihre Zeitstempel umfassen { FIXED($stamped_s, 2) } s
+    .hint = die Abtastrate berichtigen oder die Spalten ohne die Zeitstempel angeben
+
 recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
     .hint = Abtastrate, Einheit und Reihenfolge der Abtastwerte prüfen
 

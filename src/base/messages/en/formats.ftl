@@ -641,6 +641,13 @@ recording-time-missing = the recording has no time column
 
 state-sampling-rate = state the sampling rate (`--rate-hz`): the time stamps are coarser than the sampling
 
+# Means: At the stated sampling rate the samples take another time than their time stamps span.
+# Matters: All velocities would be wrong by the ratio of the two times.
+# Do: Correct the sampling rate, or leave out the column of time stamps if it is wrong.
+# Example: `--rate-hz 1000` for a recording that was sampled at 200 Hz
+rate-contradicts-stamps = { $samples } samples at { $rate_hz } Hz take { FIXED($by_rate_s, 2) } s; their time stamps span { FIXED($stamped_s, 2) } s
+    .hint = correct the sampling rate, or state the columns without the time stamps
+
 # Means: The velocity of more than 1 % of the samples exceeds 20 m/s.
 # Matters: No industrial robot moves so fast: the sampling rate, the unit or the order is wrong.
 # Do: Check the sampling rate, the unit, and the order of the samples.

@@ -333,6 +333,9 @@ recording-time-missing = l’enregistrement n’a pas de colonne de temps
 
 state-sampling-rate = indiquer la fréquence d’échantillonnage (`--rate-hz`) : un horodatage plus grossier que l’échantillonnage ne permet pas de dater les échantillons
 
+rate-contradicts-stamps = { $samples } échantillons à { $rate_hz } Hz durent { FIXED($by_rate_s, 2) } s ; leur horodatage couvre { FIXED($stamped_s, 2) } s
+    .hint = corriger la fréquence d’échantillonnage, ou indiquer les colonnes sans l’horodatage
+
 recording-implausible = { $count } échantillons sur { $samples } dépassent 20 m/s : aucun robot n’est aussi rapide
     .hint = vérifier la fréquence d’échantillonnage, l’unité et l’ordre des échantillons
 
