@@ -41,10 +41,9 @@ const OF_OTHERS: [&str; 13] = [
 ];
 
 /// Messages that no test names, each with what it needs.
-const UNTESTED: [(&str, &str); 9] = [
+const UNTESTED: [(&str, &str); 8] = [
     ("convert-not-reproduced", "a fault of the conversion itself"),
     ("file-too-many-items", "a file of millions of elements, which needs hundreds of MB"),
-    ("parameters-unstable", "a campaign in which one half of the poses contradicts the other"),
     ("recording-failed", "a failure of the library that writes recordings, in memory"),
     ("results-not-synced", "a disk that fails while data are written to it"),
     ("run-while-exporting", "a run that ends within the milliseconds of an export"),

@@ -284,6 +284,8 @@ class BatchEntry(Record):
     """Output folder of the campaign."""
     robot: str | None
     """Name of the robot, or of its model."""
+    synthetic: bool
+    """`true` if the data are synthetic."""
     valid_until: str | None
     """Last day on which the calibration is valid, as stated: year-month-day."""
     verdict: Any
@@ -762,6 +764,8 @@ class ErrorStatistics(Record):
     """Expanded uncertainty (k = 2) of the largest error after calibration, by instrument and frames; absent if
     unknown.
     """
+    poses: int
+    """Number of poses with such an error; 0 in documents of earlier versions."""
     quantity: str
     """`position`, `x`, `y`, `z`, `orientation`, `distance`, `surface`, `contact` or `coordinate`."""
     unit: str
@@ -1183,9 +1187,9 @@ class GreedySummary(Record):
     """Index of the poses."""
 
 class HeldOutErrors(Record):
-    """Errors at poses that were left out of both the choice and the identification of parameters."""
+    """Errors at poses that were left out of the identification of parameters."""
     all: "Statistics"
-    """Errors with all parameters."""
+    """Errors with all parameters that the run identifies."""
     none: "Statistics"
     """Errors with nominal parameters; base and targets are fitted."""
     recommended: "Statistics"
@@ -1703,6 +1707,19 @@ class LeastDetectable(Record):
     value: float | None
     """Smallest detectable movement; absent if the observations cannot show it."""
 
+class LeftOutErrors(Record):
+    """Position errors (mm) at calibration poses, each predicted from the other folds: one value for each pose, the
+    root mean square over its readings.
+    """
+    folds: int
+    """Number of folds; each is predicted from the others."""
+    identified: "Statistics"
+    """Errors with the identified parameters."""
+    nominal: "Statistics"
+    """Errors with nominal parameters; base and targets are fitted."""
+    poses: int
+    """Number of poses, at most 200."""
+
 class LimitVerdict(Record):
     """A limit of the campaign and its verdict."""
     acceptance: Any
@@ -1736,6 +1753,23 @@ class Linearity(Record):
     """Commanded displacement."""
     deviation_mm: float
     """Mean deviation of all passes."""
+
+class Loading(Record):
+    """Parameters that a controller should load."""
+    alternatives: list[str]
+    """Further files with the same errors."""
+    answer: Any
+    """Answer."""
+    effects: list[Any]
+    """Effects to identify first, if the answer is `identify_further`."""
+    errors: ControllerErrors | None
+    """Errors of the file at the deciding poses; absent unless the answer is `load`."""
+    file: str | None
+    """Best controller file, relative to the output folder; absent unless the answer is `load`, or if no file for a
+    controller was written.
+    """
+    is_for_controllers: bool | None
+    """`false` for files that programs of a laboratory read, and no controller loads."""
 
 class LockedPackage(Record):
     """A package in Cargo.lock."""
@@ -1960,11 +1994,15 @@ class ParameterInfluence(Record):
     """Displacement of the point by the stated tolerance of the parameter (mm)."""
 
 class ParameterVerdict(Record):
-    """Verdict on whether a parameter should be loaded."""
+    """Part of a parameter in the answer, and the evidence for its change."""
     change: float
     """Identified minus nominal value, in the model with all parameters."""
     change_over_u: float
     """Change over its standard uncertainty."""
+    displacement_mm: float | None
+    """Displacement by the change (mm) of the measured point that it moves most; absent if the run does not identify
+    the parameter.
+    """
     effect: Any
     """Effect that the parameter describes."""
     fold_sd_over_u: float
@@ -2870,6 +2908,8 @@ class WrittenFile(Record):
     """Name of the format."""
     is_for_controllers: bool
     """`false` for a file that programs of a laboratory read, and no controller loads."""
+    sha256: str | None
+    """SHA-256 of the file; absent in output folders of earlier versions."""
 
 class WrittenParameter(Record):
     """A parameter as written to a file."""
@@ -2918,6 +2958,10 @@ class AccuracyDocument(Document):
     """Origin and judgement of parameters that were given instead of being identified from these data."""
     joints: list[str]
     """Joints of the robot, named as columns: `q1_deg`."""
+    left_out: LeftOutErrors | None
+    """Errors at calibration poses that are left out of the identification, with nominal and with identified
+    parameters; absent with fewer than three poses, or without measured positions.
+    """
     limits: list[LimitVerdict]
     """Limits that the campaign states, with their verdicts."""
     map: PredictionMap | None
@@ -3561,6 +3605,8 @@ class RecommendationDocument(Document):
     """Number of folds; each is predicted from the others."""
     held_out: "HeldOutErrors"
     """Position errors at poses that were left out of the identification (mm)."""
+    loading: Loading | None
+    """Answer of the run to what a controller should load."""
     meaning: list[str]
     """Recommendation in words."""
     meaning_phrases: list[Phrase]
@@ -3572,7 +3618,9 @@ class RecommendationDocument(Document):
     poses: int
     """Number of calibration poses."""
     recommended: "ParametersDocument"
-    """Recommended parameters, identified again with all others at their nominal values."""
+    """Parameters of the answer: those of the run; with further effects, if these are to be identified first; or
+    nominal ones.
+    """
     repeats: int
     """Number of repetitions with other folds."""
     robot: str
@@ -3661,6 +3709,8 @@ class VerdictDocument(Document):
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
     limits: list[LimitVerdict]
     """All limits with their verdicts."""
+    loading: Loading | None
+    """Answer to what a controller should load; absent without identified parameters."""
     reasons: list[Any]
     """Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about the results."""
     schema: str

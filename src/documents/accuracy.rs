@@ -53,6 +53,10 @@ pub struct AccuracyDocument {
     /// by `effects = "proven"`, and effects that are not identified.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<EffectProof>,
+    /// Errors at calibration poses that are left out of the identification, with nominal and with
+    /// identified parameters; absent with fewer than three poses, or without measured positions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<LeftOutErrors>,
     /// Standard uncertainties of the limited errors after calibration: of the validation poses, or
     /// of the calibration poses in a campaign without validation. The parameters are under test and
     /// contribute nothing. Empty if no uncertainty is stated.
@@ -110,6 +114,21 @@ pub struct SelfLocated {
     pub redundancy: f64,
     /// `true` if errors of the readings count: r is at least 0.1 for at least one reading.
     pub is_assessed: bool,
+}
+
+/// Position errors (mm) at calibration poses, each predicted from the other folds: one value for
+/// each pose, the root mean square over its readings.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LeftOutErrors {
+    /// Number of poses, at most 200.
+    pub poses: usize,
+    /// Number of folds; each is predicted from the others.
+    pub folds: usize,
+    /// Errors with nominal parameters; base and targets are fitted.
+    pub nominal: Statistics,
+    /// Errors with the identified parameters.
+    pub identified: Statistics,
 }
 
 /// Benefit of an effect of the robot at calibration poses that are left out of the identification.
@@ -462,6 +481,9 @@ pub struct ErrorStatistics {
     /// Number of errors.
     #[serde(default)]
     pub count: usize,
+    /// Number of poses with such an error; 0 in documents of earlier versions.
+    #[serde(default)]
+    pub poses: usize,
     /// `mm` or `deg`.
     pub unit: String,
     /// Errors with nominal parameters; only base and targets are fitted.
@@ -475,6 +497,13 @@ pub struct ErrorStatistics {
 }
 
 impl AccuracySet {
+    /// Number of poses with an error of a quantity of this set, and of errors beyond one for each
+    /// pose (0 if each pose has one).
+    pub fn counts(&self, errors: &ErrorStatistics) -> [usize; 2] {
+        let poses = if errors.poses > 0 { errors.poses } else { self.poses };
+        [poses, if errors.count == poses { 0 } else { errors.count }]
+    }
+
     /// Statistics of one quantity, if its errors are counted.
     pub fn error_statistics(&self, quantity: ErrorQuantity) -> Option<&ErrorStatistics> {
         self.errors.iter().find(|e| e.quantity == quantity)

@@ -3,8 +3,8 @@
 
 use crate::worded::worded;
 use crate::{
-    AccuracyDocument, CampaignSummary, ControllerErrors, EffectProof, Figure, Judged, LimitQuantity, LimitVerdict,
-    PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
+    AccuracyDocument, CampaignSummary, EffectProof, FieldDocument, Figure, Judged, LOADING_RATIO, LimitQuantity,
+    LimitVerdict, LoadAnswer, Loading, PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank, Severity};
@@ -81,6 +81,10 @@ worded! {
 pub enum ActionKind {
     /// Load a controller file.
     Load,
+    /// Correct programs by the residual field, in addition to the loaded parameters.
+    Compensate,
+    /// Compare a few poses with the loaded parameters, and go back if they contradict.
+    Verify,
     /// Keep the nominal parameters: a controller file is hardly better than nominal.
     KeepNominal,
     /// Measure poses again that disagree with the others.
@@ -116,6 +120,9 @@ pub struct WrittenFile {
     /// `false` for a file that programs of a laboratory read, and no controller loads.
     #[serde(default = "is_loaded")]
     pub is_for_controllers: bool,
+    /// SHA-256 of the file; absent in output folders of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256: Option<String>,
 }
 
 /// Files of output folders that do not state it were said to be for controllers.
@@ -198,12 +205,16 @@ impl Evidence<'_> {
     /// Verdict with the next steps.
     pub fn verdict(&self) -> VerdictDocument {
         let verdict = self.judged.verdict();
+        let loading = Loading::new(&self.judged, self.campaign, &verdict);
+        let verdict = VerdictDocument { loading, ..verdict };
         VerdictDocument { actions: self.actions(&verdict), ..verdict }
     }
 
     /// Next steps: missing limits, then the steps with the largest gain.
     fn actions(&self, verdict: &VerdictDocument) -> Vec<Action> {
-        let mut all: Vec<Action> = self.load(verdict).into_iter().chain(self.measure_again()).collect();
+        let loading = verdict.loading.as_ref();
+        let mut all: Vec<Action> = loading.and_then(|l| self.load(l)).into_iter().chain(self.measure_again()).collect();
+        all.extend(loading.and_then(|loading| self.compensate(loading)));
         let effects = self.judged.accuracy.into_iter().flat_map(|a| &a.effects);
         all.extend(effects.filter(|e| !e.is_identified).map(add_effect));
         all.extend(verdict.reasons.iter().filter_map(|reason| self.remedy(reason, verdict)));
@@ -223,45 +234,44 @@ impl Evidence<'_> {
             Some(message) if message.severity == Severity::Error => 0,
             _ => 1 + u8::from(action.action != ActionKind::StateLimits),
         });
+        // the step that closes the loop follows what changes the robot
+        let changes = |action: &Action| matches!(action.action, ActionKind::Load | ActionKind::Compensate);
+        if let Some(last) = all.iter().rposition(changes) {
+            all.insert(last + 1, verify());
+        }
         all.truncate(MOST);
         all
     }
 
-    /// The best controller file, if the verdict allows it to be loaded.
-    fn load(&self, verdict: &VerdictDocument) -> Option<Action> {
-        let accuracy = self.judged.accuracy?;
-        let plausible = self.judged.parameters.is_some_and(|p| p.is_plausible());
-        if !verdict.passes() || !plausible {
-            return None;
-        }
-        let set = accuracy.sets.iter().rfind(|s| s.count > 0)?;
-        let files = self.campaign.controller_files.iter();
-        let of = |file: &WrittenFile| {
-            let of_format = |c: &&crate::ControllerFiles| c.formats.contains(&file.format);
-            let left_out = self.judged.controllers.and_then(|c| c.files.iter().find(of_format));
-            left_out.map_or_else(|| ControllerErrors::new(set, None), |c| c.deciding().cloned())
-        };
-        let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
-        let mut known: Vec<(&WrittenFile, ControllerErrors)> =
-            files.filter_map(|f| Some((f, of(f).filter(better)?))).collect();
-        let of_controllers = known.iter().any(|(file, _)| file.is_for_controllers);
-        known.retain(|(file, _)| file.is_for_controllers || !of_controllers);
-        let best = known.iter().map(|(_, e)| e.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm))?;
-        let alike: Vec<_> = known.iter().filter(|(_, e)| e.written == best).collect();
-        let (first, errors) = alike.first()?;
-        let names: Vec<&str> = alike.iter().map(|(f, _)| f.file.as_str()).collect();
-        let others = names[1..].join(", ");
-        let (count, file) = (names.len() - 1, first.file.as_str());
+    /// The controller file to load.
+    fn load(&self, loading: &Loading) -> Option<Action> {
+        let set = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?;
+        let (file, errors) = (loading.file.as_deref()?, loading.errors.as_ref()?);
+        let (count, others) = (loading.alternatives.len(), loading.alternatives.join(", "));
+        let [poses, _] = set.counts(set.leading()?);
         let what = match self.campaign.measurements.synthetic.is_some() {
             true => phrase!("action-load-synthetic", file, count, others),
-            false if of_controllers => phrase!("action-load", file, count, others),
+            false if loading.is_for_controllers == Some(true) => phrase!("action-load", file, count, others),
             false => phrase!("action-load-or-compensate", file, count, others),
         };
-        let PositionErrors { rms_mm: nominal, .. } = errors.nominal;
+        let (best, PositionErrors { rms_mm: nominal, .. }) = (errors.written, errors.nominal);
         let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
         let reason =
-            phrase!("action-load-reason", expected, nominal = nominal_error, count = set.poses, set = set.name.name());
+            phrase!("action-load-reason", expected, nominal = nominal_error, count = poses, set = set.name.name());
         Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm)))
+    }
+
+    /// Correction of programs by the residual field, in addition to the loaded parameters.
+    fn compensate(&self, loading: &Loading) -> Option<Action> {
+        let field = self.judged.accuracy?.field.as_ref().filter(|f| f.accepted)?.held_out.as_ref()?;
+        if loading.answer != LoadAnswer::Load || field.without_mm <= LOADING_RATIO * field.with_mm {
+            return None;
+        }
+        let [without, with] = lengths([field.without_mm, field.with_mm]);
+        let what = phrase!("action-compensate", file = FieldDocument::NAME);
+        let reason = phrase!("action-compensate-reason", without, with, count = field.poses.len());
+        let action = Action::new(ActionKind::Compensate, what, reason).file(FieldDocument::NAME);
+        Some(action.gain(Some(field.without_mm - field.with_mm)))
     }
 
     /// Calibration poses that a robust fit finds to disagree with the others.
@@ -381,13 +391,15 @@ impl Evidence<'_> {
     /// Uncertainty of the instrument that the 25 % rule requires (ISO 9283:1998, 6).
     fn finer_instrument(&self, coarse: &[PoseName]) -> Option<Action> {
         let poses = self.judged.tested.poses.as_ref()?.poses.iter().filter(|p| coarse.contains(&p.pose));
-        // U over the characteristic, with the characteristic
-        let ratios = poses.flat_map(|p| [(p.uncertainty_over_rp, p.rp_mm), (p.uncertainty_over_ap, p.ap_mm)]);
-        let known = ratios.filter_map(|(ratio, mm)| Some((ratio?, mm?))).filter(|(ratio, _)| *ratio > 0.25);
-        let (ratio, mm) = known.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        // U over the characteristic, with the characteristic and its pose
+        let ratios =
+            poses.flat_map(|p| [(p.uncertainty_over_rp, p.rp_mm, p.pose), (p.uncertainty_over_ap, p.ap_mm, p.pose)]);
+        let known = ratios.filter_map(|(ratio, mm, pose)| Some((ratio?, mm?, pose))).filter(|r| r.0 > 0.25);
+        let (ratio, mm, pose) = known.max_by(|a, b| a.0.total_cmp(&b.0))?;
         let what = phrase!("action-finer-instrument", uncertainty = length(0.25 * mm));
         let reason = phrase!(
             "action-finer-instrument-reason",
+            pose,
             count = coarse.len(),
             poses = listed(coarse),
             uncertainty = length(ratio * mm),
@@ -405,6 +417,11 @@ impl Evidence<'_> {
             Action::new(ActionKind::AddValidation, what, reason).file("campaign.toml")
         })
     }
+}
+
+/// Measurement after loading, and the way back.
+fn verify() -> Action {
+    Action::new(ActionKind::Verify, phrase!("action-verify"), phrase!("action-verify-reason"))
 }
 
 /// Effect that proves itself at poses that are left out.

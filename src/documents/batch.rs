@@ -59,6 +59,9 @@ pub struct BatchEntry {
     /// parameters. Results are compared among robots that are alike.
     #[serde(default)]
     pub alike: Option<String>,
+    /// `true` if the data are synthetic.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub synthetic: bool,
 }
 
 /// A check of a campaign's result.

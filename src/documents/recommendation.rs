@@ -1,6 +1,6 @@
 //! Answer of `etalon recommend`: effects that the data prove, and parameters that should be loaded.
 
-use super::{CampaignReference, Effect, ParametersDocument, Statistics};
+use super::{CampaignReference, Effect, Loading, ParametersDocument, Statistics};
 use crate::worded::worded;
 use etalon_base::message::Message;
 use etalon_base::worded::Worded;
@@ -18,6 +18,9 @@ pub struct RecommendationDocument {
     /// Campaign whose data recommend the parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub campaign: Option<CampaignReference>,
+    /// Answer of the run to what a controller should load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loading: Option<Loading>,
     /// Recommendation in words.
     #[serde(flatten, with = "RecommendationMeaning")]
     pub meaning: Vec<Worded>,
@@ -33,7 +36,8 @@ pub struct RecommendationDocument {
     pub parameters: Vec<ParameterVerdict>,
     /// Position errors at poses that were left out of the identification (mm).
     pub held_out: HeldOutErrors,
-    /// Recommended parameters, identified again with all others at their nominal values.
+    /// Parameters of the answer: those of the run; with further effects, if these are to be
+    /// identified first; or nominal ones.
     pub recommended: ParametersDocument,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
@@ -68,7 +72,7 @@ pub struct EffectStep {
     pub accepted: bool,
 }
 
-/// Verdict on whether a parameter should be loaded.
+/// Part of a parameter in the answer, and the evidence for its change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ParameterVerdict {
@@ -80,6 +84,10 @@ pub struct ParameterVerdict {
     pub effect: Effect,
     /// Identified minus nominal value, in the model with all parameters.
     pub change: f64,
+    /// Displacement by the change (mm) of the measured point that it moves most; absent if the run
+    /// does not identify the parameter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub displacement_mm: Option<f64>,
     /// Change over its standard uncertainty.
     pub change_over_u: f64,
     /// Probability of such a change if the true value is nominal, corrected for the number of
@@ -104,19 +112,19 @@ pub struct ParameterVerdict {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadVerdict {
-    /// Load: the parameter differs from its nominal value.
+    /// Load: the parameter is part of the answer.
     Load,
-    /// Hold at nominal: the difference is unproved, or depends on the poses.
+    /// Hold at nominal: the parameter is not part of the answer.
     Hold,
 }
 
-/// Errors at poses that were left out of both the choice and the identification of parameters.
+/// Errors at poses that were left out of the identification of parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeldOutErrors {
     /// Errors with nominal parameters; base and targets are fitted.
     pub none: Statistics,
-    /// Errors with all parameters.
+    /// Errors with all parameters that the run identifies.
     pub all: Statistics,
     /// Errors with the recommended parameters.
     pub recommended: Statistics,

@@ -1,8 +1,9 @@
 //! Verdict on everything that a report judges, with its reasons.
 
+use crate::loading::hardly_better;
 use crate::{
     Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors,
-    ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, ParametersDocument, PoseCharacteristic,
+    ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, Loading, ParametersDocument, PoseCharacteristic,
     PositionErrors, UntestedMistake,
 };
 use etalon_base::pose_name::PoseName;
@@ -25,6 +26,9 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
+    /// Answer to what a controller should load; absent without identified parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loading: Option<Loading>,
     /// Next steps, at most five: missing limits, then the steps with the largest gain.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<Action>,
@@ -116,7 +120,8 @@ pub enum Reason {
         flange_deg: f64,
     },
     /// A controller file is hardly better than nominal parameters: its largest error is larger, or
-    /// its root mean square less than 5 % smaller.
+    /// its root mean square less than 5 % or less than its uncertainty smaller, at the deciding
+    /// poses or at calibration poses that were left out.
     HardlyBetter {
         /// Formats of the file; empty for files with all identified parameters.
         formats: Vec<String>,
@@ -258,8 +263,11 @@ impl Reason {
                 written,
             })
         };
-        let whole = accuracy.sets.last().and_then(|set| ControllerErrors::new(set, None));
-        let whole = whole.and_then(|errors| of(&[], &errors));
+        let whole = hardly_better(accuracy).map(|[nominal, written]| Self::HardlyBetter {
+            formats: Vec::new(),
+            nominal,
+            written,
+        });
         let files = controllers.into_iter().flat_map(|c| &c.files);
         let files = files.filter_map(|f| of(&f.formats, f.deciding()?));
         whole.into_iter().chain(files).collect()
@@ -317,6 +325,7 @@ impl Default for VerdictDocument {
             exit_code: 0,
             reasons: Vec::new(),
             limits: Vec::new(),
+            loading: None,
             actions: Vec::new(),
         }
     }

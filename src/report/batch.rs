@@ -43,6 +43,8 @@ struct Page<'a> {
     headings: Vec<String>,
     worst: Vec<Plain<'a>>,
     left_out: usize,
+    /// Remark on campaigns of synthetic data.
+    synthetic: Option<String>,
 }
 
 /// A row of the plain table.
@@ -400,6 +402,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         figures: order.iter().map(|quantity| figure(row, *quantity)).collect(),
     };
     let count = |verdict| campaigns.iter().filter(|c| self::verdict(c) == Some(verdict)).count();
+    let synthetic = campaigns.iter().filter(|c| c.synthetic).count();
     let counts = [Acceptance::Pass, Acceptance::Conditional, Acceptance::Undecided, Acceptance::Fail].map(count);
     let [pass, conditional, undecided, fail] = counts;
     let heading = |i: &usize| {
@@ -419,6 +422,7 @@ fn contents<'a>(document: &BatchDocument, figures: &BatchFigures, rows: &'a [Row
         headings: order.iter().map(heading).collect(),
         worst: worst.iter().map(plain).collect(),
         left_out: rows.len().saturating_sub(WORST),
+        synthetic: (synthetic > 0).then(|| tr!(words, "batch-synthetic", count = synthetic)),
     }
 }
 
@@ -436,7 +440,7 @@ fn link(folder: &Path, file: &Path) -> String {
 }
 
 /// Encodes a name for an address (RFC 3986, 2.1 and 2.3).
-fn encoded(name: &str) -> String {
+pub(crate) fn encoded(name: &str) -> String {
     let byte = |b: u8| match b {
         b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => char::from(b).to_string(),
         _ => format!("%{b:02X}"),

@@ -151,6 +151,7 @@ fn describe(entry: &mut BatchEntry, results: &Results) {
     entry.ended = if results.verdict.passes() { BatchEnd::Done } else { BatchEnd::NotMet };
     (entry.name, entry.date) = (campaign.name.clone(), campaign.measurements.date.clone());
     entry.valid_until = campaign.valid_until.clone();
+    entry.synthetic = campaign.measurements.synthetic.is_some();
     entry.robot = campaign.robot.clone().or_else(|| parameters.map(|p| p.robot.clone()));
     let given = &campaign.conditions;
     let stated = given.robot.model.as_ref().map(|kind| match &given.robot.maker {

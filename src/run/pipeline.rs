@@ -1,12 +1,11 @@
 //! A campaign from its exports to its output folder.
 
 use crate::run::controller_formats::ControllerFormats;
-use crate::run::documents::PARAMETERS;
 use crate::run::output::Output;
 use crate::run::results;
 use crate::run::summary::summary;
 use crate::run::walk::{Inputs, Mode, Walk};
-use crate::stages::calibrate::controller_files;
+use crate::stages::calibrate::controller_files as written_values;
 use crate::stages::calibrate::identification::{Identified, IdentifiedSolution};
 use crate::stages::gather::{self, Gathered};
 use crate::stages::join::Joined;
@@ -126,7 +125,7 @@ pub(super) fn identified_again(
 ) -> Option<ControllersDocument> {
     let input = export_input(campaign, robot, &found.documents, summary);
     let is_plausible = found.documents.parameters.is_plausible();
-    is_plausible.then(|| controller_files::identify_again(&input, robot, &found.solution, formats)).flatten()
+    is_plausible.then(|| written_values::identify_again(&input, robot, &found.solution, formats)).flatten()
 }
 
 /// Controller files that are not refused.
@@ -143,6 +142,7 @@ fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &
         format: name.to_owned(),
         file: exporter.file_name().to_owned(),
         is_for_controllers: exporter.is_for_controllers(),
+        sha256: None,
     };
     formats.all().into_iter().filter(is_written).map(file).collect()
 }
@@ -155,14 +155,19 @@ fn write(
     found: Evaluated,
     mut out: Output,
 ) -> Result<Outcome> {
-    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&found.results)).transpose()?;
-    let Evaluated { results, solution, mut gathered, joined, formats } = found;
+    let Evaluated { mut results, solution, mut gathered, joined, formats } = found;
+    let exported = controller_files(campaign, &results, gathered.observations.as_ref(), &formats)?;
+    for written in &mut results.campaign.controller_files {
+        let file = exported.iter().find(|(name, _)| *name == written.file);
+        written.sha256 = file.map(|(_, bytes)| files::sha256(bytes));
+    }
+    let renderer = (wanted == Wanted::Reports).then(|| Renderer::campaign(&results)).transpose()?;
     if wanted == Wanted::Reports {
         out.gathered(campaign, &mut gathered)?;
         out.observations(campaign, joined)?;
     }
     results::write(&results, &mut out)?;
-    write_controller_files(campaign, &results, gathered.observations.as_ref(), &formats, &mut out)?;
+    exported.into_iter().for_each(|(name, bytes)| out.bytes(&name, bytes));
     let renderer = renderer.map(|renderer| {
         renderer.with_certificate(etalon_controllers::CERTIFICATE, out.file(etalon_controllers::CERTIFICATE))
     });
@@ -173,33 +178,33 @@ fn write(
     Ok(Outcome { results, solution, renderer, written })
 }
 
-/// Adds the controller files that are not refused.
-fn write_controller_files(
+/// Names and bytes of the controller files that are not refused.
+fn controller_files(
     campaign: &Campaign,
     results: &Results,
     observations: Option<&TableFile>,
     formats: &ControllerFormats,
-    out: &mut Output,
-) -> Result<()> {
-    let Some(found) = results.plausible() else { return Ok(()) };
+) -> Result<Vec<(String, Vec<u8>)>> {
+    let Some(found) = results.plausible() else { return Ok(Vec::new()) };
     let targets = |table: &TableFile| kinds::targets(&table.table, &campaign.robot.branches());
     let targets = observations.map(targets).transpose()?;
     let robot = campaign.build_robot_with(&targets.unwrap_or_default())?;
-    let sha256 = out.sha256(PARAMETERS).map(str::to_owned);
+    let sha256 = files::sha256(&to_json(&found.parameters)?);
     let input = ExportInput {
         controllers: results.controllers.as_ref(),
-        parameters_sha256: sha256.as_deref(),
+        parameters_sha256: Some(&sha256),
         ..export_input(campaign, robot.as_ref(), found, &results.campaign)
     };
+    let mut all = Vec::new();
     for (name, exporter) in formats.all() {
         // refused files are among the messages
         let Ok(statement) = input.statement(exporter) else { continue };
         if statement.refusal(name).is_none() {
             input.check()?;
-            out.bytes(exporter.file_name(), exporter.write_stated(&input, &statement)?);
+            all.push((exporter.file_name().to_owned(), exporter.write_stated(&input, &statement)?));
         }
     }
-    Ok(())
+    Ok(all)
 }
 
 /// Input of controller files before parameters are identified again for them.

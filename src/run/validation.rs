@@ -1,11 +1,12 @@
 //! The pipeline as far as the observations, to judge parameters on them.
 
-use super::pipeline::identified_again;
+use super::pipeline::{evaluate, identified_again};
 use super::summary::summary;
 use super::walk::{self, Observed};
 use crate::stages::calibrate::identification::{identify, identify_chosen};
 use crate::stages::calibrate::recommendation;
 use crate::stages::calibrate::selection::{CampaignData, select};
+use crate::stages::judge::set_up::check_set_up;
 use crate::stages::uncertainty::monte_carlo::{Draws, Trials};
 use crate::stages::verify::validation::{self, Validated, Validation};
 use etalon_base::error;
@@ -13,8 +14,8 @@ use etalon_base::message::{Message, Place, Result};
 use etalon_campaign::{Campaign, Identify};
 use etalon_controllers::Exporter;
 use etalon_documents::{
-    CampaignReference, CampaignSummary, ControllersDocument, IdentifiedDocuments, ParameterStatus, Presentation,
-    Provenance, RecommendationDocument, UncertaintyDocument,
+    CampaignReference, CampaignSummary, ControllersDocument, IdentifiedDocuments, LoadAnswer, ParameterStatus,
+    Presentation, Provenance, RecommendationDocument, UncertaintyDocument,
 };
 
 /// Judges the parameters of a document, or nominal ones, on the data of a campaign. Nothing is
@@ -30,13 +31,16 @@ pub fn validate(campaign: &Campaign, judged: Validation) -> Result<Validated> {
     Ok(found)
 }
 
-/// Judges which parameters of a campaign deserve to be loaded; `report` is called with the choices
-/// that were tried and the most that may be. Nothing is written.
+/// Explains which parameters of a campaign to load: the answer of its run; `report` is called with
+/// the choices that were tried and the most that may be. Nothing is written.
 pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> Result<RecommendationDocument> {
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
-    let inputs = gathered.document.inputs();
     let selected = select(CampaignData { campaign, stated, joined: &joined, frames: &frames }, robot.as_mut())?;
-    let mut found = recommendation::recommend(robot.as_ref(), selected, &inputs, report)?;
+    let basis = &selected.basis;
+    let wrong = check_set_up(robot.as_ref(), &basis.sets.calibration, &basis.settings)?;
+    let run = evaluate(campaign)?;
+    let mut found = recommendation::recommend(robot.as_ref(), selected, &run.results, report)?;
+    found.messages.splice(0..0, wrong);
     found.campaign = Some(reference(campaign));
     found.recommended.valid_until = campaign.file.valid_until();
     found.recommended.synthetic = campaign.file.synthetic.clone();
@@ -63,11 +67,16 @@ pub fn identify_recommended(
     formats: &[(&str, &dyn Exporter)],
     report: &mut dyn FnMut(usize, usize),
 ) -> Result<Recommended> {
-    let RecommendationDocument { recommended, messages, .. } = recommend(campaign, report)?;
+    let RecommendationDocument { loading, recommended, messages, .. } = recommend(campaign, report)?;
     let (stated, Observed { gathered, mut robot, frames, joined }) = observed(campaign)?;
-    let held = recommended.parameters.into_iter().filter(|p| p.status == ParameterStatus::Fixed).map(|p| p.name);
     let data = CampaignData { campaign, stated, joined: &joined, frames: &frames };
-    let mut found = identify_chosen(data, robot.as_mut(), held)?;
+    let mut found = match loading.map(|loading| loading.answer) {
+        Some(LoadAnswer::Load | LoadAnswer::Resolve) => identify(data, robot.as_mut())?,
+        _ => {
+            let fixed = recommended.parameters.into_iter().filter(|p| p.status == ParameterStatus::Fixed);
+            identify_chosen(data, robot.as_mut(), fixed.map(|p| p.name))?
+        }
+    };
     found.documents.parameters.provenance.inputs = gathered.document.inputs();
     let summary = summary(campaign, Presentation::default());
     let controllers = identified_again(campaign, robot.as_ref(), &found, &summary, formats);

@@ -428,7 +428,7 @@ fn a_wrong_set_up_is_neither_judged_nor_recommended() {
 }
 
 #[test]
-fn a_recommendation_loads_what_is_proven_and_nothing_else() {
+fn a_recommendation_is_the_answer_of_the_run() {
     // a synthetic table of which only gamma, d3 and delta are not as drawn
     let folder = copy_sample("prexyt-cmm");
     for (from, to) in [
@@ -442,34 +442,36 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
     }
     let simulated = etalon(&folder.path(), &["simulate", "."]);
     assert_eq!(code(&simulated), Some(0), "{}", text(&simulated.stderr));
+    let loading = || document(&folder.path(), "verdict.json")["loading"].clone();
+    assert_eq!(code(&etalon(&folder.path(), &["run", "."])), Some(0));
     let answer = etalon(&folder.path(), &["recommend", ".", "--json", "--write", "recommended.json"]);
     assert_eq!(code(&answer), Some(0), "{}", text(&answer.stderr));
     let answer = json(&answer);
-    let parameters = answer["parameters"].as_array().unwrap();
-    let load = parameters.iter().filter(|p| p["verdict"] == "load").map(|p| p["name"].as_str().unwrap());
-    assert_eq!(load.collect::<Vec<_>>(), ["gamma", "d3", "delta"], "{answer}");
+    assert_eq!((&answer["loading"], &answer["loading"]["answer"]), (&loading(), &Value::from("load")));
+    assert_eq!(answer["loading"]["file"], "controller.json");
+    // the parameters of the run are those that are recommended
+    assert!(answer["parameters"].as_array().unwrap().iter().all(|p| p["verdict"] == "load"), "{answer}");
     let rms = |which: &str| answer["held_out"][which]["rms"].as_f64().unwrap();
-    assert!(rms("recommended") < rms("all") && rms("all") < 0.1 * rms("none"), "{}", answer["held_out"]);
-    // what is held has its nominal value, and the others are identified again
-    let again = &answer["recommended"]["parameters"];
-    let entry = |name: &str| again.as_array().unwrap().iter().find(|p| p["name"] == name).unwrap();
-    assert!(entry("s")["value"] == 394.0 && entry("s")["status"] == "fixed" && entry("d3")["status"] == "identified");
+    assert!(rms("recommended") == rms("all") && rms("all") < 0.1 * rms("none"), "{}", answer["held_out"]);
+    assert_eq!(answer["recommended"]["parameters"], document(&folder.path(), "parameters.json")["parameters"]);
+    // the robot is at the values that simulated it
+    let identified = answer["recommended"]["parameters"].as_array().unwrap();
+    let entry = |name: &str| identified.iter().find(|p| p["name"] == name).unwrap();
     assert!((entry("d3")["value"].as_f64().unwrap() - 0.8528).abs() < 0.005, "{}", entry("d3"));
     let exported = etalon(&folder.path(), &["export", "recommended.json", "--format", "json"]);
     assert_eq!(code(&exported), Some(0), "{}", text(&exported.stderr));
-    // the same at once, with the campaign and its robot: what is held is nominal
+    // the same at once, with the campaign and its robot
     let at_once = ["export", ".", "--parameters", "recommended", "--format", "python-kinematics", "--format", "json"];
     let refused = etalon(&folder.path(), &at_once);
     assert!(code(&refused) == Some(2) && text(&refused.stderr).contains("--to"), "{}", text(&refused.stderr));
     let exported = etalon(&folder.path(), &[&at_once[..], &["--to", "at_once"]].concat());
     assert_eq!(code(&exported), Some(0), "{}", text(&exported.stderr));
     let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
-    let document: serde_json::Value = serde_json::from_str(&read("at_once/controller.json")).unwrap();
+    let controller: serde_json::Value = serde_json::from_str(&read("at_once/controller.json")).unwrap();
     let loaded = |name: &str| {
-        let all = document["parameters"].as_object().unwrap();
-        all[name]["value"].as_f64().unwrap_or_else(|| panic!("{document}"))
+        let all = controller["parameters"].as_object().unwrap();
+        all[name]["value"].as_f64().unwrap_or_else(|| panic!("{controller}"))
     };
-    assert_eq!(loaded("s"), 394.0);
     assert_eq!(loaded("d3"), entry("d3")["value"].as_f64().unwrap());
     assert!(read("at_once/etalon_kinematics.py").contains("# campaign: "));
     // nothing is written over
@@ -482,9 +484,15 @@ fn a_recommendation_loads_what_is_proven_and_nothing_else() {
         folder.replace("truth.toml", from, to);
     }
     assert_eq!(code(&etalon(&folder.path(), &["simulate", "."])), Some(0));
+    assert_eq!(code(&etalon(&folder.path(), &["run", "."])), Some(0));
+    assert_eq!(loading()["answer"], "keep_nominal");
+    let steps = document(&folder.path(), "verdict.json")["actions"].clone();
+    let is = |kind: &str| steps.as_array().unwrap().iter().any(|step| step["action"] == kind);
+    assert!(is("keep_nominal") && !is("load"), "{steps}");
     let nothing = json(&etalon(&folder.path(), &["recommend", ".", "--json"]));
     let parameters = nothing["parameters"].as_array().unwrap();
     assert!(parameters.iter().all(|p| p["verdict"] == "hold"), "{}", nothing["parameters"]);
+    assert_eq!(nothing["held_out"]["recommended"], nothing["held_out"]["none"]);
 }
 
 /// Parameters that hold what robot.toml does not describe are refused with the lines to add.

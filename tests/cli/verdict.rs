@@ -62,7 +62,7 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
 fn every_output_has_the_same_sentence() {
     let (scratch, code, shown) = ran("10", "");
     let sentence = shown.lines().nth(2).unwrap();
-    assert!(code == Some(0) && sentence.starts_with("Largest position error at 51 validation poses: "), "{shown}");
+    assert!(code == Some(0) && sentence.starts_with("Largest position error at 51 validation poses"), "{shown}");
     let out = scratch.path().join("out");
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains(sentence));
     let mut book = Xlsx::new(Cursor::new(std::fs::read(out.join("report.xlsx")).unwrap())).unwrap();

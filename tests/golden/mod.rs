@@ -70,6 +70,18 @@ fn documents_of_the_cmm_sample() {
     assert!(program.status.success(), "{}", String::from_utf8_lossy(&program.stderr));
     for name in ["campaign.json", "import.json"] {
         let text = std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap();
-        compare(&format!("tests/golden/{name}"), &text);
+        compare(&format!("tests/golden/{name}"), &without_file_hashes(name, text));
     }
+}
+
+/// campaign.json without the checksums of controller files, which change with every digit of a parameter.
+fn without_file_hashes(name: &str, text: String) -> String {
+    if name != "campaign.json" {
+        return text;
+    }
+    let document: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let files = document["controller_files"].as_array().unwrap();
+    assert!(files.iter().all(|file| file["sha256"].as_str().is_some_and(|hash| hash.len() == 64)), "{text}");
+    let hashes: Vec<String> = files.iter().map(|file| file["sha256"].as_str().unwrap().to_owned()).collect();
+    hashes.iter().fold(text, |text, hash| text.replace(hash.as_str(), "SHA-256"))
 }

@@ -23,4 +23,4 @@ pub(crate) use section::Section;
 pub(crate) use table::is_checksum;
 pub(crate) use table::{PAPER_ROWS, Table};
 pub(crate) use text::Text;
-pub(crate) use verdict::{Grade, Headline, Step, ToComplete, Verdict, sentence};
+pub(crate) use verdict::{Grade, Headline, Step, StepFile, ToComplete, Verdict, sentence};

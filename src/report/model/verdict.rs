@@ -40,6 +40,19 @@ pub(crate) struct Step {
     pub reason: Text,
     /// Command to run in the folder of the campaign.
     pub command: Option<String>,
+    /// File of the output folder.
+    pub file: Option<StepFile>,
+}
+
+/// File of the output folder that a step uses.
+#[derive(Debug, Serialize)]
+pub(crate) struct StepFile {
+    /// Name.
+    pub name: String,
+    /// Address relative to the report.
+    pub address: String,
+    /// SHA-256, if it is a controller file.
+    pub sha256: Option<String>,
 }
 
 /// Fields without which a report is a draft.

@@ -68,11 +68,26 @@ fn styled(svg: &str) -> String {
 
 /// Adds break opportunities to long words, except for checksums, which are copied.
 fn breakable(text: &str) -> String {
-    let broken = |word: &str| match word.chars().count() > LONG && !is_checksum(word) {
-        true => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
-        false => word.to_owned(),
-    };
+    let broken = |word: &str| if is_checksum(word) { word.to_owned() } else { broken(word, &SEPARATORS) };
     text.split(' ').map(broken).collect::<Vec<_>>().join(" ")
+}
+
+/// Characters behind which a long word may be broken, the best first.
+const SEPARATORS: [&[char]; 2] = [&['/', '\\'], &['_', '-', '.', ',', ':']];
+
+/// Adds break opportunities behind separators. Parts that fit a line stay as they are, so that a
+/// reader finds a name of a file in the text of the PDF; only longer ones break anywhere.
+fn broken(word: &str, separators: &[&[char]]) -> String {
+    if word.chars().count() <= LONG {
+        return word.to_owned();
+    }
+    match separators {
+        [first, others @ ..] => {
+            let parts = word.split_inclusive(*first).map(|part| broken(part, others));
+            parts.collect::<Vec<_>>().join("\u{200b}")
+        }
+        [] => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
+    }
 }
 
 /// Replaces characters that cannot be shown; `None` if nothing changes. Marks of writing direction
@@ -120,6 +135,9 @@ mod tests {
         let mut value = serde_json::json!([format!("a {long} b"), checksum, "n".repeat(28), { "svg": svg }]);
         printable(&mut value, Letters::Known);
         assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
+        // a reader finds the name of a file
+        let name = "measurements_of_a_robot.csv";
+        assert_eq!(breakable(&format!("exports/2026/{name}")), format!("exports/\u{200b}2026/\u{200b}{name}"));
         assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
         assert!(value[3]["svg"].as_str().unwrap().ends_with(&format!("</style><text>{long}</text>")));
     }

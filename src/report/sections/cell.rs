@@ -41,8 +41,9 @@ fn rows(document: &CellDocument) -> Vec<Row> {
     frames.chain(points).collect()
 }
 
-fn largest(u: Vector) -> f64 {
-    COVERAGE * u.into_iter().fold(0.0, f64::max)
+/// Expanded uncertainties of three coordinates, in a unit.
+fn expanded(u: Vector, factor: f64, words: &Words) -> String {
+    u.map(|u| words.significant(factor * COVERAGE * u, 2)).join(", ")
 }
 
 /// Answer with its uncertainty, and the next step.
@@ -50,9 +51,9 @@ pub(crate) fn verdict(document: &CellDocument, lines: Option<CellLines>, words: 
     let sentence = |row: &Row| {
         let frame = words.tr(&row.name);
         let Some(u_mm) = row.u_mm else { return tr!(words, "cell-verdict-unknown", frame) };
-        let um = words.significant(1e3 * largest(u_mm), 2);
-        let u_deg = row.turned.and_then(|(_, u_deg)| u_deg).map(largest);
-        let deg = u_deg.map(|deg| words.significant(deg, 2)).unwrap_or_default();
+        let um = expanded(u_mm, 1e3, words);
+        let u_deg = row.turned.and_then(|(_, u_deg)| u_deg);
+        let deg = u_deg.map(|u_deg| expanded(u_deg, 1.0, words)).unwrap_or_default();
         tr!(words, "cell-verdict-known", frame, um, turned = if u_deg.is_some() { "yes" } else { "no" }, deg)
     };
     let rows = rows(document);
@@ -79,7 +80,8 @@ pub(crate) fn verdict(document: &CellDocument, lines: Option<CellLines>, words: 
 }
 
 fn steps(document: &CellDocument, lines: Option<CellLines>, words: &Words) -> Vec<Step> {
-    let step = |what: String, reason: String| Step { what: what.into(), reason: reason.into(), command: None };
+    let step =
+        |what: String, reason: String| Step { what: what.into(), reason: reason.into(), command: None, file: None };
     let mut all = Vec::new();
     let checked = document.noise.iter().any(|noise| noise.standard_deviation.is_some());
     if document.errors().next().is_some() {

@@ -2,11 +2,16 @@
 //! and the results of the report. Until all fields are stated it is a draft; results of synthetic
 //! data cannot be certified.
 
-use super::{accuracy, checklist, conditions, errors, limits, messages, repeatability};
-use crate::model::{Block, Contents, Layout, Section, Verdict};
+use super::{
+    accuracy, checklist, conditions, errors, limits, messages, parameters, provenance, repeatability,
+};
+use crate::model::{
+    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, with_uncertainty,
+};
 use crate::words::{Words, tr};
 use etalon_base::message::{Message, Rank};
-use etalon_documents::{AccuracyDocument, Results};
+use etalon_base::{files, phrase};
+use etalon_documents::{AccuracyDocument, ParameterEntry, Results, WrittenFile};
 
 /// Contents of the certificate, from the contents of the report.
 pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Contents {
@@ -29,7 +34,10 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         errors_section(results, words),
         characteristics_section(results, words),
         limits::section(results, words),
+        parameters_section(results, words),
         Some(warnings(results, words)),
+        files_section(results, words),
+        provenance::section(results, words),
     ];
     Contents {
         subtitle: format!("{}. {}", whole.title, whole.subtitle),
@@ -61,6 +69,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
         map: None,
         placed_apart: Vec::new(),
         effects: Vec::new(),
+        left_out: None,
         validation_distance: None,
         relative: None,
         ..identified.accuracy.clone()
@@ -68,6 +77,38 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
     let mut section = errors::section_from_errors(&accuracy, &[], words);
     section.title = tr!(words, "results-before-and-after");
     Some(section)
+}
+
+/// Identified parameters with their expanded uncertainties, and the checksum of their document.
+fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
+    let document = &results.identified.as_ref()?.parameters;
+    let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));
+    for (title, group) in &parameters::groups(&document.parameters, words) {
+        let columns = Columns::<&ParameterEntry>::new()
+            .both(phrase!("name"), "", |p| p.name.as_str())
+            .both(phrase!("unit"), "", |p| p.unit.as_str())
+            .both(phrase!("value"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
+            .both("U (k = 2)", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2));
+        section.table(title, "", Table::new(words, group, columns));
+    }
+    section.push(Block::note(tr!(words, "certificate-coverage")));
+    let sha256 = etalon_documents::to_json(document).ok().map(|bytes| files::sha256(&bytes));
+    section.push(Block::facts(vec![(tr!(words, "certificate-parameters-hash"), sha256.into())]));
+    section.whole()
+}
+
+/// Controller files with their checksums.
+fn files_section(results: &Results, words: &Words) -> Option<Section> {
+    let files: Vec<&WrittenFile> = results.campaign.controller_files.iter().filter(|f| f.sha256.is_some()).collect();
+    let columns = Columns::<&WrittenFile>::new()
+        .both(phrase!("file"), "", |f| Cell::from(&f.file))
+        .both(phrase!("formats"), "", |f| Text::name(&f.format))
+        .both("SHA-256", "", |f| f.sha256.as_deref().map(Text::code));
+    let mut section = Section::new("controllers", tr!(words, "controller-files"));
+    if !files.is_empty() {
+        section.push(Block::Table(Table::new(words, &files, columns)));
+    }
+    section.whole()
 }
 
 /// AP and RP of each pose, with measurement point, load and velocity.
@@ -128,6 +169,29 @@ mod tests {
         // blanks state nothing
         documents.campaign.conditions.traceability = Some(" ".to_owned());
         assert!(certificate_contents(&documents).draft.is_some());
+    }
+
+    #[test]
+    fn a_certificate_is_tied_to_its_inputs_parameters_and_files() {
+        let mut documents = complete();
+        let sha256 = files::sha256(b"a controller file");
+        documents.campaign.controller_files = vec![WrittenFile {
+            format: "json".to_owned(),
+            file: "controller.json".to_owned(),
+            is_for_controllers: false,
+            sha256: Some(sha256.clone()),
+        }];
+        let results = documents.results();
+        let identified = &results.identified.as_ref().unwrap().parameters;
+        let parameters = files::sha256(&etalon_documents::to_json(identified).unwrap());
+        let text = serde_json::to_string(&certificate_contents(&documents).sections).unwrap();
+        let (_, input) = identified.provenance.inputs.first_key_value().unwrap();
+        for hash in [&sha256, &parameters, input] {
+            assert!(text.contains(hash.as_str()), "{hash}");
+        }
+        for p in &identified.parameters {
+            assert!(text.contains(&p.name), "{}", p.name);
+        }
     }
 
     #[test]

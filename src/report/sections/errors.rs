@@ -18,6 +18,10 @@ use etalon_documents::{
 };
 use std::collections::BTreeMap;
 
+/// Distance of a validation pose from the nearest calibration pose, in spacings of the calibration
+/// poses, beyond which its error is not one of the measured region.
+const BEYOND: f64 = 3.0;
+
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let IdentifiedDocuments { accuracy, errors, parameters, .. } = results.identified.as_ref()?;
     let robust = parameters.robust.as_ref();
@@ -66,9 +70,11 @@ fn with_flagged(
     }
     if let Some(d) = &accuracy.validation_distance {
         let number = |v: f64| number::fixed(v, 2);
+        let region = if d.largest > BEYOND { "beyond" } else { "within" };
         section.push(Block::text(tr!(
             words,
             "errors-hold-among",
+            region,
             ratio = number(d.median),
             largest = number(d.largest),
             outside = d.outside,
@@ -160,6 +166,7 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
     let of_tool = ErrorStatistics {
         quantity: ErrorQuantity::Position,
         count: tool.poses,
+        poses: tool.poses,
         unit: "mm".to_owned(),
         before: tool.before,
         after: tool.after,
@@ -233,7 +240,8 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
         limits: &accuracy.limits,
         trends: &accuracy.trends,
     };
-    let [mut significant, others] = against::pictures(&data, words);
+    let [mut significant, insignificant] = against::pictures(&data, words);
+    let others = if significant.is_empty() { "no" } else { "yes" };
     let weaker = significant.split_off(significant.len().min(TRENDS));
     figures.extend(significant);
     section.figures(figures);
@@ -241,7 +249,7 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
     section.push(Block::Aside { title: tr!(words, "other-planes"), blocks: folded(more) });
     section.push(Block::Aside { title: tr!(words, "errors-by-set-and-pose"), blocks: folded(more_of_errors) });
     section.push(Block::Aside { title: tr!(words, "weaker-trends"), blocks: folded(weaker) });
-    section.push(Block::Aside { title: tr!(words, "no-trend-pictures"), blocks: folded(others) });
+    section.push(Block::Aside { title: tr!(words, "no-trend-pictures", others), blocks: folded(insignificant) });
     section.whole()
 }
 
@@ -276,14 +284,23 @@ fn statistics(
         let ratio = e.before.rms / e.after.rms;
         ratio.is_finite().then(|| number_cell(ratio, |r| number::significant(r, 2)))
     };
+    // some quantities rest on a part of the readings
+    let differs = set.errors.iter().any(|e| e.count != set.count);
     let columns = Columns::<ErrorStatistics>::new()
         .sheet(phrase!("set"), "", |_| called)
-        .sheet(phrase!("report-poses"), "", |_| set.poses)
-        .sheet(phrase!("errors"), "", |_| set.count)
+        .sheet(phrase!("report-poses"), "", |e| set.counts(e)[0])
+        .sheet(phrase!("errors"), "", |e| e.count)
         .sheet(phrase!("quantity"), "", |e| e.quantity.as_ref())
         .sheet(phrase!("unit"), "", |e| e.unit.as_str())
         .page(phrase!("error"), "", |e| Text::name(&words.tr(&e.quantity.phrase())))
-        .page(phrase!("unit"), "", unit)
+        .page(phrase!("unit"), "", unit);
+    let columns = match differs {
+        true => {
+            columns.page(phrase!("report-poses"), "", |e| set.counts(e)[0]).page(phrase!("errors"), "", |e| e.count)
+        }
+        false => columns,
+    };
+    let columns = columns
         .both(phrase!("mean"), "", move |e| cell(e, e.before.mean))
         .both(phrase!("rms"), "", move |e| cell(e, e.before.rms))
         .both("95 %", "", move |e| cell(e, e.before.p95))
@@ -422,6 +439,7 @@ mod tests {
         ErrorStatistics {
             quantity,
             count: 1,
+            poses: 1,
             unit,
             before: of(before_mm),
             after: of(after_mm),
@@ -446,6 +464,7 @@ mod tests {
             sets: vec![set.clone()],
             placed_apart: Vec::new(),
             effects: Vec::new(),
+            left_out: None,
             validation_distance: None,
             relative: None,
             budget: Vec::new(),

@@ -5,6 +5,11 @@ use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{Provenance, Results, Source};
 
+/// Path of an input below the folder that an environment variable names: `$NAME/path`.
+fn below_variable(name: &str) -> &str {
+    name.strip_prefix('$').and_then(|rest| rest.split_once('/')).map_or(name, |(_, path)| path)
+}
+
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section_from_provenance(&results.provenance(), &results.import.sources, words))
 }
@@ -21,7 +26,7 @@ pub(crate) fn section_from_provenance(provenance: &Provenance, sources: &[Source
     let rows: Vec<(&String, &String, Option<&Source>)> =
         provenance.inputs.iter().map(|(name, sha256)| (name, sha256, source(name))).collect();
     let columns = Columns::<(&String, &String, Option<&Source>)>::new()
-        .both(phrase!("file"), "", |(name, ..)| Cell::from(*name))
+        .both(phrase!("file"), "", |(name, ..)| Cell::from(below_variable(name)))
         .both("SHA-256", "", |(_, sha256, _)| Text::code(sha256))
         .sheet(phrase!("kind"), "", |r| r.2.map(|s| s.kind.name()))
         .sheet(phrase!("bytes"), "", |r| r.2.map(|s| s.bytes))

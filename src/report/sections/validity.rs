@@ -1,15 +1,17 @@
 //! Validity of existing parameters: whether they still apply, and which of them should be loaded.
 
+use super::messages;
 use crate::model::{
     Block, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, numbers, significant, term,
 };
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
-use etalon_base::message::Severity;
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_documents::{
-    EffectStep, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, VerificationDocument,
-    VerificationPlanDocument, VerificationVerdict,
+    EffectStep, HeldOutErrors, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, Statistics,
+    VerificationDocument, VerificationPlanDocument, VerificationVerdict,
 };
 
 /// Verdict on whether the parameters still apply.
@@ -69,7 +71,7 @@ fn detected(all: &[LeastDetectable], probability: f64, naming: f64, words: &Word
         .both(phrase!("detected-from"), "", |l| least(l, l.value))
         .both(phrase!("named-from"), "", |l| joint(l).then(|| least(l, l.named)))
         .both(phrase!("unit"), "", |l| if unit(l).unit.is_empty() { l.unit.as_str() } else { unit(l).unit });
-    power.push(Block::Table(Table::new(words, all, columns)));
+    power.push(Block::Table(Table::new(words, all, columns).on(phrase!("sheet-detectable"))));
     power.push(Block::note(tr!(words, "naming-probability", percent = percent(naming))));
     power
 }
@@ -93,6 +95,25 @@ pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> V
     let met = document.recommended.is_plausible();
     let sentences = document.meaning.iter().map(|sentence| Text::worded(sentence, words).plain()).collect();
     Verdict { met, class: Grade::from_met(met), sentences, ..Verdict::default() }
+}
+
+/// Errors at left-out poses with each set of parameters.
+fn left_out(document: &RecommendationDocument, words: &Words) -> Section {
+    let HeldOutErrors { none, all, recommended } = document.held_out;
+    let sets = [
+        (phrase!("nominal-parameters"), none),
+        (phrase!("parameters-of-the-run"), all),
+        (phrase!("parameters-of-the-answer"), recommended),
+    ];
+    let columns = Columns::<(Phrase, Statistics)>::new()
+        .both(phrase!("parameters-title"), "", |(name, _)| Text::name(&words.tr(name)))
+        .both(phrase!("mean"), "mm", |(_, e)| fixed(e.mean, 4))
+        .both(phrase!("rms"), "mm", |(_, e)| fixed(e.rms, 4))
+        .both("95 %", "mm", |(_, e)| fixed(e.p95, 4))
+        .both(phrase!("max"), "mm", |(_, e)| fixed(e.max, 4));
+    let mut section = Section::new("left-out", tr!(words, "left-out-errors")).on_terminal();
+    section.push(Block::Table(Table::new(words, &sets, columns).on(phrase!("left-out-errors"))));
+    section
 }
 
 /// Sections on effects in the order of trial, and on the evidence for each parameter.
@@ -125,7 +146,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
             false => term(words, phrase!("not-accepted")),
         })
         .decisive();
-    effects.push(Block::Table(Table::new(words, &document.steps, columns)));
+    effects.push(Block::Table(Table::new(words, &document.steps, columns).on(phrase!("effects-section"))));
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
     let change = |p: &ParameterVerdict| {
         let u = (p.change / p.change_over_u).abs();
@@ -135,6 +156,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("name"), "", |p| p.name.as_str())
         .both(phrase!("change"), "", change)
         .both(phrase!("unit"), "", |p| p.unit.as_str())
+        .micrometres(phrase!("largest-displacement"), |p| p.displacement_mm)
         .both(phrase!("change-over-u"), "", |p| fixed(p.change_over_u, 1))
         .both("p", "", move |v| p(Some(v.p_value)))
         .both(phrase!("folds-over-u"), "", |p| significant(p.fold_sd_over_u, 2))
@@ -145,6 +167,44 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
             LoadVerdict::Hold => term(words, phrase!("to-hold")),
         })
         .decisive();
-    parameters.push(Block::Table(Table::new(words, &document.parameters, columns)));
-    vec![effects, parameters]
+    let table = Table::new(words, &document.parameters, columns).on(phrase!("parameters-title"));
+    parameters.push(Block::Table(table));
+    let known: Vec<&Message> = document.messages.iter().filter(|m| m.rank != Rank::Routine).collect();
+    let warnings = (!known.is_empty()).then(|| messages::section_from_messages(&known, words));
+    [left_out(document, words), effects, parameters].into_iter().chain(warnings).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::demo::Documents;
+    use etalon_base::warning;
+
+    #[test]
+    fn a_recommendation_names_unstable_parameters_in_its_report() {
+        let words = Words::default();
+        let errors = |rms: f64| Statistics { mean: rms, rms, p95: rms, max: rms };
+        let document = |messages: Vec<Message>| RecommendationDocument {
+            schema: "etalon/recommendation/1".to_owned(),
+            robot: "prexyt".to_owned(),
+            campaign: None,
+            loading: None,
+            meaning: Vec::new(),
+            poses: 8,
+            folds: 5,
+            repeats: 1,
+            steps: Vec::new(),
+            parameters: Vec::new(),
+            held_out: HeldOutErrors { none: errors(0.9), all: errors(0.1), recommended: errors(0.1) },
+            recommended: Documents::demo().parameters,
+            messages,
+        };
+        let said = |document: &RecommendationDocument| {
+            let sections = recommendation(document, &words);
+            sections.iter().any(|s| serde_json::to_string(s).unwrap().contains("theta_4"))
+        };
+        let parameters = vec![phrase!("unstable-parameter", parameter = "theta_4", over_sd = 4.9, limit = 4.1)];
+        assert!(said(&document(vec![warning!("parameters-unstable", parameters)])));
+        assert!(!said(&document(Vec::new())));
+    }
 }

@@ -1,8 +1,8 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
 use super::limits::{judged, name};
-use super::page_one;
 use super::repeatability::quarter_sentence;
+use super::page_one;
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
@@ -173,11 +173,13 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
     let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
     let judged = judged(l, words).display().plain();
+    let [count, readings] = set.counts(e);
     let sentence = tr!(
         words,
         "limited-error",
         quantity = words.tr(&names::limit(l.name)),
-        count = set.poses,
+        count,
+        readings,
         set = words.tr(&set.name.phrase()),
         before = number::fixed(before * factor, decimals),
         after = reached,
@@ -207,11 +209,13 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after, 3)).unwrap_or(1);
     let reached = number::fixed(after, decimals);
     let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let [count, readings] = set.counts(e);
     Some(tr!(
         words,
         "error-at-poses",
         quantity = words.tr(&names::error(e.quantity, Figure::Max)),
-        count = set.poses,
+        count,
+        readings,
         set = words.tr(&set.name.phrase()),
         before = number::fixed(before, decimals),
         after = reached,
@@ -468,8 +472,8 @@ mod tests {
         let good = report_verdict(&documents);
         let expected = [
             "Verdict: pass.",
-            "largest position error at 51 validation poses: 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
-            "largest orientation error at 51 validation poses: 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
+            "largest position error at 51 validation poses (255 readings): 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
+            "largest orientation error at 51 validation poses (255 readings): 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
             "Position residuals: RMS 26.0 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
              instrument's standard uncertainty: the model is incomplete.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
@@ -512,6 +516,23 @@ mod tests {
         documents.accuracy.limits.clear();
         let without = report_verdict(&documents);
         assert!(without.class == Grade::Open && without.met, "{without:?}");
+    }
+
+    #[test]
+    fn an_error_is_stated_with_its_own_poses_and_readings() {
+        let mut documents = Documents::demo();
+        let sentence = |documents: &Documents| report_verdict(documents).sentences[1].clone();
+        let position = |documents: &mut Documents, poses, count| {
+            let set = documents.accuracy.sets.last_mut().unwrap();
+            (set.errors[0].poses, set.errors[0].count) = (poses, count);
+        };
+        position(&mut documents, 5, 5);
+        assert!(sentence(&documents).contains(" at 5 validation poses: "), "{}", sentence(&documents));
+        position(&mut documents, 5, 7);
+        assert!(sentence(&documents).contains(" at 5 validation poses (7 readings): "), "{}", sentence(&documents));
+        // earlier documents state no poses of a quantity
+        position(&mut documents, 0, 51);
+        assert!(sentence(&documents).contains(" at 51 validation poses: "), "{}", sentence(&documents));
     }
 
     #[test]

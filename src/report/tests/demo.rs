@@ -74,6 +74,7 @@ impl Documents {
         let error = |quantity, unit: &str, before: f64, after: f64| ErrorStatistics {
             quantity,
             count: 255,
+            poses: 51,
             unit: unit.to_owned(),
             before: statistics(before),
             after: statistics(after),
@@ -117,6 +118,7 @@ impl Documents {
                 sets: vec![set(PoseSet::Calibration, 8), set(PoseSet::Validation, 51)],
                 placed_apart: Vec::new(),
                 effects: Vec::new(),
+                left_out: None,
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 relative: Some(relative()),
                 budget: Vec::new(),

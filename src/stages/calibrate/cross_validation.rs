@@ -16,7 +16,7 @@ use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_campaign::RobotFile;
-use etalon_documents::{EffectProof, EffectStep, PoseSet, Statistics};
+use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, PoseSet, Statistics};
 use etalon_identify::{
     Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, chi_square_exceeds, effects,
 };
@@ -395,44 +395,79 @@ fn joint_names(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String>
     joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
 }
 
-/// Effects that `settings` do not identify and that are significant, each in addition to the
-/// identified ones. Fits start at `found`; errors are those of at most 200 poses.
-pub fn unused(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Vec<EffectProof> {
-    let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
-    let stated = |i: usize| {
-        let name = &robot.parameters()[i].name;
-        settings.hold.iter().any(|pattern| matches_pattern(pattern, name))
-    };
-    // what the rule of effects alone holds
-    let unused: Vec<usize> = (0..effects.len())
-        .filter(|&i| effects[i].is_some() && found.status[i] == Status::Fixed && !stated(i))
-        .collect();
-    let Some((few, settings, folds)) = sampled(sets, settings).filter(|_| !unused.is_empty()) else {
-        return Vec::new();
-    };
-    let settings = Settings { effects: Effects::All, ..settings };
-    let trial = Trial { robot, sets: &few, start: &found.values, folds: &folds };
-    let held = |kept: Option<Effect>| {
-        let others = unused.iter().filter(|&&i| effects[i] != kept);
-        with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
-    };
-    let Some(without) = trial.cross_validate(&held(None)) else { return Vec::new() };
-    let blocks = temperature_blocks(robot, &few.calibration, &settings.conditions);
-    let by_block = Trial { folds: &blocks, ..trial };
-    let holds = |effect: Effect| {
-        let errors = |kept| Some(by_block.cross_validate(&held(kept))?.left_out);
-        let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
-        !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
-    };
-    let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
-    let proof = |effect: Effect| {
-        let (plain, more) = (held(None), held(Some(effect)));
-        let with = trial.cross_validate(&more)?;
-        let joints = joint_names(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
-        let identified = || Some([trial.identify(&plain)?, trial.identify(&more)?]);
-        would_prove([&without, &with], identified, effect, joints)
-    };
-    candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
+/// Errors of a solution at left-out calibration poses, at most 200.
+pub struct LeftOut {
+    sets: Sets,
+    settings: Settings,
+    folds: Vec<BTreeSet<PoseName>>,
+    identified: CrossValidated,
+}
+
+impl LeftOut {
+    /// Fits near a solution again, without the poses of each fold; `None` with too few poses, or if
+    /// a fit fails.
+    pub fn new(robot: &dyn Robot, sets: &Sets, settings: &Settings, found: &Identification) -> Option<Self> {
+        let (sets, settings, folds) = sampled(sets, settings)?;
+        let trial = Trial { robot, sets: &sets, start: &found.values, folds: &folds };
+        let identified = trial.cross_validate(&settings)?;
+        Some(Self { sets, settings, folds, identified })
+    }
+
+    fn trial<'a>(&'a self, robot: &'a dyn Robot, start: &'a [f64]) -> Trial<'a> {
+        Trial { robot, sets: &self.sets, start, folds: &self.folds }
+    }
+
+    /// Errors with nominal parameters, which are in `before` with base and targets fitted, and with
+    /// the identified parameters; `None` if no position is measured.
+    pub fn errors(&self, robot: &dyn Robot, before: &[f64]) -> Option<LeftOutErrors> {
+        let effects = effects(robot, joints(&self.sets.calibration, &self.settings.conditions));
+        let robot_itself = effects.iter().enumerate().filter(|(_, effect)| effect.is_some());
+        let held = robot_itself.map(|(i, _)| robot.parameters()[i].name.clone()).collect();
+        let nominal = self.trial(robot, before).cross_validate(&with_held(&self.settings, held))?;
+        let poses = self.identified.left_out.len();
+        let statistics = |of: &CrossValidated| summarise(of.left_out.values().map(|squared| squared.sqrt()).collect());
+        let [nominal, identified] = [&nominal, &self.identified].map(statistics);
+        (poses > 0).then(|| LeftOutErrors { poses, folds: self.folds.len(), nominal, identified })
+    }
+
+    /// Effects that the solution does not identify and that are significant, each in addition to
+    /// the identified ones. Fits start at `found`.
+    pub fn unused(&self, robot: &dyn Robot, found: &Identification) -> Vec<EffectProof> {
+        let effects = effects(robot, joints(&self.sets.calibration, &self.settings.conditions));
+        let stated = |i: usize| {
+            let name = &robot.parameters()[i].name;
+            self.settings.hold.iter().any(|pattern| matches_pattern(pattern, name))
+        };
+        // what the rule of effects alone holds
+        let unused: Vec<usize> = (0..effects.len())
+            .filter(|&i| effects[i].is_some() && found.status[i] == Status::Fixed && !stated(i))
+            .collect();
+        if unused.is_empty() {
+            return Vec::new();
+        }
+        let settings = Settings { effects: Effects::All, ..self.settings.clone() };
+        let trial = self.trial(robot, &found.values);
+        let held = |kept: Option<Effect>| {
+            let others = unused.iter().filter(|&&i| effects[i] != kept);
+            with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
+        };
+        let blocks = temperature_blocks(robot, &self.sets.calibration, &settings.conditions);
+        let by_block = Trial { folds: &blocks, ..trial };
+        let holds = |effect: Effect| {
+            let errors = |kept| Some(by_block.cross_validate(&held(kept))?.left_out);
+            let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
+            !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
+        };
+        let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
+        let proof = |effect: Effect| {
+            let (plain, more) = (held(None), held(Some(effect)));
+            let with = trial.cross_validate(&more)?;
+            let joints = joint_names(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
+            let identified = || Some([trial.identify(&plain)?, trial.identify(&more)?]);
+            would_prove([&self.identified, &with], identified, effect, joints)
+        };
+        candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
+    }
 }
 
 /// Number of joints whose bending is tried if robot.toml states none: the first that carry a
@@ -446,10 +481,10 @@ const LOADED: f64 = 0.1;
 pub(crate) fn undescribed_bending(
     robot_file: &RobotFile,
     robot: &dyn Robot,
-    sets: &Sets,
-    settings: &Settings,
+    left_out: &LeftOut,
     found: &Identification,
 ) -> Option<EffectProof> {
+    let LeftOut { sets, settings, folds, identified } = left_out;
     let explained =
         found.residuals.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.residuals.degrees_of_freedom));
     if explained || !settings.conditions.is_empty() || !settings.known.is_empty() || robot.loads().is_some() {
@@ -465,20 +500,18 @@ pub(crate) fn undescribed_bending(
     let turning = (1..=robot.joints().len()).filter(|&j| robot.joints()[j - 1].quantity == Quantity::Angle);
     let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
     let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
-    let (few, plain, folds) = sampled(sets, settings)?;
-    let alone = Trial { robot, sets: &few, start: &found.values, folds: &folds };
-    let without = alone.cross_validate(&plain)?;
     let value = |name: &str| Some(found.values[robot.index(name)?]);
     let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
-    let mut more = plain.clone();
+    let mut more = settings.clone();
     if let Effects::These(chosen) = &mut more.effects {
         chosen.push(Effect::Bending);
     }
-    let bent = Trial { robot: bending.as_ref(), sets: &few, start: &start, folds: &folds };
+    let alone = Trial { robot, sets, start: &found.values, folds };
+    let bent = Trial { robot: bending.as_ref(), sets, start: &start, folds };
     let with = bent.cross_validate(&more)?;
     let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
-    let identified = || Some([alone.identify(&plain)?, bent.identify(&more)?]);
-    let proof = would_prove([&without, &with], identified, Effect::Bending, names)?;
+    let both = || Some([alone.identify(settings)?, bent.identify(&more)?]);
+    let proof = would_prove([identified, &with], both, Effect::Bending, names)?;
     let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
     Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
 }

@@ -1,7 +1,7 @@
 //! Evaluation of a solution: judgement, errors before and after, predictions and controls. Each
 //! step returns what it adds.
 
-use crate::stages::calibrate::cross_validation::{undescribed_bending, unused};
+use crate::stages::calibrate::cross_validation::{LeftOut, undescribed_bending};
 use crate::stages::calibrate::selection::CampaignData;
 use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::calibrate::validation_targets::{TargetLocations, ValidationTargets};
@@ -106,10 +106,14 @@ impl LocatedSolution<'_> {
         accuracy.placed_apart = self.locations.documents(robot);
         // targets that are located by these poses would have too small errors
         let without_located = Judged { sets, ..judged };
-        let before = RobotValues { robot, values: before };
-        accuracy.relative = accuracy::relative(campaign, without_located, before, systematic)?;
-        accuracy.effects = proofs.unwrap_or_else(|| unused(robot, sets, settings, found));
-        accuracy.effects.extend(undescribed_bending(&campaign.robot, robot, sets, settings, found));
+        let nominal = RobotValues { robot, values: before };
+        accuracy.relative = accuracy::relative(campaign, without_located, nominal, systematic)?;
+        let left_out = LeftOut::new(robot, sets, settings, found);
+        accuracy.left_out = left_out.as_ref().and_then(|left_out| left_out.errors(robot, before));
+        let unused = || left_out.as_ref().map_or_else(Vec::new, |left_out| left_out.unused(robot, found));
+        accuracy.effects = proofs.unwrap_or_else(unused);
+        let bending = |left_out| undescribed_bending(&campaign.robot, robot, left_out, found);
+        accuracy.effects.extend(left_out.as_ref().and_then(bending));
         accuracy.validation_distance = validation_distance(robot, all);
         if with_times(&mut errors, &joined.observations[0].1.times()?) {
             accuracy.joints.push(table::TIME.to_owned());

@@ -225,6 +225,7 @@ pub fn evaluate(
         relative: None,
         placed_apart: Vec::new(),
         effects: Vec::new(),
+        left_out: None,
         budget: uncertainty.figures,
         trends: Vec::new(),
         parameter_influences: Vec::new(),
@@ -292,9 +293,11 @@ fn statistics(quantity: ErrorQuantity, unit: &str, errors: &[&PointError], size:
     let of = |pick: &dyn Fn(&PointError) -> Option<f64>| {
         summarise(errors.iter().filter_map(|e| Some(pick(e)? / e.statistics_divisor()?)).collect())
     };
+    let counted = || errors.iter().filter(|e| size(e.after_mm, e.after_deg).is_some());
     ErrorStatistics {
         quantity,
-        count: errors.iter().filter(|e| size(e.after_mm, e.after_deg).is_some()).count(),
+        count: counted().count(),
+        poses: counted().map(|e| e.pose).collect::<BTreeSet<_>>().len(),
         unit: unit.to_owned(),
         before: of(&|e| size(e.before_mm, e.before_deg)),
         after: of(&|e| size(e.after_mm, e.after_deg)),
@@ -323,6 +326,7 @@ mod tests {
         let error = |quantity, unit: &str| ErrorStatistics {
             quantity,
             count: 1,
+            poses: 1,
             unit: unit.to_owned(),
             before: zero,
             after: zero,

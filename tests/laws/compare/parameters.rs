@@ -49,6 +49,7 @@ fn no_errors() -> AccuracyDocument {
         sets: Vec::new(),
         placed_apart: Vec::new(),
         effects: Vec::new(),
+        left_out: None,
         validation_distance: None,
         relative: None,
         budget: vec![],

@@ -1,6 +1,6 @@
 //! Laws of compensation and of controller files.
 
 mod compensation;
-mod drawn;
+pub(super) mod drawn;
 mod files;
 mod readers;

@@ -6,7 +6,7 @@ use super::regional::{Campaign, LEFT_OUT, Measured, Twin};
 use etalon::base::noise::Noise;
 use etalon::identify::{Effects, Identification, Settings, Status, effects, identify};
 use etalon::robots::Robot;
-use etalon::stages::calibrate::cross_validation::unused;
+use etalon::stages::calibrate::cross_validation::LeftOut;
 use etalon::stages::evaluate::sets::Sets;
 use rayon::prelude::*;
 
@@ -33,7 +33,8 @@ fn advised(twin: &Twin, campaign: &Campaign, fresh: &Campaign) -> Vec<[f64; 3]> 
         };
         position_mm(&identify(robot, &sets.calibration, &settings).expect("identified"))
     };
-    let advice = unused(robot, &sets, &settings, &found);
+    let left_out = LeftOut::new(robot, &sets, &settings, &found).expect("errors at left-out poses");
+    let advice = left_out.unused(robot, &found);
     advice.iter().map(|proof| [position_mm(&found), with(proof.effect), proof.with_mm]).collect()
 }
 

@@ -142,11 +142,15 @@ action-add-effect = `{ $line }` in robot.toml ergänzen
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
 action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
 action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
+action-compensate = Programme mit `etalon compensate` und `--field { $file }` korrigieren: das Residuenfeld enthält Abweichungen, die kein Parameter beschreibt
+action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } ausgelassenen Posen: { $without } → { $with }
+action-verify = nach dem Laden einige Posen erneut messen und mit `etalon verify` prüfen; bei Exit-Code 1 die vorherige Datei der Steuerung wiederherstellen
+action-verify-reason = diese Datei vor dem Laden sichern. Die Posen wählt `etalon verify --candidates`, das die kleinste erkennbare Änderung nennt
 action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
-action-finer-instrument-reason = U = { $uncertainty } ist { $percent } % der Kenngröße an { $count ->
-        [one] Pose { $poses }
-       *[other] den Posen { $poses }
-    }; ISO 9283 erlaubt 25 %
+action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %, die { $count ->
+        [one] Pose { $poses } überschreitet
+       *[other] die Posen { $poses } überschreiten
+    }
 action-keep-nominal = { $count ->
         [0] die Nennparameter behalten
        *[other] { $formats } nicht laden

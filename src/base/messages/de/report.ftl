@@ -87,6 +87,10 @@ base-moved = die Basis hat sich um { $by } (k = 2) bewegt
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
 batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unentschieden, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
+batch-synthetic = { $count ->
+    [one] 1 Kampagne hat
+   *[other] { $count } Kampagnen haben
+} synthetische Daten: Niemand hat sie gemessen, und sie sind kein Nachweis über einen Roboter.
 before = vorher
 before-after-description = Abweichungen mit Nennparametern und nach der Kalibrierung, auf einer Achse.
 before-named = vorher ({ $name })
@@ -175,15 +179,18 @@ cell-title = { $solve ->
        *[rotary-axis] Drehachse
     }
 cell-verdict-axis = Maßstab { $scale } ± { $u } (k = 2)
-cell-verdict-known = { $frame }: U = { $um } µm für jede Koordinate{ $turned ->
+cell-verdict-known = { $frame }: U = { $um } µm längs x, y, z{ $turned ->
         [no] {""}
-       *[yes] {" "}und { $deg } deg um jede Achse
+       *[yes] {" "}und { $deg } deg um x, y, z
     } (k = 2)
 cell-verdict-unknown = { $frame }: die Messunsicherheit ist unbekannt
 cell-verdict-warnings = { $count ->
         [one] eine Warnung schränkt das Ergebnis ein
        *[other] { $count } Warnungen schränken das Ergebnis ein
     }
+certificate-coverage = U: erweiterte Messunsicherheit, Erweiterungsfaktor k = 2, Überdeckungswahrscheinlichkeit etwa 95 % bei Normalverteilung.
+certificate-parameters = Identifizierte Parameter
+certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
 change = Änderung
 change-by-u = Änderung / u
@@ -417,6 +424,7 @@ effective-parameters = Effektive, nicht physikalische Parameter: { $names }. Die
 effects-cross-validated = Effekte: { $folds }-fache Kreuzvalidierung an { $poses } Posen, Wiederholungen: { $repeats }
 effects-description = Verschiebung des Messpunkts, den jeder Parameter am stärksten bewegt, für identifizierten Wert minus Nennwert; alle anderen Parameter unverändert. { $count } von { $total } Parametern.
 effects-of-all = Wirkungen aller Parameter
+effects-reduce-errors = Effekte, die die Abweichungen an ausgelassenen Posen verringern: { $effects }
 effects-section = Parameter nach ihrer Wirkung
 effects-title = Wirkungen der Parameter
 ellipsoid-semi-axes = Ellipsoid, Halbachsen
@@ -433,7 +441,10 @@ error-against = Abweichung nach der Kalibrierung: { $quantity }, über { $agains
 error-at-poses = { $quantity } an { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
-    } ({ $set }): { $before } → { $after } { $unit }.
+    } ({ $set }{ $readings ->
+        [0] {""}
+       *[other] {", "}{ $readings } Messwerte
+    }): { $before } → { $after } { $unit }.
 error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
 error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
 error-before-in-plane = Abweichung vor der Kalibrierung: { $quantity }, { $plane }
@@ -468,7 +479,10 @@ errors-by-number-of-positions = Positionsabweichungen über der Anzahl der Posit
 errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse ({ $unit }).
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-by-set-and-pose = Abweichungen nach Gruppe und nach Pose
-errors-hold-among = Diese Werte gelten im gemessenen Bereich: Der Abstand einer Validierungspose von der nächsten Kalibrierpose ist das { $ratio }-Fache des Abstands der Kalibrierposen (Median; höchstens das { $largest }-Fache). Validierungsposen mit einem Gelenk außerhalb seines Kalibrierbereichs: { $outside } von { $total }.
+errors-hold-among = { $region ->
+        [beyond] Einige Validierungsposen liegen außerhalb des gemessenen Bereichs; ihre Abweichungen zählen mit
+       *[within] Diese Werte gelten im gemessenen Bereich
+    }: Der Abstand einer Validierungspose von der nächsten Kalibrierpose ist das { $ratio }-Fache des Abstands der Kalibrierposen (Median; höchstens das { $largest }-Fache). Verschiedene Gelenkstellungen der Validierung mit einem Gelenk außerhalb seines Kalibrierbereichs: { $outside } von { $total }.
 errors-not-drawn = { $count ->
         [one] 1 Abweichung, deren Position oder Wert nicht endlich ist, ist nicht gezeichnet.
        *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
@@ -599,9 +613,6 @@ identified-minus-nominal-in = identifiziert minus nominal ({ $unit })
 identified-minus-true = identifiziert − wahr
 identified-minus-true-in = identifiziert minus wahr ({ $unit })
 identified-rms = identifiziert, RMS
-identify-each = zu identifizieren: { $effects }; jeder Effekt verringert die Abweichungen an ausgelassenen Posen
-identify-nothing = kein Effekt verringert die Abweichungen an ausgelassenen Posen: nichts laden
-identify-together = zu identifizieren: { $effects }; zusammen verringern diese Effekte die Abweichungen an ausgelassenen Posen
 import = Import
 in-space = im Raum
 index = Index
@@ -640,6 +651,7 @@ known-points = bekannte Punkte
 laboratory = Labor
 lack-of-fit = Streuung der Wiederholungen: { $repeats } µm je Koordinate ({ $degrees_of_freedom } Freiheitsgrade). Modellfehler darüber hinaus: { $model } µm je Pose (F-Test auf mangelnde Anpassung: { $probability }).
 largest = größter Beitrag
+largest-displacement = größte Verschiebung
 largest-distance = größter Abstand
 largest-error = größte Abweichung
 largest-errors-drawn = An jeder der { $places } Positionen ist die größte Abweichung gezeichnet (von { $total } Abweichungen).
@@ -650,6 +662,7 @@ largest-residual-of-a-coordinate = größtes Residuum einer Koordinate
 last-cycle = letzter Zyklus
 leads = Spindelsteigungen
 left = verbleibend
+left-out-errors = Abweichungen an ausgelassenen Posen
 left-out-rms = ausgelassene Posen, RMS
 left-rms = verbleibend, RMS
 length = Länge
@@ -675,7 +688,10 @@ limit-surface-max = größter Abstand von einer Fläche
 limited-error = { $quantity } an { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
-    } ({ $set }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
+    } ({ $set }{ $readings ->
+        [0] {""}
+       *[other] {", "}{ $readings } Messwerte
+    }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
 limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
@@ -689,15 +705,7 @@ line = Zeile
 line-number = Zeile { $line }
 load = Last
 load-centre = Lastschwerpunkt, ab der mechanischen Schnittstelle
-load-proven = { $count ->
-    [one] { $load } von 1 Parameter laden; den Rest auf dem Nennwert lassen. Zu ladende Parameter weichen signifikant vom Nennwert ab
-   *[other] { $load } von { $count } Parametern laden; die anderen auf dem Nennwert lassen. Zu ladende Parameter weichen signifikant vom Nennwert ab, einzeln oder gemeinsam
-}
 load-sentence = Last: { $load } kg.
-load-stable = { $count ->
-    [one] { $load } von 1 Parameter laden, wenn er stabil ist: signifikante Änderungen allein ergeben größere Abweichungen
-   *[other] alle { $load } stabilen von { $count } Parametern laden; die anderen auf dem Nennwert lassen. Die Abweichungen sind größer, wenn nur signifikant geänderte Parameter geladen werden
-}
 log = Protokoll
 logo-of-the-laboratory = Logo des Labors
 manufacturer = Hersteller
@@ -793,7 +801,10 @@ no-noise-stated = kein Rauschen angegeben
 no-quantity-changed = Signifikante Änderungen: 0 von { $total } Größen des Roboters.
 no-significant-change = keine signifikante Änderung
 no-significant-change-sentence = Keine signifikante Änderung.
-no-trend-pictures = Abweichungen über Gelenkwerten und Abstand: kein signifikanter Trend
+no-trend-pictures = { $others ->
+        [yes] Abweichungen über den anderen Gelenkwerten und Abständen
+       *[no] Abweichungen über Gelenkwerten und Abstand
+    }: kein signifikanter Trend
 no-uncertainty-is-known = die Unsicherheit ist unbekannt
 noise = Rauschen
 noise-of-reading-x = Rauschen einer Ablesung, x
@@ -803,6 +814,7 @@ nominal = nominal
 nominal-lead = Nennsteigung
 nominal-max = nominal, max.
 nominal-minus-identified = nominal minus identifiziert
+nominal-parameters = nominal
 nominal-rms = nominal, RMS
 nominal-values = Nennwerte
 none = keine
@@ -875,6 +887,8 @@ parameters-no-longer-valid = die Parameter gelten nicht mehr; keine Bewegung der
 parameters-note = u: Standardunsicherheit (k = 1); U = 2u: erweiterte Messunsicherheit. Die Werte sind auf die zweite Stelle von u gerundet. „Vorher“: Nur Basis und Zielmarken sind angepasst. Änderung: identifiziert minus nominal.
 parameters-of-robot = Parameter des Roboters
 parameters-of-set-up = Parameter von Basis und Zielmarken
+parameters-of-the-answer = der Antwort
+parameters-of-the-run = des Laufs
 parameters-still-valid = die Parameter gelten für diese Posen noch
 parameters-title = Parameter
 pass = bestanden
@@ -1011,6 +1025,11 @@ readings-redundancy = { $target } ({ $readings ->
        *[other] { $readings } Messwerte
     }, Redundanz { $redundancy })
 reason = Grund
+recommend-file = `{ $file }` des Laufs laden: { $load } von { $count } Parametern mit ihren identifizierten Werten; die anderen bleiben auf dem Nennwert
+recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen um mehr als 5 % kleiner
+recommend-nominal = die Nennparameter behalten: die identifizierten sind an neuen Posen nicht klar besser
+recommend-parameters = die identifizierten Parameter des Laufs laden: { $load } von { $count }; die anderen bleiben auf dem Nennwert
+recommend-resolve = noch nichts laden: nach der Bewertung des Laufs darf keine Datei geladen werden; zuerst kommen seine nächsten Schritte
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
 recorded-motion = Aufgezeichnete Bewegung
@@ -1175,6 +1194,7 @@ sheet-controller-values = Steuerungswerte
 sheet-corners = Ecken
 sheet-correlation = Korrelation
 sheet-covariance = Kovarianz
+sheet-detectable = Erkennbare Änderungen
 sheet-distributions = Verteilungen
 sheet-distributions-of-errors = Verteilungen der Abweichungen
 sheet-done = erledigt

@@ -849,7 +849,7 @@ probe-of-feature-unknown = `{ $feature }` wird nicht angepasst: seine Punkte sin
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, Grenzwert { FIXED($limit, 1) })
 
-parameters-unstable = instabile und daher festgehaltene Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
+parameters-unstable = instabile Parameter; die Werte aus einem Teil der Posen weichen von den Werten aus allen Posen ab (in Standardabweichungen der Differenz): { $parameters }
     .hint = nach Änderungen während der Messung suchen (Temperatur, eine bewegte Zielmarke, ein neu referenziertes Gelenk) und die Residuen prüfen
 
 remedy = { $remedy ->

@@ -219,11 +219,15 @@ action-add-effect = add `{ $line }` to robot.toml
 action-add-effect-reason = root-mean-square error at left-out poses: { $without } → { $with }
 action-add-validation = measure poses that validate the parameters, and name them in `validation` of [identify]
 action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
+action-compensate = correct programs with `etalon compensate` and `--field { $file }`: the residual field adds errors that no parameter describes
+action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
+action-verify = after loading, measure a few poses again with `etalon verify`; if it ends with exit code 1, restore the file that the controller had
+action-verify-reason = save that file before loading. Choose the poses with `etalon verify --candidates`, which lists the smallest change that they detect
 action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
-action-finer-instrument-reason = U = { $uncertainty } is { $percent } % of the characteristic at pose{ $count ->
-        [one] {" "}{ $poses }
-       *[other] s { $poses }
-    }; ISO 9283 allows 25 %
+action-finer-instrument-reason = at pose { $pose }, U = { $uncertainty } is { $percent } % of the characteristic; ISO 9283 allows 25 %, which { $count ->
+        [one] pose { $poses } exceeds
+       *[other] poses { $poses } exceed
+    }
 action-keep-nominal = { $count ->
         [0] keep the nominal parameters
        *[other] do not load { $formats }

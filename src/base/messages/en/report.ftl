@@ -81,6 +81,10 @@ base-moved = the base has moved by { $by } (k = 2)
 base-rotation = base rotation
 base-shift = base shift
 batch-ends = { $pass } pass, { $conditional } conditional, { $undecided } undecided, { $fail } fail, { $failed } not run, { $skipped } skipped
+batch-synthetic = { $count ->
+    [one] 1 campaign is
+   *[other] { $count } campaigns are
+} of synthetic data: nobody measured them, and they are no evidence of a robot.
 before = before
 before-after-description = Errors with nominal parameters and after calibration, on one axis.
 before-named = { $name }, before
@@ -166,15 +170,18 @@ cell-title = { $solve ->
        *[rotary-axis] Rotary axis
     }
 cell-verdict-axis = scale { $scale } ± { $u } (k = 2)
-cell-verdict-known = { $frame }: U = { $um } µm for each coordinate{ $turned ->
+cell-verdict-known = { $frame }: U = { $um } µm along x, y, z{ $turned ->
         [no] {""}
-       *[yes] {" "}and { $deg } deg about each axis
+       *[yes] {" "}and { $deg } deg about x, y, z
     } (k = 2)
 cell-verdict-unknown = { $frame }: the uncertainty is unknown
 cell-verdict-warnings = { $count ->
         [one] one warning limits the answer
        *[other] { $count } warnings limit the answer
     }
+certificate-coverage = U: expanded uncertainty, coverage factor k = 2, coverage probability about 95 % for a normal distribution.
+certificate-parameters = Identified parameters
+certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
 change = change
 change-by-u = change/u
@@ -396,6 +403,7 @@ effective-parameters = Effective, not physical parameters: { $names }. The resid
 effects-cross-validated = Effects: { $folds }-fold cross-validation of { $poses } poses, repeats: { $repeats }
 effects-description = Each bar: displacement of the measured point that moves most, for identified minus nominal value of the parameter with all others unchanged. { $count } of { $total } parameters.
 effects-of-all = Effects of all parameters
+effects-reduce-errors = effects that reduce the errors at left-out poses: { $effects }
 effects-section = Parameters by their effect
 effects-title = Effects of the parameters
 ellipsoid-semi-axes = ellipsoid, semi-axes
@@ -409,7 +417,10 @@ environment = environment
 error = error
 error-after-in-plane = Error after calibration: { $quantity }, { $plane }
 error-against = Error after calibration: { $quantity }, versus { $against }
-error-at-poses = { $quantity } at { $count } { $set } poses: { $before } → { $after } { $unit }.
+error-at-poses = { $quantity } at { $count } { $set } poses{ $readings ->
+        [0] {""}
+       *[other] {" "}({ $readings } readings)
+    }: { $before } → { $after } { $unit }.
 error-axis-linear = The error axis is linear: the largest error before is at most { $factor } times the median after.
 error-axis-logarithmic = The error axis is logarithmic: the largest error before exceeds { $factor } times the median after.
 error-before-in-plane = Error before calibration: { $quantity }, { $plane }
@@ -444,7 +455,10 @@ errors-by-number-of-positions = Position errors versus number of positions
 errors-by-pose-linear = One mark per pose, cycle and target; linear axis ({ $unit }).
 errors-by-pose-logarithmic = One mark per pose, cycle and target; logarithmic axis ({ $unit }).
 errors-by-set-and-pose = Errors by set and by pose
-errors-hold-among = These figures apply within the measured region: the distance from a validation pose to the nearest calibration pose is { $ratio } × the spacing of the calibration poses (median; maximum { $largest } ×). Validation poses with a joint outside its calibration range: { $outside } of { $total }.
+errors-hold-among = { $region ->
+        [beyond] Some validation poses are beyond the measured region; their errors are included
+       *[within] These figures apply within the measured region
+    }: the distance from a validation pose to the nearest calibration pose is { $ratio } × the spacing of the calibration poses (median; maximum { $largest } ×). Distinct joint positions of the validation with a joint outside its calibration range: { $outside } of { $total }.
 errors-not-drawn = { $count } errors with a non-finite position or value are not drawn.
 errors-of-each-pose = Errors by pose
 errors-of-poses-drawn = { $drawn } of { $total } errors are drawn: the largest error of each pose after calibration, for all validation poses that fit and an even selection of calibration poses.
@@ -569,9 +583,6 @@ identified-minus-nominal-in = identified minus nominal ({ $unit })
 identified-minus-true = identified − true
 identified-minus-true-in = identified minus true ({ $unit })
 identified-rms = identified, RMS
-identify-each = identify { $effects }: each effect reduces the errors at left-out poses
-identify-nothing = no effect reduces the errors at left-out poses: load nothing
-identify-together = identify { $effects }: together they reduce the errors at left-out poses
 import = Import
 in-space = in space
 index = index
@@ -610,6 +621,7 @@ known-points = known points
 laboratory = laboratory
 lack-of-fit = Scatter of repeats: { $repeats } µm per coordinate ({ $degrees_of_freedom } degrees of freedom). Model error beyond it: { $model } µm per pose (F test of lack of fit: { $probability }).
 largest = largest
+largest-displacement = largest displacement
 largest-distance = largest distance
 largest-error = largest error
 largest-errors-drawn = The largest error at each of { $places } positions is drawn (total { $total } errors).
@@ -620,6 +632,7 @@ largest-residual-of-a-coordinate = largest residual of a coordinate
 last-cycle = last cycle
 leads = Leads
 left = remaining
+left-out-errors = Errors at left-out poses
 left-out-rms = left out, RMS
 left-rms = remaining, RMS
 length = length
@@ -642,7 +655,10 @@ limit-position-mean = mean position error
 limit-position-rms = RMS position error
 limit-repeatability-max = largest pose repeatability RP
 limit-surface-max = largest distance from a surface
-limited-error = { $quantity } at { $count } { $set } poses: { $before } → { $after } { $unit }, limit { $limit } { $unit }: { $verdict }
+limited-error = { $quantity } at { $count } { $set } poses{ $readings ->
+        [0] {""}
+       *[other] {" "}({ $readings } readings)
+    }: { $before } → { $after } { $unit }, limit { $limit } { $unit }: { $verdict }
 limits = Limits
 limits-all-met = All { $count } limits of the campaign are met.
 limits-both-met = Both limits of the campaign are met.
@@ -656,15 +672,7 @@ line = line
 line-number = line { $line }
 load = load
 load-centre = load centre, from the mechanical interface
-load-proven = { $count ->
-    [one] load { $load } of 1 parameter; hold the rest at nominal. Parameters to load have a significant change from nominal
-   *[other] load { $load } of { $count } parameters; hold the others at nominal. Parameters to load have a significant change from nominal, individually or jointly
-}
 load-sentence = Load: { $load } kg.
-load-stable = { $count ->
-    [one] load { $load } of 1 parameter, if it is stable: significant changes alone leave larger errors
-   *[other] load all { $load } stable parameters of { $count }; hold the others at nominal. Errors are larger if only parameters with a significant change are loaded
-}
 log = log
 logo-of-the-laboratory = Logo of the laboratory
 manufacturer = manufacturer
@@ -757,7 +765,10 @@ no-noise-stated = no noise stated
 no-quantity-changed = Significant changes: 0 of { $total } quantities of the robot.
 no-significant-change = no significant change
 no-significant-change-sentence = No significant change.
-no-trend-pictures = Errors versus joint values and distance: no significant trend
+no-trend-pictures = { $others ->
+        [yes] Errors versus the other joint values and distances
+       *[no] Errors versus joint values and distance
+    }: no significant trend
 no-uncertainty-is-known = the uncertainty is unknown
 noise = noise
 noise-of-reading-x = noise of a reading, x
@@ -767,6 +778,7 @@ nominal = nominal
 nominal-lead = nominal lead
 nominal-max = nominal, max
 nominal-minus-identified = nominal minus identified
+nominal-parameters = nominal
 nominal-rms = nominal, RMS
 nominal-values = nominal values
 none = none
@@ -839,6 +851,8 @@ parameters-no-longer-valid = the parameters are no longer valid; no motion of th
 parameters-note = u: standard uncertainty (k = 1); U = 2u: expanded uncertainty. Values are rounded to the second digit of u. “Before”: only base and targets are fitted. Change: identified minus nominal.
 parameters-of-robot = Parameters of the robot
 parameters-of-set-up = Parameters of base and targets
+parameters-of-the-answer = of the answer
+parameters-of-the-run = of the run
 parameters-still-valid = the parameters are still valid for these poses
 parameters-title = Parameters
 pass = pass
@@ -960,6 +974,11 @@ readings = readings
 readings-not-judged = { $target } ({ $readings } readings, redundancy { $redundancy }: not judged)
 readings-redundancy = { $target } ({ $readings } readings, redundancy { $redundancy })
 reason = reason
+recommend-file = load `{ $file }` of the run: { $load } of { $count } parameters, with their identified values; the others stay at nominal
+recommend-further = load nothing yet: first identify { $effects }, with which errors at left-out poses are more than 5 % smaller
+recommend-nominal = keep the nominal parameters: the identified ones are not clearly better at new poses
+recommend-parameters = load the identified parameters of the run: { $load } of { $count }; the others stay at nominal
+recommend-resolve = load nothing yet: the verdict of the run allows no file to be loaded; its next steps come first
 recommendation-title = Recommendation of parameters to load
 recorded = recorded
 recorded-motion = Recorded motion
@@ -1109,6 +1128,7 @@ sheet-controller-values = Controller values
 sheet-corners = Corners
 sheet-correlation = Correlation
 sheet-covariance = Covariance
+sheet-detectable = Detectable changes
 sheet-distributions = Distributions
 sheet-distributions-of-errors = Distributions of errors
 sheet-done = done

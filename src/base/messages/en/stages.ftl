@@ -1709,12 +1709,12 @@ unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($li
 
 # Means: Parameters identified from a part of the poses differ from those of all poses by more than
 # chance.
-# Matters: Something changed during the measurement, so the parameters are held at their nominal
-# values.
+# Matters: Something changed during the measurement, so the values suit only a part of the poses.
+# They are loaded all the same, because errors at left-out poses are larger without them.
 # Do: Check for changes (temperature, a target that moved, a joint that was homed again), and check
 # the residuals.
 # Example: a reflector that moved after half of the poses
-parameters-unstable = unstable parameters are held; differences between a part of the poses and all poses, in standard deviations of the difference: { $parameters }
+parameters-unstable = unstable parameters; differences between a part of the poses and all poses, in standard deviations of the difference: { $parameters }
     .hint = check for changes during the measurement (temperature, a target that moved, a joint that was homed again), and check the residuals
 
 remedy = { $remedy ->

@@ -139,11 +139,15 @@ action-add-effect = ajouter `{ $line }` à robot.toml
 action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
 action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
 action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
+action-compensate = corriger les programmes par `etalon compensate` et `--field { $file }` : le champ résiduel contient des erreurs qu’aucun paramètre ne décrit
+action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
+action-verify = après le chargement, mesurer de nouveau quelques poses avec `etalon verify` ; si le code de sortie est 1, rétablir le fichier que la commande avait
+action-verify-reason = sauvegarder ce fichier avant le chargement. Choisir les poses avec `etalon verify --candidates`, qui indique le plus petit changement détectable
 action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
-action-finer-instrument-reason = U = { $uncertainty } représente { $percent } % de la caractéristique { $count ->
-        [one] à la pose { $poses }
-       *[other] aux poses { $poses }
-    } ; l’ISO 9283 admet 25 %
+action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->
+        [one] la pose { $poses } dépasse
+       *[other] les poses { $poses } dépassent
+    }
 action-keep-nominal = { $count ->
         [0] garder les paramètres nominaux
        *[other] ne pas charger { $formats }

@@ -90,6 +90,10 @@ base-moved = la base a bougé de { $by } (k = 2)
 base-rotation = rotation de la base
 base-shift = déplacement de la base
 batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécises, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
+batch-synthetic = { $count ->
+    [one] { $count } campagne porte
+   *[other] { $count } campagnes portent
+} sur des données synthétiques : personne ne les a mesurées, et elles ne prouvent rien sur un robot.
 before = avant
 before-after-description = Erreurs avec les paramètres nominaux et après étalonnage, sur un même axe.
 before-named = { $name }, avant
@@ -178,15 +182,18 @@ cell-title = { $solve ->
        *[rotary-axis] Axe rotatif
     }
 cell-verdict-axis = échelle { $scale } ± { $u } (k = 2)
-cell-verdict-known = { $frame } : U = { $um } µm pour chaque coordonnée{ $turned ->
+cell-verdict-known = { $frame } : U = { $um } µm selon x, y, z{ $turned ->
         [no] {""}
-       *[yes] {" "}et { $deg } deg autour de chaque axe
+       *[yes] {" "}et { $deg } deg autour de x, y, z
     } (k = 2)
 cell-verdict-unknown = { $frame } : l’incertitude est inconnue
 cell-verdict-warnings = { $count ->
         [one] un avertissement limite le résultat
        *[other] { $count } avertissements limitent le résultat
     }
+certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
+certificate-parameters = Paramètres identifiés
+certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 change = écart
 change-by-u = écart / u
@@ -420,6 +427,7 @@ effective-parameters = Paramètres effectifs et non physiques : { $names }. Les
 effects-cross-validated = Effets : validation croisée à { $folds } blocs sur { $poses } poses, répétitions : { $repeats }
 effects-description = Déplacement du point mesuré que chaque paramètre déplace le plus, pour la différence entre valeur identifiée et valeur nominale ; tous les autres paramètres inchangés. { $count } paramètres sur { $total }.
 effects-of-all = Effets de tous les paramètres
+effects-reduce-errors = effets qui réduisent les erreurs aux poses omises : { $effects }
 effects-section = Paramètres selon leur effet
 effects-title = Effets des paramètres
 ellipsoid-semi-axes = ellipsoïde, demi-axes
@@ -436,7 +444,10 @@ error-against = Erreur après étalonnage : { $quantity }, en fonction de : { 
 error-at-poses = { $quantity } sur { $count ->
         [one] { $count } pose
        *[other] { $count } poses
-    } ({ $set }) : { $before } → { $after } { $unit }.
+    } ({ $set }{ $readings ->
+        [0] {""}
+       *[other] {", "}{ $readings } lectures
+    }) : { $before } → { $after } { $unit }.
 error-axis-linear = L’axe des erreurs est linéaire : la plus grande erreur avant étalonnage vaut au plus { $factor } fois la médiane après étalonnage.
 error-axis-logarithmic = L’axe des erreurs est logarithmique : la plus grande erreur avant étalonnage dépasse { $factor } fois la médiane après étalonnage.
 error-before-in-plane = Erreur avant étalonnage : { $quantity }, { $plane }
@@ -471,7 +482,10 @@ errors-by-number-of-positions = Erreurs de position en fonction du nombre de pos
 errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({ $unit }).
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
-errors-hold-among = Ces valeurs s’appliquent à la région mesurée : la distance d’une pose de validation à la pose d’étalonnage la plus proche vaut { $ratio } fois l’espacement des poses d’étalonnage (médiane ; maximum { $largest } fois). Poses de validation avec une articulation hors de sa plage d’étalonnage : { $outside } sur { $total }.
+errors-hold-among = { $region ->
+        [beyond] Certaines poses de validation sont hors de la région mesurée ; leurs erreurs sont comprises
+       *[within] Ces valeurs s’appliquent à la région mesurée
+    } : la distance d’une pose de validation à la pose d’étalonnage la plus proche vaut { $ratio } fois l’espacement des poses d’étalonnage (médiane ; maximum { $largest } fois). Positions articulaires distinctes de la validation avec une articulation hors de sa plage d’étalonnage : { $outside } sur { $total }.
 errors-not-drawn = { $count ->
         [one] { $count } erreur dont la position ou la valeur n’est pas finie n’est pas tracée.
        *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
@@ -602,9 +616,6 @@ identified-minus-nominal-in = identifié moins nominal ({ $unit })
 identified-minus-true = identifié − vrai
 identified-minus-true-in = identifié moins vrai ({ $unit })
 identified-rms = identifié, RMS
-identify-each = à identifier : { $effects } ; chaque effet réduit les erreurs aux poses omises
-identify-nothing = aucun effet ne réduit les erreurs aux poses omises : ne rien charger
-identify-together = à identifier : { $effects } ; ensemble, ces effets réduisent les erreurs aux poses omises
 import = Importation
 in-space = dans l’espace
 index = indice
@@ -643,6 +654,7 @@ known-points = points connus
 laboratory = laboratoire
 lack-of-fit = Dispersion des répétitions : { $repeats } µm par coordonnée ({ $degrees_of_freedom } degrés de liberté). Erreur du modèle au-delà de cette dispersion : { $model } µm par pose (test F de défaut d’ajustement : { $probability }).
 largest = plus grande contribution
+largest-displacement = plus grand déplacement
 largest-distance = plus grande distance
 largest-error = plus grande erreur
 largest-errors-drawn = La plus grande erreur est tracée à chacune des { $places } positions (sur { $total } erreurs).
@@ -653,6 +665,7 @@ largest-residual-of-a-coordinate = plus grand résidu d’une coordonnée
 last-cycle = dernier cycle
 leads = Pas de vis
 left = restant
+left-out-errors = Erreurs aux poses omises
 left-out-rms = poses omises, RMS
 left-rms = restant, RMS
 length = longueur
@@ -678,7 +691,10 @@ limit-surface-max = distance maximale à une surface
 limited-error = { $quantity } sur { $count ->
         [one] { $count } pose
        *[other] { $count } poses
-    } ({ $set }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
+    } ({ $set }{ $readings ->
+        [0] {""}
+       *[other] {", "}{ $readings } lectures
+    }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
 limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
 limits-both-met = Les deux limites de la campagne sont respectées.
@@ -692,15 +708,7 @@ line = ligne
 line-number = ligne { $line }
 load = charge
 load-centre = centre de la charge, depuis l’interface mécanique
-load-proven = { $count ->
-    [one] charger { $load } paramètre sur { $count } ; garder le reste aux valeurs nominales. Les paramètres à charger ont un écart significatif à la valeur nominale
-   *[other] charger { $load } paramètres sur { $count } ; garder les autres à leurs valeurs nominales. Les paramètres à charger ont un écart significatif à la valeur nominale, séparément ou ensemble
-}
 load-sentence = Charge : { $load } kg.
-load-stable = { $count ->
-    [one] charger { $load } paramètre sur { $count }, s’il est stable : les écarts significatifs donnent à eux seuls de plus grandes erreurs
-   *[other] charger tous les paramètres stables, { $load } sur { $count } ; garder les autres à leurs valeurs nominales. Les erreurs sont plus grandes si l’on ne charge que les paramètres à écart significatif
-}
 log = journal
 logo-of-the-laboratory = Logo du laboratoire
 manufacturer = fabricant
@@ -796,7 +804,10 @@ no-noise-stated = aucun bruit indiqué
 no-quantity-changed = Changements significatifs : 0 grandeur du robot sur { $total }.
 no-significant-change = pas de changement significatif
 no-significant-change-sentence = Pas de changement significatif.
-no-trend-pictures = Erreurs en fonction des valeurs articulaires et de la distance : aucune tendance significative
+no-trend-pictures = { $others ->
+        [yes] Erreurs en fonction des autres valeurs articulaires et distances
+       *[no] Erreurs en fonction des valeurs articulaires et de la distance
+    } : aucune tendance significative
 no-uncertainty-is-known = incertitude inconnue
 noise = bruit
 noise-of-reading-x = bruit d’une lecture, x
@@ -806,6 +817,7 @@ nominal = nominal
 nominal-lead = pas nominal
 nominal-max = nominal, max.
 nominal-minus-identified = nominal moins identifié
+nominal-parameters = nominaux
 nominal-rms = nominal, RMS
 nominal-values = valeurs nominales
 none = aucun
@@ -878,6 +890,8 @@ parameters-no-longer-valid = les paramètres ne sont plus valables ; aucun mou
 parameters-note = u : incertitude-type (k = 1) ; U = 2u : incertitude élargie. Les valeurs sont arrondies au deuxième chiffre de u. « Avant » : seules la base et les cibles sont ajustées. Écart : valeur identifiée moins valeur nominale.
 parameters-of-robot = Paramètres du robot
 parameters-of-set-up = Paramètres de la base et des cibles
+parameters-of-the-answer = de la réponse
+parameters-of-the-run = de l’exécution
 parameters-still-valid = les paramètres sont encore valables pour ces poses
 parameters-title = Paramètres
 pass = conforme
@@ -1017,6 +1031,11 @@ readings-redundancy = { $target } ({ $readings ->
        *[other] { $readings } lectures
     }, redondance { $redundancy })
 reason = raison
+recommend-file = charger `{ $file }` de l’exécution : { $load } paramètres sur { $count }, à leurs valeurs identifiées ; les autres restent aux valeurs nominales
+recommend-further = ne rien charger encore : identifier d’abord { $effects }, qui réduisent de plus de 5 % les erreurs aux poses omises
+recommend-nominal = garder les paramètres nominaux : les paramètres identifiés ne sont pas nettement meilleurs à de nouvelles poses
+recommend-parameters = charger les paramètres identifiés de l’exécution : { $load } sur { $count } ; les autres restent aux valeurs nominales
+recommend-resolve = ne rien charger encore : le verdict de l’exécution ne permet de charger aucun fichier ; ses prochaines étapes viennent d’abord
 recommendation-title = Recommandation des paramètres à charger
 recorded = enregistré
 recorded-motion = Mouvement enregistré
@@ -1181,6 +1200,7 @@ sheet-controller-values = Valeurs de la commande
 sheet-corners = Angles
 sheet-correlation = Corrélation
 sheet-covariance = Covariance
+sheet-detectable = Changements détectables
 sheet-distributions = Distributions
 sheet-distributions-of-errors = Distributions des erreurs
 sheet-done = fait

@@ -849,7 +849,7 @@ probe-of-feature-unknown = `{ $feature }` n’est pas ajusté : ses points sont
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($limit, 1) })
 
-parameters-unstable = paramètres instables et donc fixés ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
+parameters-unstable = paramètres instables ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
     .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et examiner les résidus
 
 remedy = { $remedy ->

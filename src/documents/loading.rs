@@ -1,0 +1,139 @@
+//! Answer to what a controller should load. A run decides once, from its documents; next steps and
+//! `etalon recommend` repeat this answer.
+
+use crate::{AccuracyDocument, ControllerErrors, Effect, EffectProof, FigureBudget, PositionErrors};
+use crate::{CampaignSummary, ControllersDocument, Figure, Judged, VerdictDocument, WrittenFile};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Largest ratio of an error at left-out poses to the smallest known one with which a set of
+/// parameters may be loaded.
+pub const LOADING_RATIO: f64 = 1.05;
+
+/// Parameters that a controller should load.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Loading {
+    /// Answer.
+    pub answer: LoadAnswer,
+    /// Best controller file, relative to the output folder; absent unless the answer is `load`, or
+    /// if no file for a controller was written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Further files with the same errors.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub alternatives: Vec<String>,
+    /// `false` for files that programs of a laboratory read, and no controller loads.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub is_for_controllers: Option<bool>,
+    /// Errors of the file at the deciding poses; absent unless the answer is `load`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors: Option<ControllerErrors>,
+    /// Effects to identify first, if the answer is `identify_further`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<Effect>,
+}
+
+/// Answer to what a controller should load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadAnswer {
+    /// Load the identified parameters.
+    Load,
+    /// Keep the nominal parameters: the identified ones are not clearly better.
+    KeepNominal,
+    /// Identify further effects first: with them, errors at left-out poses are more than 5 %
+    /// smaller.
+    IdentifyFurther,
+    /// Load nothing yet: the verdict of the run allows no file to be loaded.
+    Resolve,
+}
+
+impl Loading {
+    /// Decides for an identified robot; `None` without an identification, or without a measured
+    /// error.
+    pub fn new(judged: &Judged, campaign: &CampaignSummary, verdict: &VerdictDocument) -> Option<Self> {
+        let (accuracy, parameters) = (judged.accuracy?, judged.parameters?);
+        let empty = |answer| Self {
+            answer,
+            file: None,
+            alternatives: Vec::new(),
+            is_for_controllers: None,
+            errors: None,
+            effects: Vec::new(),
+        };
+        let set = accuracy.sets.iter().rfind(|s| s.count > 0)?;
+        let whole = ControllerErrors::new(set, None)?;
+        if !parameters.is_plausible() {
+            return Some(empty(LoadAnswer::Resolve));
+        }
+        if hardly_better(accuracy).is_some() {
+            return Some(empty(LoadAnswer::KeepNominal));
+        }
+        let files = better_files(&whole, &campaign.controller_files, judged.controllers);
+        if files.is_empty() && !campaign.controller_files.is_empty() {
+            return Some(empty(LoadAnswer::KeepNominal));
+        }
+        if !verdict.passes() {
+            return Some(empty(LoadAnswer::Resolve));
+        }
+        let effects: Vec<Effect> = further_effects(accuracy).map(|proof| proof.effect).collect();
+        if !effects.is_empty() {
+            return Some(Self { effects, ..empty(LoadAnswer::IdentifyFurther) });
+        }
+        let Some((first, errors)) = files.first() else {
+            return Some(Self { errors: Some(whole), ..empty(LoadAnswer::Load) });
+        };
+        Some(Self {
+            answer: LoadAnswer::Load,
+            file: Some(first.file.clone()),
+            alternatives: files[1..].iter().map(|(file, _)| file.file.clone()).collect(),
+            is_for_controllers: Some(first.is_for_controllers),
+            errors: Some(errors.clone()),
+            effects: Vec::new(),
+        })
+    }
+}
+
+/// The best controller files, with their errors at the deciding poses.
+fn better_files<'a>(
+    whole: &ControllerErrors,
+    files: &'a [WrittenFile],
+    controllers: Option<&ControllersDocument>,
+) -> Vec<(&'a WrittenFile, ControllerErrors)> {
+    let errors = |file: &WrittenFile| {
+        let of_format = |c: &&crate::ControllerFiles| c.formats.contains(&file.format);
+        let left_out = controllers.and_then(|c| c.files.iter().find(of_format));
+        left_out.map_or_else(|| Some(whole.clone()), |c| c.deciding().cloned())
+    };
+    let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
+    let mut known: Vec<_> = files.iter().filter_map(|f| Some((f, errors(f).filter(better)?))).collect();
+    let of_controllers = known.iter().any(|(file, _)| file.is_for_controllers);
+    known.retain(|(file, _)| file.is_for_controllers || !of_controllers);
+    let best = known.iter().map(|(_, e)| e.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm));
+    known.retain(|(_, e)| Some(e.written) == best);
+    known
+}
+
+/// Effects that are not identified, and without which errors at left-out poses are more than 5 %
+/// larger.
+pub(crate) fn further_effects(accuracy: &AccuracyDocument) -> impl Iterator<Item = &EffectProof> {
+    accuracy.effects.iter().filter(|e| !e.is_identified && e.without_mm > LOADING_RATIO * e.with_mm)
+}
+
+/// Errors with nominal and with all identified parameters, if the identified ones are not clearly
+/// better: at the deciding poses, by less than the uncertainty of the error, or at left-out poses.
+pub(crate) fn hardly_better(accuracy: &AccuracyDocument) -> Option<[PositionErrors; 2]> {
+    let set = accuracy.sets.last()?;
+    let leading = set.leading()?;
+    let errors = ControllerErrors::new(set, None)?;
+    let figure = |b: &&FigureBudget| b.quantity == leading.quantity && b.figure == Figure::Rms;
+    let u_mm = accuracy.budget.iter().find(figure).map_or(0.0, |b| b.standard_uncertainty_mm);
+    let ControllerErrors { nominal, written, .. } = errors;
+    if errors.is_hardly_better_than_nominal() || nominal.rms_mm - written.rms_mm <= 2.0 * u_mm {
+        return Some([nominal, written]);
+    }
+    let left_out = accuracy.left_out.as_ref()?;
+    let [nominal, identified] = [&left_out.nominal, &left_out.identified].map(PositionErrors::from);
+    (nominal.rms_mm < LOADING_RATIO * identified.rms_mm).then_some([nominal, identified])
+}
