@@ -71,7 +71,7 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
         "7.6",
         "1998, 10",
         "conforming",
-        "Test report according to ISO 9283",
+        "Test report according to ISO 9283:1998: AP, RP, ",
     ];
     parts.iter().for_each(|part| assert!(html.contains(part), "{part}"));
     assert!(!html.contains("accuracy (AP) is not tested") && !html.contains("id=\"streams\""));

@@ -3,7 +3,7 @@
 //! data cannot be certified.
 
 use super::{
-    accuracy, checklist, conditions, errors, limits, messages, parameters, provenance, repeatability,
+    accuracy, checklist, clauses, conditions, errors, limits, messages, parameters, provenance, repeatability,
 };
 use crate::model::{
     Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, with_uncertainty,
@@ -31,6 +31,7 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
     let sections = [
         checklist::section_from_missing(&missing, words),
         Some(facts),
+        clauses::section(&results.tested, words),
         errors_section(results, words),
         characteristics_section(results, words),
         limits::section(results, words),

@@ -7,6 +7,7 @@ pub(super) mod certificate;
 pub(super) mod changes;
 pub(super) mod checklist;
 mod checks;
+mod clauses;
 mod compliance;
 pub(super) mod conditions;
 mod controllers;
@@ -80,9 +81,9 @@ const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
 pub(super) fn all(results: &Results, words: &Words) -> Vec<Section> {
     let made = |all: &[Make]| all.iter().filter_map(|make| make(results, words)).collect::<Vec<_>>();
     let mut sections = made(&BEFORE);
-    let of_test =
-        tested(&results.tested, words).into_iter().map(|section| with_measurement_point(section, results, words));
-    sections.extend(of_test);
+    sections.splice(0..0, clauses::section(&results.tested, words));
+    let of_test = characteristics(&results.tested, words);
+    sections.extend(of_test.map(|section| with_measurement_point(section, results, words)));
     sections.extend(made(&AFTER));
     // the geometric method is the evidence of a campaign that identifies nothing else
     let geometric = geometric::section(results, words);
@@ -112,6 +113,11 @@ fn with_measurement_point(mut section: Section, results: &Results, words: &Words
 
 /// Sections of a test by ISO 9283 alone.
 pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
+    clauses::section(tested, words).into_iter().chain(characteristics(tested, words)).collect()
+}
+
+/// Sections of the characteristics of ISO 9283.
+fn characteristics(tested: &Characteristics, words: &Words) -> impl Iterator<Item = Section> {
     let details = |s: Section| if DETAILS.contains(&s.id.as_str()) { s.annex() } else { s };
-    CHARACTERISTICS.iter().filter_map(|make| make(tested, words)).map(details).collect()
+    CHARACTERISTICS.iter().filter_map(move |make| make(tested, words)).map(details)
 }

@@ -2,7 +2,7 @@
 
 use super::limits::{judged, name};
 use super::repeatability::quarter_sentence;
-use super::page_one;
+use super::{clauses, page_one};
 use crate::model::{Grade, Headline, Verdict};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
@@ -18,7 +18,9 @@ pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
     let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
     match repeatability && tested.compliance.is_none() {
         true => tr!(words, "repeatability-report"),
-        false => tr!(words, "iso9283-report"),
+        false => {
+            tr!(words, "iso9283-report", characteristics = clauses::tested_characteristics(tested, words))
+        }
     }
 }
 
