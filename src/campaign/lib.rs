@@ -186,7 +186,7 @@ impl Campaign {
     }
 
     /// `true` if parameters are identified, even if `[identify]` itself could not be read; `false`
-    /// for a test by ISO 9283 alone.
+    /// for a test to ISO 9283 alone.
     pub fn identifies(&self) -> bool {
         self.file.identify.is_some() || self.unread.affects(&["identify"])
     }
@@ -340,7 +340,7 @@ fn open_questions(name: &str, text: &str) -> Problems {
     Problems(text.lines().enumerate().filter(|(_, line)| open(line)).map(question).collect())
 }
 
-/// Keys of `campaign.toml` that this campaign needs and does not state. A test by ISO 9283 needs
+/// Keys of `campaign.toml` that this campaign needs and does not state. A test to ISO 9283 needs
 /// fewer keys than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let all = toml_file::Stated::parse(text);
@@ -351,7 +351,7 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
     let identifies = !(tests || geometric) || ["log", "join", "identify", "observations"].iter().any(stated);
     let needed: &[&str] = match identifies {
         true if stated(&"observations") => &["identify"],
-        true => &["export", "log", "join", "frame", "identify"],
+        true => &["export", "log", "join", "identify"],
         false if geometric || stated(&"repeatability") => &["export"],
         false => &[],
     };

@@ -764,3 +764,40 @@ fn several_logs_and_several_tables_are_lists() {
         assert_eq!(files, ["a.csv", "b.csv"], "{text}");
     }
 }
+
+/// Reflectors on the floor, measured without a pose, are stationary: they are no targets of the robot. A campaign without
+/// `[frame.world]` has the world of its exports.
+#[test]
+fn points_without_a_pose_are_stationary_and_the_world_is_optional() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let (mut poses, mut log) = (String::new(), "pose,J1,J2,J3,J4,J5,J6\n".to_owned());
+    for (i, (q, p, _)) in (1..).zip(measured(at, 40)) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.6}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i},{}", cells.join(","));
+        let _ = writeln!(poses, "SMR_{i}_1,{:.5},{:.5},{:.5}", p[0], p[1], p[2]);
+    }
+    let floor: String =
+        (0..9).map(|i| format!("floor_{},{}.5,{}.25,-400.0\n", i % 3 + 1, 900 * (i % 3), 70 * i)).collect();
+    for (file, text) in [("floor.csv", floor), ("poses.csv", poses), ("log.csv", log)] {
+        std::fs::write(at.join(file), text).unwrap();
+    }
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "floor.csv", "poses.csv", "log.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    let path = at.join("mine/campaign.toml");
+    let proposed = std::fs::read_to_string(&path).unwrap();
+    assert!(proposed.contains("\ntargets = [\"SMR\"]\n"), "{proposed}");
+    let floor = "# targets = [\"floor_1\", \"floor_2\", \"floor_3\"]";
+    assert!(proposed.contains(floor) && proposed.matches("floor_2").count() == 1, "{proposed}");
+    answer(at, &[("name", "\"t\""), ("expanded_uncertainty_um", "20"), ("unit", "\"mm\"")]);
+    let answered = std::fs::read_to_string(&path).unwrap();
+    let line = answered.lines().find(|line| line.starts_with("as_exported")).unwrap();
+    let frames = |text: String| {
+        std::fs::write(&path, text).unwrap();
+        found(at);
+        std::fs::read_to_string(at.join("mine/out/frames.json")).unwrap()
+    };
+    let omitted = answered.replace(&format!("[frame.world]\n{line}\n"), "");
+    assert!(omitted.len() < answered.len());
+    assert_eq!(frames(answered), frames(omitted));
+}

@@ -33,6 +33,10 @@ const LABELS: [&str; 8] = [
 ];
 /// Form of a label that is the number of its pose.
 const NUMBER: &str = "{pose}";
+/// Form of labels that name a target and no pose.
+const ALONE: &str = "{target}";
+/// Remark on an export of points that do not move with the robot.
+const STATIONARY_LINE: &str = "# stationary points: the labels name no pose, and no row of the log belongs to them\n";
 /// Maximum number of targets that labels name without a pose.
 const MOST_TARGETS: usize = 12;
 /// Line of a proposal for labels.
@@ -106,15 +110,28 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     compare_clocks(&mut parts);
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
     let (log, order) = ordered(robot, &mut parts, &exports);
-    let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut targets: Vec<String> = Vec::new();
+    let mut found = Vec::new();
     for &at in &exports {
         let keys = Keys::new(&parts[at]);
         let join = log.and_then(|log| best_join(robot, &parts[at], &keys, &parts[log]));
         if let (Some(log), Some(robot), Some(join)) = (log, robot, &join) {
             by_robot(robot, &mut parts, at, log, join)?;
         }
-        name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
+        found.push((at, keys, join));
+    }
+    let is_joined = found.iter().any(|(.., join)| join.is_some());
+    let mut joined: Vec<(usize, Join)> = Vec::new();
+    let mut stationary: Vec<String> = Vec::new();
+    for (at, keys, join) in found {
+        match (&join, keys.stationary()) {
+            (None, Some(names)) if is_joined => {
+                let toml = &mut parts[at].document.toml;
+                *toml = toml.replace(LABEL_LINE, STATIONARY_LINE);
+                stationary.extend(names.iter().cloned());
+            }
+            _ => name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets),
+        }
         joined.extend(join.map(|join| (at, join)));
     }
     for part in parts.iter_mut().filter(|part| part.document.kind == "export with joints") {
@@ -158,6 +175,10 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     }
     toml += &tests.unwrap_or_default();
     toml += &tail;
+    if stationary.len() > 2 && !tail.is_empty() {
+        // three points define a frame, and nobody but the user knows in which order
+        let _ = writeln!(toml, "# targets = {stationary:?}   # in place of as_exported: a world from these points");
+    }
     let still = parts.iter().filter_map(Part::motion).flat_map(|motion| motion.still()).collect();
     Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
 }
@@ -730,6 +751,12 @@ impl Keys {
         let times = found.first(Meaning::Time).filter(ordered).map(|at| table.columns[at].values.clone());
         Self { rows: table.rows, poses, by_row, cycles, labels, times, form }
     }
+
+    /// Names of points that were measured several times, if the labels name no pose.
+    fn stationary(&self) -> Option<&[String]> {
+        let (form, names) = self.form.as_ref()?;
+        (*form == ALONE).then_some(names)
+    }
 }
 
 /// Returns the cells of a column as keys.
@@ -768,5 +795,5 @@ fn targets_alone(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String
     let targets: BTreeSet<&str> = labels.iter().map(AsRef::as_ref).collect();
     let is_name = |name: &&str| name.starts_with(char::is_alphabetic);
     let few = targets.len() <= MOST_TARGETS && targets.len() * 3 <= labels.len();
-    (few && targets.iter().all(is_name)).then(|| ("{target}", targets.into_iter().map(str::to_owned).collect()))
+    (few && targets.iter().all(is_name)).then(|| (ALONE, targets.into_iter().map(str::to_owned).collect()))
 }
