@@ -21,6 +21,7 @@
 #              REAL_SOURCE=FOLDER takes the files from a folder instead
 # make reference write an archive of the reference campaigns with certified values: target/reference
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
+# make figures draw the figures of docs/ again from numbers of the program (needs python3)
 # make book    make a book of docs/ with mdBook: target/book/index.html
 # make dist    write an archive, a Debian package, a list of components and checksums of the program: target/dist;
 #              TARGETS="x86_64-unknown-linux-musl ..." adds archives for other systems
@@ -45,7 +46,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test laws quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python book dist help clean
+.PHONY: all report compare test laws quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python figures book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -179,6 +180,9 @@ python:
 # after `make python`
 bench-python:
 	PYTHON=$(PYTHON_BUILD)/venv/bin/python cargo bench --locked --bench python
+
+figures: $(ETALON)
+	python3 docs/figures/draw.py $(ETALON)
 
 # what cargo installs beside the build
 TOOLS := $(abspath $(CARGO_TARGET_DIR))/tools

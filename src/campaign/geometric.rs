@@ -28,8 +28,8 @@ pub struct GeometricDefinition {
     /// cycle is the repeat.
     #[schemars(with = "Option<String>")]
     pub shaft: Option<Spanned<String>>,
-    /// Pattern of the labels of balls K and L with actuator 1 at home (pose 1), and of K with
-    /// actuator 1 at its end (pose 2).
+    /// Pattern of the labels of balls K and L. At pose 1, actuator 1 is at home; at pose 2 (K
+    /// alone), it is at its end.
     #[schemars(with = "Option<String>")]
     pub offsets: Option<Spanned<String>>,
     /// Commanded displacement of actuators 2 and 3 for the offsets.

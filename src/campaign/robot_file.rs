@@ -60,9 +60,9 @@ struct CommonKeys {
     #[serde(default)]
     nominal: BTreeMap<String, f64>,
     /// Tolerances about nominal values. If an identified parameter is beyond its tolerance, the
-    /// set-up is considered wrong and nothing is exported. Either for all lengths of the robot
-    /// (`length_mm`, default 10), all angles (`angle_deg`, default 2), all gains and couplings
-    /// (`ratio`, default 0.05), or for one parameter by its name (mm, deg or without unit).
+    /// set-up is considered wrong and nothing is exported. `length_mm` (default 10), `angle_deg`
+    /// (default 2) and `ratio` (default 0.05) apply to all lengths, angles, and gains and
+    /// couplings. The name of a parameter applies to this parameter (mm, deg or without unit).
     #[serde(default)]
     tolerance: BTreeMap<String, f64>,
 }

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::fmt;
 use toml::Spanned;
 
-/// A table with the form of its text; all tables state it by these keys.
+/// A data table. The keys below describe how its file is written.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[schemars(deny_unknown_fields, transform = etalon_tables::schema::accept_topic)]
 pub struct TableKeys {

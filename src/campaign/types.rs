@@ -42,10 +42,10 @@ pub struct CampaignFile {
     /// Number of months for which the calibration is valid, from the `date` of the measurements; in
     /// place of `valid_until`.
     pub valid_for_months: Option<u32>,
-    /// Largest expanded uncertainty (k = 2) of base and targets, and of parameters without
-    /// tolerance, with which parameters may be loaded: a length, an angle, or both ("0.5 mm, 0.1
-    /// deg"). By default ten times the uncertainty of a coordinate, at least 2 % and at most 5 % of
-    /// the measured extent; for angles this share in radians, at least 0.5 %.
+    /// Largest expanded uncertainty (k = 2) with which parameters may be loaded: a length, an
+    /// angle, or both ("0.5 mm, 0.1 deg"). It applies to base and targets, and to parameters
+    /// without tolerance. By default ten times the uncertainty of a coordinate, at least 2 % and at
+    /// most 5 % of the measured extent. For angles it is this share in radians, at least 0.5 %.
     #[schemars(with = "Option<String>")]
     pub uncertainty_bound: Option<Spanned<String>>,
     /// Name of the operator.
@@ -88,17 +88,18 @@ pub struct CampaignFile {
     /// Elements to fit, by name.
     #[serde(default, rename = "feature")]
     pub features: BTreeMap<String, FeatureDefinition>,
-    /// Frames; by default the coordinates of the exports are world coordinates.
+    /// Frames; without this section, the coordinates of the exports are world coordinates.
     pub frame: Option<Frames>,
-    /// Point that programs move; its expected error is reported beside the errors of the targets.
+    /// Point that programs move; its expected error is reported in addition to the errors of the
+    /// targets.
     pub tool: Option<ToolDefinition>,
-    /// Identification; absent in a test by ISO 9283 alone.
+    /// Identification; absent in a test to ISO 9283 alone.
     pub identify: Option<Identify>,
     /// Geometric calibration of a PreXYT (thesis, chapter 2).
     pub geometric: Option<super::GeometricDefinition>,
     /// Test of repeatability from labelled points (thesis, 2.4).
     pub repeatability: Option<super::RepeatabilityDefinition>,
-    /// Test by ISO 9283 from tables of poses.
+    /// Test to ISO 9283 from tables of poses.
     pub poses: Option<super::PosesDefinition>,
     /// Test of static compliance: a table `direction,cycle,force_n,x_mm,y_mm[,z_mm]`, with a row of
     /// force 0 in each direction and cycle.
@@ -168,7 +169,7 @@ pub struct Instrument {
     /// Coverage factor of the instrument's expanded uncertainties.
     pub coverage_factor: f64,
     /// Expanded uncertainty of a measured position, with the same coverage factor; by default √3
-    /// times that of a coordinate (planar robots: √2).
+    /// times the uncertainty of a coordinate (planar robots: √2).
     pub expanded_position_uncertainty_um: Option<f64>,
     /// Expanded uncertainty of a measured orientation about any axis, with the same coverage
     /// factor.
@@ -253,8 +254,7 @@ pub struct ObservationsDefinition {
     /// Target of all rows, for a table without the column.
     pub target: Option<String>,
     /// Order of the rotations by the three angles of an orientation (columns `a_deg`, `b_deg`,
-    /// `c_deg`): successively about the axes of the body or, with `fixed`, about those of the
-    /// world.
+    /// `c_deg`). They follow each other about the axes of the body or, with `fixed`, of the world.
     #[schemars(with = "Option<String>")]
     pub orientation: Option<Spanned<String>>,
 }
@@ -351,10 +351,10 @@ pub struct Rigid {
     /// Largest deviation of a distance from its median; rows beyond it are rejected. A shape that
     /// deviates as much from `places_mm` is an error.
     pub tolerance_mm: f64,
-    /// Positions of all targets of the part in any frame of the part (planar robots: with z across
-    /// the plane of motion), from a certificate or a previous measurement. The identification then
-    /// determines six unknowns of the part and its shape within its uncertainty, instead of three
-    /// unknowns of each target.
+    /// Positions of all targets of the part in any frame of the part, from a certificate or a
+    /// previous measurement. For planar robots, z is across the plane of motion. The identification
+    /// then determines six unknowns of the part, and its shape within its uncertainty, instead of
+    /// three unknowns of each target.
     #[serde(default)]
     pub places_mm: BTreeMap<String, [f64; 3]>,
     /// Expanded uncertainty of one coordinate of `places_mm`.
@@ -560,24 +560,22 @@ pub struct Identify {
     /// as starting values only (`none`: plain least squares, as in the thesis).
     #[serde(default)]
     pub prior: PriorRule,
-    /// Identified effects of the robot itself: a list of `zeros`, `geometry`, `gains`, `harmonics`,
-    /// `backlash`, `coupling`, `bending`, `payload`, `torque`, `expansion`, `drift`, `lateral`,
-    /// `pedestal`; `usual`, the default, for all effects in the robot file except gains of revolute
-    /// joints of arms and `payload` to `pedestal`; `all`; or `proven` for the effects that reduce
-    /// the errors of calibration poses left out of the identification, as chosen by `etalon
-    /// recommend`.
+    /// Identified effects of the robot itself, as a list of names. `usual`, the default, means all
+    /// effects in the robot file except gains of revolute joints of arms and `payload` to
+    /// `pedestal`; `all` means every effect. `proven` means the effects that reduce the errors of
+    /// left-out calibration poses, as `etalon recommend` selects them.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings to be omitted, each with a reason that the report shows.
     #[serde(default)]
     #[schemars(with = "Vec<Exclude>")]
     pub exclude: Vec<Spanned<Exclude>>,
-    /// Treatment of outliers, which are more than 6 robust standard deviations from a robust fit:
-    /// reported and used (`keep`, the default), or reported and omitted (`exclude`).
+    /// Treatment of outliers: reported and used (`keep`, the default), or reported and omitted
+    /// (`exclude`). An outlier is more than 6 robust standard deviations from a robust fit.
     #[serde(default)]
     pub outliers: OutlierRule,
     /// Residual field: errors of joints that the parameters do not describe, as functions of the
-    /// joints. `true` searches for one; it is used only if held-out poses prove it.
+    /// joints. `true` searches for one; it is used only if held-out poses support it.
     #[serde(default)]
     pub field: bool,
 }

@@ -41,7 +41,7 @@ pub struct Export {
     /// second file of the same targets.
     pub pose: Option<FromRow>,
     /// Name of the station of the instrument, if the coordinates are not in the frame of the
-    /// world: position and orientation of the station are identified.
+    /// world. Position and orientation of the station are identified.
     #[schemars(with = "Option<String>")]
     pub station: Option<Spanned<String>>,
 }

@@ -127,7 +127,7 @@ impl EffectKeys {
             lateral: keys.or(
                 Key::plain(
                     "lateral",
-                    "Revolute joints of an arm that tilt across their axes under the moment of masses (`mass_kg` of `[[joint]]`, or those of the URDF) and payload: their numbers, from 1, or names. Without masses each reading states the payload.",
+                    "Revolute joints of an arm that tilt across their axes: their numbers, from 1, or names. The moment comes from the masses (`mass_kg` of `[[joint]]`, or the URDF) and the payload. Without masses each reading states the payload.",
                 ),
                 Vec::new(),
             ),

@@ -56,7 +56,7 @@ impl Description for Keys {
             legs: keys.tables(Key::plain("leg", "The six legs of a hexapod."), "A leg of a hexapod.", LegKeys::read),
             home_xyz_mm: keys.required(Key::length(
                 "home_xyz",
-                "Position of a hexapod's platform in the base at a home pose inside its workspace. Six lengths permit up to 40 poses; the platform is in the pose that is reached from the home pose without a singularity (its assembly mode).",
+                "Position of a hexapod's platform in the base at a home pose inside its workspace. Six lengths permit up to 40 poses. The platform is in the pose that it reaches from the home pose without a singularity (its assembly mode).",
             )),
             home_rpy_rad: keys.or(
                 Key::angle("home_rpy", "Orientation of the platform at the home pose: rx, ry, rz of Rz Ry Rx.").essential(),

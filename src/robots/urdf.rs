@@ -368,10 +368,10 @@ fn base_joints(chain: &[Step]) -> Vec<String> {
 impl Description for Keys {
     fn read(keys: &mut Reader) -> Self {
         Self {
-            tree: keys.required(Key::plain("file", "URDF file of the robot, beside this one.")),
+            tree: keys.required(Key::plain("file", "URDF file of the robot, in the folder of robot.toml.")),
             base_link: keys.required(Key::plain(
                 "base_link",
-                "Link of the URDF that is the base: a stationary link or, without an external instrument, the flange of another arm or a part on a positioner.",
+                "Link of the URDF that is the base: a stationary link. Without an external instrument it may be the flange of another arm or a part on a positioner.",
             )),
             tool_link: keys.optional(Key::plain("tool_link", TOOL_LINK).essential()),
             branches: keys.tables(

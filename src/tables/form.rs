@@ -36,13 +36,12 @@ pub struct Form {
     /// delimiter and encoding do not apply.
     #[serde(alias = "topic")]
     pub sheet: Option<String>,
-    /// Rows before the data, of which the last one names the columns: a number, `true` (one),
-    /// `false` (none), or words of the row; by default one, and none in a list of columns without
-    /// names.
+    /// Rows before the data; the last of them names the columns. A number, `true` (one), `false`
+    /// (none), or words of the row. The default is 1, or 0 if `columns` is a list without names.
     pub header: Option<Header>,
     /// Beginning of lines that are skipped.
     pub comment: Option<String>,
-    /// Cells that mean "not measured", beside empty ones.
+    /// Cells that mean "not measured", in addition to empty ones.
     pub missing: Missing,
     /// First cell of the row that ends the data.
     pub end: Option<String>,

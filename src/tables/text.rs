@@ -145,7 +145,7 @@ impl<'de> Deserialize<'de> for Header {
 pub const NOT_MEASURED: [&str; 12] =
     ["", "-", "--", "---", "N/A", "n/a", "#N/A", "nan", "1.#QNAN", "-1.#IND", "*", "0 0 0"];
 
-/// Cells that mean "not measured", beside empty ones.
+/// Cells that mean "not measured", in addition to empty ones.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]
 pub struct Missing(Vec<String>);

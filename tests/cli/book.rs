@@ -1,5 +1,6 @@
 //! The book: its commands run, its files are complete, its links lead somewhere, its paragraphs are short.
 
+use crate::support::pages::blocks;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,18 +16,9 @@ fn pages(folder: &str) -> Vec<PathBuf> {
 }
 
 /// Fenced blocks of a page: what follows the fence, and the lines.
-fn blocks(page: &str) -> Vec<(String, Vec<String>)> {
-    let (mut all, mut open) = (Vec::new(), None::<(String, Vec<String>)>);
-    for line in page.lines() {
-        match (line.strip_prefix("```"), &mut open) {
-            (Some(_), Some(_)) => all.extend(open.take()),
-            (Some(info), None) => open = Some((info.to_owned(), Vec::new())),
-            (None, Some((_, lines))) => lines.push(line.to_owned()),
-            (None, None) => {}
-        }
-    }
-    assert!(open.is_none(), "a block is not closed");
-    all
+fn fenced(page: &str) -> Vec<(String, Vec<String>)> {
+    let lines = |text: &str| text.lines().map(str::to_owned).collect();
+    blocks(page).into_iter().filter_map(|block| Some((block.info?, lines(&block.text)))).collect()
 }
 
 /// Whether the lines show this text: `...` stands for any lines, and at the end of a line for its rest.
@@ -41,13 +33,14 @@ fn shows(expected: &[String], shown: &str) -> bool {
 /// Runs the commands of a page in a folder that has the samples.
 fn run(page: &Path) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
-    let samples = Path::new(ROOT).join("samples");
-    let copied = Command::new("cp").args(["-r"]).arg(&samples).arg(folder.path()).status().unwrap();
-    assert!(copied.success());
+    for part in ["samples", "python/examples"] {
+        let copy = Command::new("cp").args(["-r", "--parents", part]).arg(folder.path()).current_dir(ROOT).status();
+        assert!(copy.unwrap().success());
+    }
     let program = Path::new(crate::support::program()).parent().unwrap();
     let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
     let mut wrong = Vec::new();
-    for (info, lines) in blocks(&fs::read_to_string(page).unwrap()) {
+    for (info, lines) in fenced(&fs::read_to_string(page).unwrap()) {
         if let Some((_, file)) = info.split_once("file=") {
             fs::create_dir_all(folder.path().join(file).parent().unwrap()).unwrap();
             fs::write(folder.path().join(file), lines.join("\n") + "\n").unwrap();
@@ -71,8 +64,8 @@ fn run(page: &Path) -> Vec<String> {
 }
 
 #[test]
-fn the_commands_of_the_tutorial_run() {
-    let wrong: Vec<String> = pages("tutorial").iter().flat_map(|page| run(page)).collect();
+fn the_commands_of_learn_run() {
+    let wrong: Vec<String> = pages("learn").iter().flat_map(|page| run(page)).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -89,43 +82,117 @@ fn expected_lines_are_compared() {
     assert!(!shows(&lines("b\na"), "a\nb") && !shows(&lines("beta"), "alpha"));
 }
 
-/// Every page is in the table of contents, and every page in it exists.
+/// Pages in the table of contents, in order, and the shelf of each.
+fn contents() -> Vec<(String, String)> {
+    let summary = fs::read_to_string(Path::new(ROOT).join("docs/SUMMARY.md")).unwrap();
+    let mut shelf = String::new();
+    let mut all = Vec::new();
+    for line in summary.lines() {
+        if let Some(title) = line.strip_prefix("# ") {
+            title.clone_into(&mut shelf);
+        }
+        let name = line.split_once("](").and_then(|(_, rest)| rest.split(')').next());
+        all.extend(name.map(|name| (name.to_owned(), shelf.clone())));
+    }
+    all
+}
+
+/// Folders of `docs` whose pages are in the book.
+const FOLDERS: [&str; 4] = ["", "learn", "how-to", "explanation"];
+
+/// Every page is in the table of contents, and every page in it exists. The generated page of messages is the last.
 #[test]
 fn the_table_of_contents_has_every_page() {
     let docs = Path::new(ROOT).join("docs");
-    let contents = fs::read_to_string(docs.join("SUMMARY.md")).unwrap();
-    let named: Vec<&str> = contents.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    let contents = contents();
+    let named: Vec<&str> = contents.iter().map(|(name, _)| name.as_str()).collect();
     let missing: Vec<&&str> = named.iter().filter(|name| !docs.join(name).is_file()).collect();
     assert!(missing.is_empty(), "{missing:?}");
-    for folder in ["", "tutorial", "how-to", "explanation"] {
-        for page in pages(folder) {
-            let name = page.strip_prefix(&docs).unwrap().display().to_string();
-            assert!(name == "SUMMARY.md" || named.contains(&name.as_str()), "{name} is not in SUMMARY.md");
-        }
+    for page in FOLDERS.into_iter().flat_map(pages) {
+        let name = page.strip_prefix(&docs).unwrap().display().to_string();
+        // the page of contributors is not in the book
+        let outside = ["SUMMARY.md", "architecture.md"].contains(&name.as_str());
+        assert!(outside || named.contains(&name.as_str()), "{name} is not in SUMMARY.md");
     }
+    assert_eq!(named.last(), Some(&"messages.md"));
+    let settings: toml::Table = fs::read_to_string(docs.join("book.toml")).unwrap().parse().unwrap();
+    let search = &settings["output"]["html"]["search"]["chapter"]["messages.md"]["enable"];
+    assert_eq!(search.as_bool(), Some(false), "the generated page fills the search index");
+    let shelves: Vec<&str> = contents.iter().map(|(_, shelf)| shelf.as_str()).collect();
+    assert_eq!(shelves.iter().filter(|shelf| **shelf == "Learn").count(), 6);
 }
 
-/// Links to files lead to files.
+/// Names of the headings of a page in links.
+fn anchors(page: &str) -> Vec<String> {
+    let prose: String = page.split("```").step_by(2).collect();
+    let heading = |line: &str| line.starts_with('#').then(|| line.trim_start_matches('#').trim().to_lowercase());
+    let kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
+    let name = |heading: String| heading.chars().filter(kept).collect::<String>().replace(' ', "-");
+    prose.lines().filter_map(heading).map(name).collect()
+}
+
+/// Links lead to files and headings; links of the book lead to its pages and pictures, which the built book contains.
 #[test]
 fn links_lead_somewhere() {
-    let mut wrong = Vec::new();
-    let readme = PathBuf::from(ROOT).join("README.md");
-    let all = ["", "tutorial", "how-to", "explanation"].into_iter().flat_map(pages).chain([readme]);
-    for page in all {
+    let (mut wrong, docs) = (Vec::new(), Path::new(ROOT).join("docs"));
+    let named: Vec<PathBuf> = contents().iter().map(|(name, _)| docs.join(name)).collect();
+    for page in crate::support::pages::pages() {
         let text = fs::read_to_string(&page).unwrap();
-        for target in text.split("](").skip(1).filter_map(|rest| rest.split([')', '#']).next()) {
-            if !target.is_empty() && !target.contains("://") && !page.parent().unwrap().join(target).exists() {
-                wrong.push(format!("{}: {target}", page.display()));
+        let prose: String = text.split("```").step_by(2).collect();
+        for target in prose.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            if target.contains("://") {
+                continue;
+            }
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let path = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            let Ok(path) = path.canonicalize() else {
+                wrong.push(format!("{}: {target} does not exist", page.display()));
+                continue;
+            };
+            let headings = || anchors(&fs::read_to_string(&path).unwrap());
+            if !anchor.is_empty()
+                && path.extension().is_some_and(|e| e == "md")
+                && !headings().contains(&anchor.to_owned())
+            {
+                wrong.push(format!("{}: {target} has no such heading", page.display()));
+            }
+            let is_picture = path.extension().is_some_and(|e| ["svg", "png", "toml"].iter().any(|known| e == *known));
+            if named.contains(&page) && !named.contains(&path) && !(is_picture && path.starts_with(&docs)) {
+                wrong.push(format!("{}: {target} is not in the book", page.display()));
             }
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// A paragraph of the tutorial, of a how-to page or of an explanation has at most five lines, and README at most seventy.
+/// Words of a page outside its blocks.
+fn words(page: &Path) -> usize {
+    let text = fs::read_to_string(page).unwrap();
+    let prose: String = text.split("```").step_by(2).collect::<Vec<_>>().join("\n");
+    prose
+        .split(|c: char| !(c.is_alphanumeric() || "-.'’_".contains(c)))
+        .filter(|word| word.contains(char::is_alphanumeric))
+        .count()
+}
+
+/// Pages of tasks have 80 to 400 words, and the whole book without the generated page at most 60,000.
+#[test]
+fn pages_are_short() {
+    let long: Vec<_> = pages("how-to").into_iter().filter(|page| !(80..=400).contains(&words(page))).collect();
+    assert!(long.is_empty(), "{long:?}");
+    let book = contents().into_iter().filter(|(name, _)| name != "messages.md");
+    let whole: usize = book
+        .map(|(name, _)| {
+            fs::read_to_string(Path::new(ROOT).join("docs").join(name)).unwrap().split_whitespace().count()
+        })
+        .sum();
+    assert!(whole <= 60_000, "{whole} words");
+}
+
+/// A paragraph of a page to learn from, of a task or of an explanation has at most five lines, and README at most seventy.
 #[test]
 fn paragraphs_are_short() {
-    for page in ["tutorial", "how-to", "explanation"].into_iter().flat_map(pages) {
+    for page in ["learn", "how-to", "explanation"].into_iter().flat_map(pages) {
         // every second part between fences is a block
         let text = fs::read_to_string(&page).unwrap();
         let prose: String = text.split("```").step_by(2).collect::<Vec<_>>().join("\n\n");
@@ -136,4 +203,25 @@ fn paragraphs_are_short() {
     }
     let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap();
     assert!(readme.lines().count() <= 70, "README.md has {} lines", readme.lines().count());
+}
+
+/// Figures of the book are those that the script draws from numbers of this program; `ETALON_UPDATE=1` draws them again.
+#[test]
+fn figures_are_current() {
+    let figures = Path::new(ROOT).join("docs/figures");
+    let folder = tempfile::tempdir().unwrap();
+    let to = if std::env::var_os("ETALON_UPDATE").is_some() { figures.as_path() } else { folder.path() };
+    let mut python = Command::new("python3");
+    let ended = python.arg(figures.join("draw.py")).arg(crate::support::program()).arg(to).output();
+    let Ok(ended) = ended else { return crate::support::skipped("python3") };
+    assert!(ended.status.success(), "{}", String::from_utf8_lossy(&ended.stderr));
+    let drawn: Vec<PathBuf> = fs::read_dir(to).unwrap().flatten().map(|entry| entry.path()).collect();
+    let drawn: Vec<&PathBuf> = drawn.iter().filter(|path| path.extension().is_some_and(|e| e == "svg")).collect();
+    assert!(drawn.len() >= 12, "{drawn:?}");
+    let gallery = fs::read_to_string(Path::new(ROOT).join("docs/gallery.md")).unwrap();
+    for path in drawn {
+        let name = path.file_name().unwrap().to_string_lossy();
+        assert_eq!(fs::read_to_string(path).unwrap(), fs::read_to_string(figures.join(&*name)).unwrap(), "{name}");
+        assert!(gallery.contains(&format!("(figures/{name})")), "{name} is not in the gallery");
+    }
 }

@@ -27,6 +27,7 @@ mod report;
 mod reports;
 mod robot;
 mod selftest;
+mod shown;
 mod streams;
 mod study;
 mod tables;

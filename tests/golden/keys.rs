@@ -214,57 +214,112 @@ fn example(values: &[&toml::Value], path: &[String]) -> Option<toml::Value> {
     example(&inner, rest)
 }
 
-/// The list of keys in Markdown; what lacks a meaning, a unit or an example is in `wrong`.
+/// A row of a list of keys: key, value with unit and default, meaning, example.
+#[derive(Clone)]
+struct Row {
+    key: String,
+    value: String,
+    meaning: String,
+    example: String,
+}
+
+impl Row {
+    fn markdown(&self) -> String {
+        let cells = [&format!("`{}`", self.key), &self.value, &self.meaning, &self.example];
+        format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
+    }
+
+    /// Text by which the key of two sections is the same key.
+    fn sense(&self) -> [String; 3] {
+        [self.key.clone(), self.value.clone(), self.meaning.clone()]
+    }
+}
+
+/// Rows of a section; what lacks a meaning, a unit or an example is in `wrong`.
+fn rows(schema: &Schema, section: &Section, examples: &[toml::Value], wrong: &mut String) -> Vec<Row> {
+    let required: Vec<&str> =
+        section.schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+    let mut keys: Vec<(&String, &Value)> = section.schema["properties"].as_object().unwrap().iter().collect();
+    keys.sort_by_key(|(key, _)| !required.contains(&key.as_str()));
+    let row = |(key, value): (&String, &Value)| {
+        let here = [&section.path[..], std::slice::from_ref(key)].concat();
+        let unit = UNITS.iter().find(|(ending, _)| key.ends_with(ending)).map(|(_, unit)| *unit);
+        let unit = match (schema.is_number(value), unit) {
+            (true, Some(unit)) => format!(" ({unit})"),
+            (true, None) if PURE.contains(&key.as_str()) => " (1)".to_owned(),
+            (true, None) => {
+                let _ = writeln!(wrong, "{}: no unit", here.join("."));
+                String::new()
+            }
+            (false, _) => String::new(),
+        };
+        let meaning = value["description"].as_str().unwrap_or_default().replace('\n', " ");
+        let shown = example(&examples.iter().collect::<Vec<_>>(), &here);
+        // another name of `sheet`, which a section that stands once cannot state beside it
+        let shown = shown.or_else(|| (key == "topic").then(|| toml::Value::from("/joint_states")));
+        if meaning.is_empty() || shown.is_none() {
+            let _ = writeln!(wrong, "{}: no meaning or no example", here.join("."));
+        }
+        let example = match shown {
+            // these have a list of their own
+            Some(toml::Value::Table(_)) | None => String::new(),
+            Some(toml::Value::Array(all)) if all.iter().any(toml::Value::is_table) => String::new(),
+            Some(value) => format!("`{value}`"),
+        };
+        let default = match value.get("default") {
+            _ if required.contains(&key.as_str()) => "; required".to_owned(),
+            None | Some(Value::Null | Value::Object(_)) => String::new(),
+            Some(Value::Array(all)) if all.is_empty() => String::new(),
+            Some(value) => format!("; default `{value}`"),
+        };
+        Row { key: key.clone(), value: schema.kind(value) + &unit + &default, meaning, example }
+    };
+    keys.into_iter().map(row).collect()
+}
+
+/// Minimum number of sections with the same key that is listed once for all of them.
+const COMMON: usize = 4;
+
+/// The list of keys in Markdown.
 fn listing(schema: &Schema, examples: &[toml::Value], wrong: &mut String) -> String {
+    const HEAD: &str = "| key | value | meaning | example |\n| --- | --- | --- | --- |\n";
     let mut sections = Vec::new();
     schema.sections("the file itself", &[], &schema.0, &mut sections);
+    let all: Vec<Vec<Row>> = sections.iter().map(|section| rows(schema, section, examples, wrong)).collect();
+    let mut uses: BTreeMap<[String; 3], usize> = BTreeMap::new();
+    all.iter().flatten().for_each(|row| *uses.entry(row.sense()).or_default() += 1);
+    let mut common: BTreeMap<String, Row> = BTreeMap::new();
     let mut text = String::new();
-    for Section { title, path, schema: table } in &sections {
-        let meaning = table["description"].as_str().unwrap_or_default().replace('\n', " ");
+    for (Section { title, path, schema: table }, rows) in sections.iter().zip(&all) {
+        let (shared, own): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| uses[&row.sense()] >= COMMON);
         let _ = write!(text, "### {}\n\n", title[..1].to_uppercase() + &title[1..]);
         if !path.is_empty() {
+            let meaning = table["description"].as_str().unwrap_or_default().replace('\n', " ");
             let _ = write!(text, "{meaning}\n\n");
         }
-        text += "| key | value | unit | default | meaning | example |\n| --- | --- | --- | --- | --- | --- |\n";
-        let required: Vec<&str> =
-            table["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
-        let mut keys: Vec<(&String, &Value)> = table["properties"].as_object().unwrap().iter().collect();
-        keys.sort_by_key(|(key, _)| !required.contains(&key.as_str()));
-        for (key, value) in keys {
-            let here = [&path[..], std::slice::from_ref(key)].concat();
-            let unit = UNITS.iter().find(|(ending, _)| key.ends_with(ending)).map(|(_, unit)| *unit);
-            let unit = match (schema.is_number(value), unit) {
-                (true, Some(unit)) => unit,
-                (true, None) if PURE.contains(&key.as_str()) => "1",
-                (true, None) => {
-                    let _ = writeln!(wrong, "{}: no unit", here.join("."));
-                    ""
-                }
-                (false, _) => "",
-            };
-            let described = value["description"].as_str().unwrap_or_default().replace('\n', " ");
-            let shown = example(&examples.iter().collect::<Vec<_>>(), &here);
-            // another name of `sheet`, which a section that stands once cannot state beside it
-            let shown = shown.or_else(|| (key == "topic").then(|| toml::Value::from("/joint_states")));
-            if described.is_empty() || shown.is_none() {
-                let _ = writeln!(wrong, "{}: no meaning or no example", here.join("."));
-            }
-            let shown = match shown {
-                // these have a list of their own
-                Some(toml::Value::Table(_)) => String::new(),
-                Some(toml::Value::Array(all)) if all.iter().any(toml::Value::is_table) => String::new(),
-                Some(value) => format!("`{value}`"),
-                None => String::new(),
-            };
-            let default = match value.get("default") {
-                _ if required.contains(&key.as_str()) => "required".to_owned(),
-                None | Some(Value::Null | Value::Object(_)) => "none".to_owned(),
-                Some(Value::Array(all)) if all.is_empty() => "none".to_owned(),
-                Some(value) => format!("`{value}`"),
-            };
-            let cells = [format!("`{key}`"), schema.kind(value), unit.to_owned(), default, described, shown];
-            let _ = writeln!(text, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
+        if !own.is_empty() {
+            text += HEAD;
+            text.extend(own.iter().map(|row| row.markdown()));
+            text.push('\n');
         }
+        if !shared.is_empty() {
+            let names: Vec<String> = shared.iter().map(|row| format!("`{}`", row.key)).collect();
+            let _ = write!(text, "[Keys of tables](#keys-of-tables): {}.\n\n", names.join(", "));
+        }
+        for row in shared {
+            let known = common.entry(row.key.clone()).or_insert_with(|| row.clone());
+            assert_eq!(known.sense(), row.sense(), "`{}` has two common meanings", row.key);
+            // most sections have no place for an example
+            if known.example.is_empty() {
+                known.example.clone_from(&row.example);
+            }
+        }
+    }
+    if !common.is_empty() {
+        text +=
+            "### Keys of tables\n\nThese keys are the same in all sections that name them ([tables](tables.md)).\n\n";
+        text += HEAD;
+        text.extend(common.values().map(Row::markdown));
         text.push('\n');
     }
     text

@@ -5,6 +5,7 @@ pub mod arms;
 pub mod controller_files;
 pub mod five_bar;
 pub mod linearised;
+pub mod pages;
 pub mod said;
 pub mod samples;
 pub mod scratch;

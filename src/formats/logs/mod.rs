@@ -53,10 +53,10 @@ pub struct Log {
     #[serde(flatten)]
     pub form: Form,
     /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_us`, `time_ns`, `label` (of the
-    /// point touched), the joints with their units, and the directions from which joints came
-    /// (`q1_direction`: +1 from below, -1 from above), the payload (`load_kg`, `load_x_mm`,
-    /// `load_y_mm`, `load_z_mm`), torques of joints (`tau1_nm`), and the temperature of the robot
-    /// (`temperature_c`).
+    /// touched point), and the joints with their units. Effects of a robot need the payload
+    /// (`load_kg`, `load_x_mm`, `load_y_mm`, `load_z_mm`), torques (`tau1_nm`) or the temperature
+    /// (`temperature_c`). Backlash needs the direction from which a joint came (`q1_direction`: +1
+    /// from below, -1 from above).
     #[schemars(with = "BTreeMap<String, Column>")]
     pub columns: BTreeMap<Spanned<String>, Column>,
     /// Columns with the same value in all rows, e.g. `q7_mm = 0`; `cycle = "visit"` counts the
