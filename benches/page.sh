@@ -23,7 +23,7 @@ measure() {
     measure 'Choice of poses' '15 of the 130 candidates of the sample dextar, for O1; NumPy does one decomposition a candidate.' plan
     measure 'Arms' "$(<benches/arms.md)" arms
     measure 'Draws of whole campaigns' "$(<benches/uncertainty.md)" uncertainty
-    measure 'Growth' '20 targets a pose: four times as many readings of four times as many targets, beside the first.' scale
+    measure 'Growth' '20 targets a pose: four times as many readings of four times as many targets, compared with the first.' scale
     echo
     cat benches/measured.md
 } >"$new"

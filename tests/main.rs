@@ -13,6 +13,7 @@ mod golden;
 mod hostile;
 mod in_memory;
 mod messages;
+mod plain;
 mod prose;
 mod reference;
 mod support;

@@ -27,7 +27,7 @@ use std::path::PathBuf;
 
 /// Compute commands with which the identified robot reaches its targets.
 ///
-/// For a controller that computes with nominal geometry: the pose to command is the pose of the
+/// For a controller that computes with nominal geometry. The pose to command is the pose of the
 /// nominal robot at the joint values that bring the identified robot to the target. In a program
 /// only the targets are replaced.
 #[derive(Debug, clap::Args)]

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Table:
   position_mm (programmed), measured_mm, direction (approach: +1 or -1);
-  each position at least twice in each direction (five times by ISO 230-2)")]
+  each position at least twice in each direction (five times to ISO 230-2)")]
 pub struct Iso230 {
     /// Table of measured positions (CSV).
     #[arg(value_name = "TABLE")]

@@ -14,7 +14,7 @@ use plan::PlanOptions;
 use std::path::{Path, PathBuf};
 use stream::Motion;
 
-/// Evaluate accuracy, repeatability and other characteristics by ISO 9283.
+/// Evaluate accuracy, repeatability and other characteristics to ISO 9283.
 ///
 /// `pose` evaluates attained poses, `path` a recorded motion, `compliance` a table of loads; `plan`
 /// lays out a test. Tables are CSV, as described in the help of each subcommand. Without a
@@ -34,9 +34,9 @@ enum Test {
     /// Accuracy and repeatability of poses.
     ///
     /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], with rows in the order
-    /// of recording; planar robots omit z_mm. A column `approach` names directions of approach (by
-    /// default the previous pose), a column `robot` several robots, a column `reading` several
-    /// readings of one attained pose.
+    /// of recording; planar robots omit z_mm. A column `approach` names directions of approach; by
+    /// default the direction is the previous pose. A column `robot` distinguishes several robots, a
+    /// column `reading` several readings of one attained pose.
     Pose {
         /// Attained poses.
         poses: PathBuf,

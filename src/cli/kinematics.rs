@@ -22,7 +22,7 @@ const LENGTH_ONE: f64 = 1e-3;
 
 /// Compute poses of the tool from joint values, or joint values from poses.
 ///
-/// Poses are those of flange, tool link, platform or tool in the robot's base frame.
+/// Poses describe flange, tool link, platform or tool in the robot's base frame.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Tables:
   direct   pose and the joints (q1_deg or q1_rad, lift_m ...); assembly (+1 or -1) of a five-bar

@@ -15,8 +15,8 @@ use std::path::PathBuf;
 /// Recommend identified parameters to be loaded into the controller.
 ///
 /// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tested on poses that are left
-/// out of the identification, and parameters by their change over its uncertainty. The recommended
-/// parameters are identified again with all others at nominal.
+/// out of the identification. Parameters are tested by their change over its uncertainty. The
+/// recommended parameters are identified again with all others at nominal.
 #[derive(Debug, clap::Args)]
 pub struct Recommend {
     /// Folder of the campaign, or its campaign.toml.

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 pub struct Run {
     /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// Print accuracy.json (for a test by ISO 9283 alone iso9283.json, or the document in its
+    /// Print accuracy.json (for a test to ISO 9283 alone iso9283.json, or the document in its
     /// place) instead of a summary.
     #[arg(long)]
     json: bool,

@@ -10,14 +10,14 @@ use std::path::PathBuf;
 
 /// Validate this installation (ISO/IEC 17025:2017, 7.11.2), without a network.
 ///
-/// The program compares itself with reference values that it contains: geometric elements, solver,
-/// frames, kinematics, identification, uncertainties, ISO 9283, ISO 230-2, coverage, formats of
-/// exports and controllers, number of threads. Each comparison is repeated with slips in the
-/// reference values, which it must notice. Data of NIST are compared where ETALON_REFERENCE has
-/// them.
+/// The program compares itself with reference values that it contains. They cover geometric
+/// elements, solver, frames, kinematics, identification, uncertainties, ISO 9283, ISO 230-2,
+/// coverage, formats of exports and controllers, and the number of threads. Each comparison is
+/// repeated with faults in the reference values, which it must detect. Data of NIST are compared if
+/// ETALON_REFERENCE contains them.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
-  etalon selftest --report protocol.pdf
+  etalon selftest --report record.pdf
   etalon selftest --program-sha256 $(cut -d' ' -f1 etalon.sha256)
   etalon selftest --campaign frozen --expected frozen-parameters.json
 

@@ -27,8 +27,8 @@ Exit code 1 if the parameters are no longer valid."
 )]
 pub struct Verify {
     /// Observations of the calibration's targets: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in
-    /// the same world frame, and one column per joint with its unit; also of other kinds that the
-    /// calibration observed (docs/observations.md).
+    /// the same world frame, and one column per joint with its unit. Rows may be of other kinds
+    /// that the calibration observed (docs/observations.md).
     #[arg(required_unless_present = "candidates")]
     observations: Option<PathBuf>,
     #[command(flatten)]

@@ -1,5 +1,6 @@
-//! Positioning of a linear axis by ISO 230-2:2014 (terms and formulas of clause 3): deviations of
-//! measured from programmed positions, approached n times from either direction.
+//! Positioning of a linear axis to ISO 230-2:2014 with Amendment 1:2016 (terms and formulas of
+//! clause 3): deviations of measured from programmed positions, approached n times from either
+//! direction.
 
 use etalon_math::statistics::{mean, standard_deviation};
 

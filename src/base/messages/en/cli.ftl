@@ -345,7 +345,7 @@ iso230-row-incomplete = a row has no position, no measured value or no direction
 # Do: Measure more runs.
 # Example: one run from the negative side
 iso230-few-runs = position { $position } mm has fewer than two runs in direction { $direction }
-    .expected = at least two runs in each direction, five by ISO 230-2
+    .expected = at least two runs in each direction, five to ISO 230-2
 
 # Means: `--drift-set` is smaller than two cycles.
 # Matters: Drift compares means and scatter of sets of cycles.
@@ -590,7 +590,7 @@ convert-not-reproduced = the converted description does not reproduce the robot:
     .hint = check the lengths of the robot file: very large ones lose digits
 
 # Means: A smallest enclosing element is asked for together with setting points aside.
-# Matters: An enclosing element is held by its extreme points, which a robust fit would set aside.
+# Matters: An enclosing element is held by its extreme points, which a robust fit would exclude.
 # Do: Fit a circle or sphere by least squares with `--robust`.
 # Example: `etalon fit enclosing-circle points.txt --robust`
 enclosing-robust = the extreme points define `{ $element }`: a robust fit would remove them
@@ -833,7 +833,7 @@ axes-head = { $joint } { $kind ->
        *[other] { $count } readings
     }{ $aside ->
         [0] {""}
-       *[other] , { $aside } set aside
+       *[other] , { $aside } excluded
     }
 axes-direction = {"  "}direction    { $direction }  (u = { $u } deg)
 axes-point = {"  "}point        { $point }  (u = { $u } mm)

@@ -76,8 +76,8 @@ error-near-nominal = { $case ->
        *[both] the position error is not clearly smaller than with nominal parameters, and its maximum is larger
     }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum); nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
 
-# Means: The file is written, but at these poses it improves the robot by less than a tenth (RMS),
-# or the largest error is larger than with nominal parameters.
+# Means: The file is written, but at these poses its RMS error is less than 5 % smaller than with
+# nominal parameters, or its largest error is larger.
 # Matters: The robot gains little by the file, or is less accurate at some poses.
 # Do: Use a format that holds all identified parameters. If the format holds them, measure more
 # poses or identify other effects.

@@ -260,15 +260,15 @@ cone-is-plane = the apex angle of the cone is not distinguishable from 180 deg (
 # Do: Look at these points; remove them where the cause is known.
 # Example: dust under the probe at one of 60 points
 points-set-aside = { $count ->
-        [one] 1 point is set aside
-       *[other] { $count } points are set aside
+        [one] 1 point is excluded
+       *[other] { $count } points are excluded
     }: { $points }
     .hint = they are farther from the element of all others than noise explains
 
 # Means: Some points are far from the element of all others, and shift the fit by more than its
 # uncertainty.
-# Matters: Least squares spreads the error of a foreign point over the element; form and uncertainty
-# are those of the foreign points.
+# Matters: Least squares spreads the error of an outlier over the element; form and uncertainty
+# are then wrong.
 # Do: Look at these points. Fit with `--robust`, which sets them aside and lists them, or remove them.
 # Example: one point of the edge among those of a plane
 foreign-points = { $count ->
@@ -278,7 +278,7 @@ foreign-points = { $count ->
     .hint = look at them; `--robust` sets them aside
 
 # Means: A robust fit has fewer points than three times the minimum of the element.
-# Matters: Which points are foreign cannot be told from so few.
+# Matters: So few points do not show which of them are outliers.
 # Do: Measure more points, or fit without `--robust`.
 # Example: a sphere through eight points with `--robust`
 robust-few-points = a robust fit of the { $element } needs { $needed } points, not { $points }

@@ -279,7 +279,7 @@ convention-different-instruments = the campaigns have different instruments: a s
 convention-drift-compensated = drift of positions and orientations is compensated by reference targets
 convention-f-test = all parameters together: F test; it is approximate if uncertainties are estimated from pose errors, and then too often significant if only one or two coordinates of a pose were measured
 convention-first-robot = { $count } robots: all results except exchangeability refer to `{ $robot }`
-convention-guarded-acceptance = conformity: guarded acceptance (ISO 14253-1): proven only if the whole interval of 95 % lies on one side of the limit
+convention-guarded-acceptance = conformity: guarded acceptance (ISO 14253-1): met or not met only if the whole interval of 95 % lies on one side of the limit
 convention-intervals-instrument = intervals include sampling and the instrument's expanded uncertainty of a coordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = intervals include sampling only: no uncertainty of the instrument is stated
 convention-limit-band = limit band: { $band } mm about the mean of the standstill
@@ -1193,7 +1193,7 @@ sheet-posing = Posing
 sheet-predicted-errors = Predicted errors
 sheet-program = program
 sheet-program-value = { $file } ({ $language })
-sheet-proven-effects = Proven effects
+sheet-proven-effects = Supported effects
 sheet-reference-data = Reference data
 sheet-reflector-at = reflector { $name } at (mm, flange)
 sheet-reflector-axis = { $at }; axis { $axis }, within { $angle }° of the instrument
@@ -1206,7 +1206,7 @@ sheet-rows-left-out = { $count ->
    *[other] { $count } more rows are left out: the documents have all
 }
 sheet-singular-values = Singular values
-sheet-slips = Slips
+sheet-slips = Seeded faults
 sheet-stabilisation = Stabilisation
 sheet-standstills = Standstills
 sheet-step = step

@@ -24,7 +24,7 @@ key-uncertainty-implausible = `{ $key }` = { $value } cannot be the uncertainty 
     .hint = check the unit: 0.0027 mm is 2.7 µm
 
 # Means: A target is named twice in `targets`.
-# Matters: One of the two names is probably a slip for another target.
+# Matters: One of the two names is probably a misspelling of another target.
 # Do: Name each target once.
 # Example: `targets = ["ball", "ball"]`
 target-named-twice = target `{ $target }` is named twice
@@ -123,7 +123,7 @@ feature-element = feature `{ $feature }` is not exactly one element
     .expected = one of `plane`, `line`, `circle`, `cylinder` with the labels of its points
 
 # Means: A feature names a label of its points twice.
-# Matters: One of the two is probably a slip for another label.
+# Matters: One of the two is probably a misspelling of another label.
 # Do: Name each label once.
 # Example: `plane = ["P1", "P2", "P2"]`
 feature-label-twice = feature `{ $feature }` names `{ $label }` twice
@@ -394,7 +394,7 @@ document-schema-other = `{ $file }` has { $schema ->
     .hint = run the campaign again with this version: `etalon run CAMPAIGN`
 
 # Means: The run would overwrite a file in the output folder that no run wrote.
-# Matters: etalon never replaces foreign files.
+# Matters: etalon never replaces the files of others.
 # Do: Move the file, or state another output folder.
 # Example: a `report.html` copied into `out` by hand
 foreign-file = `{ $file }` would be overwritten, but no run wrote it

@@ -103,14 +103,14 @@ selftest-other-model = the robot was of model `{ $before }` and is of model `{ $
 ## Protocol
 selftest-title = Validation of the installation
 selftest-subtitle = etalon { $version } on { $system } { $architecture }; validation of software before use (ISO/IEC 17025:2017, 7.11.2)
-selftest-passed = { $checks } tests of { $requirements } requirements passed; { $slips } of { $slips } slips were noticed
+selftest-passed = { $checks } tests of { $requirements } requirements passed; { $slips } of { $slips } seeded faults were detected
 selftest-failed = { $failed ->
         [one] { $failed } of { $checks } tests failed
        *[other] { $failed } of { $checks } tests failed
     }
 selftest-slips-missed = { $missed ->
-        [one] { $missed } of { $slips } slips was not noticed
-       *[other] { $missed } of { $slips } slips were not noticed
+        [one] { $missed } of { $slips } seeded faults was not detected
+       *[other] { $missed } of { $slips } seeded faults were not detected
     }
 selftest-program-changed = the program file does not have the stated SHA-256
 selftest-program-unreadable = the program file cannot be read
@@ -120,12 +120,12 @@ selftest-values-moved = { $moved ->
         [one] campaign { $campaign }: { $moved } value differs from the stored document
        *[other] campaign { $campaign }: { $moved } values differ from the stored document
     }
-selftest-statement = This protocol applies to the program file with this SHA-256, on this machine.
+selftest-statement = This record applies to the program file with this SHA-256, on this machine.
 selftest-overview = Requirements
 selftest-failed-tests = Failed tests
 selftest-installation = Installation (IQ)
 selftest-operation = Operation (OQ)
-selftest-slips = Slips that must be noticed
+selftest-slips = Seeded faults that must be detected
 selftest-performance = Performance (PQ)
 selftest-program-hash = SHA-256 of the program
 selftest-stated-hash = stated SHA-256
@@ -146,7 +146,7 @@ selftest-permissible = permissible
 selftest-result = result
 selftest-result-pass = pass
 selftest-result-fail = fail
-selftest-slip = slip
+selftest-slip = seeded fault
 selftest-tests-failed = failed tests
 selftest-as-it-must = fails as it must
 selftest-missed = not noticed

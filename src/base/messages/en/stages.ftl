@@ -1158,7 +1158,7 @@ candidate-positions-unreachable = the `{ $model }` reaches no candidate position
 
 check-readings = check these readings for exchanged labels and mistakes; measure them again, or exclude them with `exclude` in [identify]
 
-# Means: A robust fit and least squares give different parameters, by more than chance, and no
+# Means: A robust fit and least squares give significantly different parameters, and no
 # single pose is the cause.
 # Matters: The residuals are not normally distributed; standard uncertainties may be too small.
 # Do: Look for errors of the robot that the model does not describe, and check the stated
@@ -1167,7 +1167,7 @@ check-readings = check these readings for exchanged labels and mistakes; measure
 robust-fit-disagrees = a robust fit changes `{ $parameter }` by { FIXED($over_u, 1) } standard uncertainties of the difference (limit { FIXED($limit, 1) }); no pose disagrees with all others: the residuals are not normal
     .hint = the robot has errors that the model does not describe, or the stated uncertainty is too small
 
-# Means: A robust fit and least squares give different parameters, by more than chance, and the
+# Means: A robust fit and least squares give significantly different parameters, and the
 # robust fit gives some poses a low weight.
 # Matters: These poses contradict the others and distort the parameters.
 # Do: Check these poses for exchanged labels and wrong readings.
@@ -1565,8 +1565,8 @@ robot-geometry-unknown = robot.toml is not a file of the identification, and par
 calibration-without-residuals = the calibration does not determine the standard uncertainty of a coordinate
     .hint = identify with a stated standard uncertainty
 
-# Means: An effect that is not identified would reduce the error at left-out calibration poses by
-# more than chance.
+# Means: An effect that is not identified would reduce the error at left-out calibration poses
+# significantly.
 # Matters: The robot has this effect; with it, the parameters describe the robot better.
 # Do: Add the line to robot.toml, or the effect to `effects` in [identify].
 # Example: a geared arm with eccentric gears, identified by geometry alone
@@ -1707,8 +1707,8 @@ probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe ce
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($limit, 1) })
 
-# Means: Parameters identified from a part of the poses differ from those of all poses by more than
-# chance.
+# Means: Parameters identified from a part of the poses differ significantly from the parameters of
+# all poses.
 # Matters: Something changed during the measurement, so the values suit only a part of the poses.
 # They are loaded all the same, because errors at left-out poses are larger without them.
 # Do: Check for changes (temperature, a target that moved, a joint that was homed again), and check
@@ -1929,7 +1929,7 @@ target-names-permuted = with the names of the targets as { $names }, the residua
 
 # Means: Several motions (of the base, of the zero of a joint, of a target) explain the residuals of
 # a verification.
-# Matters: The data do not prove which of them occurred.
+# Matters: The data do not show which of them occurred.
 # Do: Observe poses with larger differences of the joint values.
 # Example: a verification at one pose
 motions-alike = { $count ->
@@ -1958,7 +1958,7 @@ no-coordinates-to-check = { $count ->
 # Example: one validation pose logged wrongly
 validation-outliers = { $count } of { $total } validation errors exceed { FIXED($limit_mm, 4) } mm, { $times } times their median: { $readings }
 
-# Means: All identified lengths differ from their nominal values by one factor, by more than chance.
+# Means: All identified lengths differ significantly from their nominal values by one factor.
 # Matters: A scale error of the measuring system or of the joints is more probable than errors of so
 # many parts.
 # Do: Check scale, temperature compensation and unit of the measuring system and of the encoders.
@@ -2181,7 +2181,7 @@ sweep-ratio = the targets move by { FIXED($ratio, 5) } × the values of `{ $join
 # Means: Before and after a row, the readings of a target are on two different paths about one axis.
 # Matters: The target slipped in its seat, or the base or the instrument moved.
 # Do: Measure the sweep again, or give the target another name from this row on.
-# Example: a reflector that slips by 0.5 mm during the sweep
+# Example: a reflector that moves by 0.5 mm during the sweep
 sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` before row { $row }: deviation from one path { FIXED($before_um, 1) } µm, from two paths { FIXED($after_um, 1) } µm
     .hint = measure the sweep again, or give the target another name from this row on
 
@@ -2591,7 +2591,7 @@ cell-refuted-turned = orientations have residuals of { FIXED($found_deg, 2) } de
 # Means: The answer has errors, so that the data of the controller are not printed.
 # Matters: Loaded, they could move the robot by a wrong tool or frame.
 # Do: Correct what the errors name, or write the data with `--force`; their header says so.
-# Example: `--controller kuka` of a table with a foreign reading
+# Example: `--controller kuka` of a table with an outlier
 cell-data-withheld = data for { $maker } are not written: the answer must not be loaded
     .hint = correct what the errors name; `--force` writes the data
 
