@@ -75,6 +75,18 @@ impl Data {
         some
     }
 
+    /// The data of the target with the most readings; all data where no position is measured.
+    pub fn with_one_target(mut self, robot: &dyn Robot) -> Self {
+        let Some((most, _)) = self.readings(robot).into_iter().max_by_key(|(_, count)| *count) else { return self };
+        for o in &mut self.observations {
+            let others = o.targets.iter_mut().enumerate().filter(|(k, _)| *k != most);
+            others.for_each(|(_, at)| *at = None);
+        }
+        self.observations.retain(|o| o.targets.iter().any(Option::is_some));
+        self.retain_conditions(|c| c.target == most);
+        self
+    }
+
     fn retain_conditions(&mut self, mut keep: impl FnMut(&mut Condition) -> bool) {
         let kept: Vec<bool> = self.settings.conditions.iter_mut().map(&mut keep).collect();
         let (mut conditions, mut numbers) = (kept.iter(), kept.iter());

@@ -247,6 +247,18 @@ pub fn judge(
     readings: &[OrientationReading],
 ) -> Judgement {
     let data = Data::new(robot, observations, settings);
+    let judged = judge_by(robot, &data, readings, 1);
+    match &judged.named {
+        // the pairs of all changes are many: one target is enough to try them
+        None if !judged.is_possible => {
+            Judgement { named: judge_by(robot, &data.with_one_target(robot), readings, 2).named, ..judged }
+        }
+        _ => judged,
+    }
+}
+
+/// Judgement by hypotheses of so many mistakes, one or two.
+fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mistakes: u8) -> Judgement {
     let subset = data.subset(robot);
     if data.poses().len() < FEWEST || !data.has_places() || fit::free_parameters(robot, &subset).is_none() {
         return Judgement::default();
@@ -254,21 +266,19 @@ pub fn judge(
     let stated = Case::located(robot, subset.clone(), false);
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
     let probes = subset.elsewhere(robot);
-    let table = Table { robot, data: &data, tried: [&subset, &probes], readings };
+    let table = Table { robot, data, tried: [&subset, &probes], readings };
     // what brings the nominal robot as near as the set-up as stated may be what the data do not
     // show
     let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
-    let mut tried = fitted(robot, table.single(), as_near);
-    if let Some(stated) = &stated {
+    let mut tried = match mistakes {
+        1 => fitted(robot, table.single(), as_near),
+        _ => fitted(robot, table.pairs(), f64::NEG_INFINITY),
+    };
+    if let Some(stated) = stated.as_ref().filter(|_| mistakes == 1) {
         tried.extend(wrong_nominal(robot, stated));
     }
     let elsewhere = stated.as_ref().map(|case| Elsewhere { robot, data: &case.data, joints: probes.joints() });
-    let verdict = Verdict { as_stated: as_stated.as_ref(), elsewhere };
-    let judged = verdict.judgement(robot, tried, 1);
-    match &judged.named {
-        None if !judged.is_possible => verdict.judgement(robot, fitted(robot, table.pairs(), f64::NEG_INFINITY), 2),
-        _ => judged,
-    }
+    Verdict { as_stated: as_stated.as_ref(), elsewhere }.judgement(robot, tried, mistakes)
 }
 
 /// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`.
