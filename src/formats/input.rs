@@ -189,7 +189,7 @@ const KINDS: [(&[u8], &str); 7] = [
 fn refuse(bytes: &[u8], file: &str) -> Result<(), Message> {
     match KINDS.into_iter().find(|(start, _)| bytes.starts_with(start)) {
         Some((_, kind)) => Err(error!("file-not-text", file, kind)),
-        None if is_binary_stl(bytes) => Err(error!("file-not-text", file, kind = "stl")),
+        None if !is_document(bytes) && is_binary_stl(bytes) => Err(error!("file-not-text", file, kind = "stl")),
         None => Ok(()),
     }
 }

@@ -138,12 +138,11 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let header = first_data_row(&all, of_sheet, &number, &is_gap)?;
     let end = form.end.as_ref().and_then(|end| all.iter().position(|row| row.field(0) == end));
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
-    // trailing empty fields do not count
-    let width = |row: &Row| filled_width(row);
     // a sheet omits trailing empty cells
-    let columns = if of_sheet { data.iter().map(width).max() } else { most_common(data.iter().map(width)) }?;
+    let widths = data.iter().map(filled_width);
+    let columns = if of_sheet { widths.max() } else { most_common(widths) }?;
     let fits = |row: &Row| {
-        (of_sheet || width(row) == columns)
+        (of_sheet || filled_width(row) == columns)
             && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && is_gap(f)))
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();

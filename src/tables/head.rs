@@ -281,7 +281,9 @@ pub fn first_data_line(text: &str, form: &Form, header: usize) -> Option<usize> 
 /// `coordinates in mm`.
 fn stated_in_words(line: &str) -> Option<(&'static str, Range<usize>)> {
     let lower = line.to_lowercase();
-    if lower.len() != line.len() {
+    // statements of other quantities than coordinates
+    let others = ["uncert", "sigma", "std", "accuracy", "tolerance", "wavelength", "resolution", "rms"];
+    if lower.len() != line.len() || others.iter().any(|word| lower.contains(word)) {
         return None;
     }
     let word = |from: usize| {
@@ -305,7 +307,7 @@ fn stated_in_words(line: &str) -> Option<(&'static str, Range<usize>)> {
         let marked = rest.trim_start();
         marked.starts_with([':', '=', '/']).then(|| rest.len() - marked.len() + 1)
     };
-    let lengths = ["coord", "value", "length", "position", "all ", "distance", "point"];
+    let lengths = ["coord", "length", "position", "dimension", "all values", "all units", "all data"];
     let measured = || behind(&["in"], &|rest| rest.starts_with(' ').then_some(1));
     let key = behind(&UNIT_KEYS, &equals);
     key.or_else(|| measured().filter(|_| lengths.iter().any(|word| lower.contains(word))))
@@ -316,4 +318,41 @@ pub(crate) fn most_common(counts: impl Iterator<Item = usize>) -> Option<usize> 
     let mut times = std::collections::BTreeMap::new();
     counts.for_each(|count| *times.entry(count).or_insert(0usize) += 1);
     times.into_iter().max_by_key(|&(count, times)| (times, count)).map(|(count, _)| count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Delimiter;
+
+    #[test]
+    fn statements_of_a_unit_of_lengths_are_found_and_others_are_not() {
+        let units = |text: &str| {
+            let form = Form { comment: Some("#".to_owned()), ..Form::delimited(Delimiter::Comma) };
+            let stated = stated_units(&format!("{text}\n1.5,2.5\n"), &form, 1 + text.lines().count(), &|_| true);
+            stated.into_iter().map(|stated| (stated.unit, stated.line)).collect::<Vec<_>>()
+        };
+        for (text, unit) in [
+            ("# units: mm", "mm"),
+            ("UNITS=IN", "inch"),
+            ("Length Units,Meters", "m"),
+            ("Einheit: Millimeter", "mm"),
+            ("# all coordinates in metres", "m"),
+            ("X,Y\n[mm],[mm]", "mm"),
+            ("Rate,Units\n100,mm", "mm"),
+        ] {
+            assert!(units(text).iter().all(|(found, _)| *found == unit) && !units(text).is_empty(), "{text}");
+        }
+        for text in [
+            "# uncertainty unit: um",
+            "# measured in 3 rows",
+            "unit,x",
+            "# tolerance in mm",
+            "X,Y",
+            "# inside in part 3",
+        ] {
+            assert!(units(text).is_empty(), "{text}: {:?}", units(text));
+        }
+        assert_eq!(units("Take,1\nX,Y\nmm,m"), [("mm", 3), ("m", 3)]);
+    }
 }

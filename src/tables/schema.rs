@@ -49,6 +49,6 @@ mod tests {
         spellings::<Delimiter>(10);
         spellings::<Decimal>(4);
         spellings::<Thousands>(8);
-        spellings::<Encoding>(5);
+        spellings::<Encoding>(19);
     }
 }
