@@ -54,7 +54,9 @@ fn has_point(text: &str) -> bool {
         let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
         word.trim_start_matches(['-', '+']).split_once('.').is_some_and(|(a, b)| digits(a) && digits(b))
     };
-    !cited && words().any(decimal)
+    // a cell of the table of clauses
+    let is_clause = text.split_once('.').is_some_and(|(a, b)| ["7", "8", "9", "10"].contains(&a) && b.len() == 1);
+    !cited && !is_clause && words().any(decimal)
 }
 
 /// Every sample whose data are here.
