@@ -109,8 +109,8 @@ pub enum Reason {
         /// Residuals over the standard uncertainty of the instrument.
         times: f64,
     },
-    /// The measurements do not show some mistakes of the set-up, with which the tool would be beyond
-    /// a limit.
+    /// The measurements do not show some mistakes of the set-up, with which the tool would be
+    /// beyond a limit.
     SetUpUntested {
         /// Number of mistakes.
         count: usize,

@@ -171,8 +171,8 @@ impl Recommendation<'_> {
         changes
     }
 
-    /// Evidence for each identifiable parameter; those of the run are judged in its model, and those
-    /// in `load` are part of the answer.
+    /// Evidence for each identifiable parameter. Parameters of the run are judged in its model;
+    /// parameters in `load` are part of the answer.
     fn verdicts(
         &self,
         [all, model]: [&Identification; 2],

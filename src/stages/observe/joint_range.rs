@@ -10,8 +10,8 @@ use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Allowance of a joint beyond its stated limits, as a share of their distance: the limits are those
-/// of a drawing, the zero of the joint is off by what homing leaves, and a drive overshoots.
+/// Allowance of a joint beyond its stated limits, as a share of their distance: limits are nominal,
+/// the zero of the joint is off by what homing leaves, and a drive overshoots.
 const OVERSHOOT: f64 = 0.01;
 /// Largest angle (rad) of a joint without stated limits: joints of arms turn by up to 1.3 turns to
 /// either side.
