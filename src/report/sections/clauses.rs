@@ -174,9 +174,19 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         })
         .both(phrase!("head-verified"), "", verified)
         .decisive();
+    let listed = |is_tested: bool| {
+        let clauses = CLAUSES.iter().filter(|clause| (clause.is_tested)(tested) == is_tested);
+        let named = clauses.map(|clause| match clause.symbols {
+            [] => clause.number.to_owned(),
+            symbols => format!("{} ({})", clause.number, symbols.join(", ")),
+        });
+        named.collect::<Vec<_>>().join(", ")
+    };
     let mut section = Section::new("clauses", tr!(words, "clauses-title"));
-    section.push(Block::Table(Table::new(words, &CLAUSES, columns).on(phrase!("sheet-clauses"))));
-    section.push(Block::note(tr!(words, "clauses-note")));
+    section.push(Block::note(tr!(words, "clauses-summary", tested = listed(true), untested = listed(false))));
+    let table = Block::Table(Table::new(words, &CLAUSES, columns).on(phrase!("sheet-clauses")));
+    let blocks = vec![table, Block::note(tr!(words, "clauses-note"))];
+    section.push(Block::Aside { title: tr!(words, "head-verified"), blocks });
     section.whole()
 }
 

@@ -246,6 +246,7 @@ clause-tested = geprüft
 clause-velocity = Kenngrößen der Bahngeschwindigkeit
 clause-weaving = Pendelabweichungen
 clauses-note = Der Bericht gilt nur für die geprüften Abschnitte. `etalon selftest` wiederholt die Vergleiche mit dem unabhängigen Programm.
+clauses-summary = Geprüfte Abschnitte der ISO 9283:1998: { $tested }. Nicht geprüft: { $untested }.
 clauses-title = Abschnitte der ISO 9283:1998
 colours = Farben
 command = Sollwert

@@ -234,6 +234,7 @@ clause-tested = tested
 clause-velocity = path velocity characteristics
 clause-weaving = weaving deviations
 clauses-note = The report claims the tested clauses only. `etalon selftest` repeats the comparisons with the independent program.
+clauses-summary = Tested clauses of ISO 9283:1998: { $tested }. Not tested: { $untested }.
 clauses-title = Clauses of ISO 9283:1998
 colours = Colours
 command = command

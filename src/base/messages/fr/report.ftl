@@ -249,6 +249,7 @@ clause-tested = essayé
 clause-velocity = caractéristiques de vitesse sur trajectoire
 clause-weaving = écarts de balayage
 clauses-note = Le rapport ne vaut que pour les articles essayés. `etalon selftest` répète les comparaisons avec le programme indépendant.
+clauses-summary = Articles de l’ISO 9283:1998 essayés : { $tested }. Non essayés : { $untested }.
 clauses-title = Articles de l’ISO 9283:1998
 colours = Couleurs
 command = commande
