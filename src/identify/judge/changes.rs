@@ -65,7 +65,10 @@ struct Table<'a> {
 pub(crate) fn changes(robot: &dyn Robot, data: &Data, readings: &[Reading]) -> Vec<Change> {
     let mut table = Table { robot, data, all: Vec::new() };
     table.joints();
-    table.units_of_joints();
+    // joints that hardly move leave every length that is not measured as it is
+    if data.has_lengths() {
+        table.units_of_joints();
+    }
     table.points();
     table.units();
     table.targets();

@@ -8,11 +8,11 @@ use etalon_base::pose_name::PoseName;
 use etalon_robots::{Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Number of poses on which changes are tried.
+/// Number of poses on which changes are tried: at least, and at most if points that the robot
+/// touches or points to are unknown (each of them needs several poses), or if a pose has fewer
+/// residuals than a position.
 const POSES: usize = 32;
-/// Number of poses on which changes are tried if points that the robot touches or points to are
-/// unknown: each of them needs several poses.
-const POSES_WITH_POINTS: usize = 96;
+const MOST_POSES: usize = 96;
 
 /// Number of poses elsewhere at which robots are compared, and their stream of random numbers.
 const PROBES: usize = 12;
@@ -63,11 +63,15 @@ impl Data {
                 robot.parameters().get(i).is_some_and(|p| p.role == Role::Fixture) && !c.kind.is_orientation()
             })
         };
-        let count = if self.settings.conditions.iter().any(points) { POSES_WITH_POINTS } else { POSES };
         if self.settings.conditions.is_empty() {
-            return Self { observations: spread_over(&self.observations, count), ..self.clone() };
+            return Self { observations: spread_over(&self.observations, POSES), ..self.clone() };
         }
         let poses = self.poses();
+        let coordinates = robot.dimension() * self.observations.iter().flat_map(|o| o.targets.iter().flatten()).count();
+        let residuals = coordinates + self.settings.conditions.iter().map(|c| c.kind.rows()).sum::<usize>();
+        let enough = robot.dimension() * POSES * poses.len() / residuals.max(1);
+        let is_unknown = self.settings.conditions.iter().any(points);
+        let count = if is_unknown { MOST_POSES } else { enough.clamp(POSES, MOST_POSES) };
         let kept: BTreeSet<PoseName> = poses.iter().step_by(poses.len().div_ceil(count).max(1)).copied().collect();
         let mut some = self.clone();
         some.observations.retain(|o| kept.contains(&o.pose));

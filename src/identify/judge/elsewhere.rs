@@ -19,44 +19,68 @@ pub(super) struct Elsewhere<'a> {
 }
 
 impl Elsewhere<'_> {
-    /// Flange at each pose, as stated and as changed, with the parameters of each; `None` for
-    /// robots without a flange.
-    fn flanges(&self, slip: &Slip, [stated, changed]: [&[f64]; 2]) -> Option<Vec<[Pose; 2]>> {
-        let (arm, other) = (self.robot.free_base()?, slip.robot(self.robot).free_base()?);
-        let target = self.data.readings(self.robot).first().map_or(0, |reading| reading.0);
-        let pair = |(q, changed_q): (&Vec<f64>, &Vec<f64>)| {
-            [arm.flange(stated, q, target), other.flange(changed, changed_q, target)]
-        };
-        Some(self.joints.iter().zip(&slip.elsewhere).map(pair).collect())
+    /// Targets at which the flange is compared: one of each branch.
+    fn targets(&self) -> Vec<usize> {
+        let branches = self.robot.branches().len();
+        if branches < 2 {
+            return vec![self.data.readings(self.robot).first().map_or(0, |reading| reading.0)];
+        }
+        let targets = 0..self.robot.targets().len();
+        (0..branches).filter_map(|branch| targets.clone().find(|k| self.robot.target_branch(*k) == branch)).collect()
     }
 
-    /// Largest difference (mm, rad) of the flange, as stated and as changed, beyond a motion common
+    /// Flange of each branch at each pose, as stated and as changed, with the parameters of each;
+    /// `None` for robots without a flange.
+    fn flanges(&self, slip: &Slip, [stated, changed]: [&[f64]; 2]) -> Option<Vec<Vec<[Pose; 2]>>> {
+        let (arm, other) = (self.robot.free_base()?, slip.robot(self.robot).free_base()?);
+        let poses = || self.joints.iter().zip(&slip.elsewhere);
+        let pairs = |target: usize| {
+            poses()
+                .map(|(q, changed_q)| [arm.flange(stated, q, target), other.flange(changed, changed_q, target)])
+                .collect()
+        };
+        Some(self.targets().into_iter().map(pairs).collect())
+    }
+
+    /// Largest difference (mm, rad) of a flange, as stated and as changed, beyond a motion common
     /// to all poses; `None` for robots without a flange.
     pub fn flange_difference(&self, slip: &Slip, values: [&[f64]; 2]) -> Option<(f64, f64)> {
-        let pairs = self.flanges(slip, values)?;
-        differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed)))
+        let branches = self.flanges(slip, values)?;
+        let each = branches.iter().filter_map(|pairs| differences(pairs.iter().map(at_targets)));
+        each.reduce(|(mm, rad), other| (mm.max(other.0), rad.max(other.1)))
     }
 
     /// `true` if free base or targets take up a change of the joints whatever the robot does, such
     /// as an offset of the first or the last joint: it is no mistake that anything could show.
     pub fn is_absorbed(&self, slip: &Slip, values: &[f64]) -> bool {
         let Self { robot, data, joints } = self;
-        let (Some(arm), Some(pairs)) = (robot.free_base(), self.flanges(slip, [values, values])) else {
+        let (Some(arm), Some(branches)) = (robot.free_base(), self.flanges(slip, [values, values])) else {
             return false;
         };
         let Ok(free) = wanted_frames(*robot, &data.observations, &data.settings) else { return false };
-        if pairs.is_empty() || slip.elsewhere == *joints {
+        if slip.elsewhere.is_empty() || slip.elsewhere == *joints {
             return false;
         }
         let is_same = |differs: Option<(f64, f64)>| differs.is_some_and(|(mm, rad)| mm < EXACT && rad < EXACT);
-        let by_targets = || is_same(differences(pairs.iter().map(|[stated, changed]| stated.inverse().then(changed))));
-        let by_base = || is_same(differences(pairs.iter().map(|[stated, changed]| changed.then(&stated.inverse()))));
+        let by_targets = || branches.iter().all(|pairs| is_same(differences(pairs.iter().map(at_targets))));
+        // a base moves all branches alike
+        let by_base = || is_same(differences(branches.iter().flatten().map(at_base)));
         let places = data.readings(*robot).into_iter().flat_map(|(k, _)| arm.target_place(k)..arm.target_place(k) + 3);
         let targets_free = places.into_iter().all(|i| free.contains(&i));
         // without a measured world, that of the base is the only one
         let is_base_free = !tied_to_world(&data.observations, &data.settings) || (0..6).all(|i| free.contains(&i));
         targets_free && by_targets() || is_base_free && by_base()
     }
+}
+
+/// Motion of the flange, in its own frame as stated.
+fn at_targets([stated, changed]: &[Pose; 2]) -> Pose {
+    stated.inverse().then(changed)
+}
+
+/// Motion of the flange, in the frame of the base.
+fn at_base([stated, changed]: &[Pose; 2]) -> Pose {
+    changed.then(&stated.inverse())
 }
 
 /// Largest difference (mm, rad) of motions from the first one; `None` without a motion.

@@ -83,9 +83,10 @@ pub(crate) fn plausibility(
     };
     // a robot within its tolerances that leaves what the instrument leaves explains the data
     let explains = found.residuals.chi_square.is_some() && !misfit && messages.iter().all(is_no_error);
-    let far_mm = if explains { None } else { far_before(robot, solution, errors) };
     messages.extend(untested(judged));
-    contradict(far_mm, judged, &mut messages);
+    if !explains {
+        contradict(far_before(robot, solution, errors), judged, &mut messages);
+    }
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
     }

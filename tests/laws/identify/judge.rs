@@ -195,7 +195,10 @@ fn robots_with_incomplete_models_are_judged_by_what_their_model_leaves() {
             assert!(accused.is_empty(), "{label}: {accused:?}");
             let mut mistakes = mistakes_of_joints(&mut noise);
             mistakes.extend(mistakes_of_points());
-            mistakes.extend(mistakes_of_pairs(&mut noise));
+            // each takes as long as all single ones
+            if seed % 2 == 0 {
+                mistakes.extend(mistakes_of_pairs(&mut noise));
+            }
             // contacts are half of the rows: a shift of the others alone is no shift of the log
             mistakes.extend(mistakes_of_poses(&mut noise, poses / if measured == Contacts { 2 } else { 1 }));
             if matches!(measured, Poses | Contacts) {
