@@ -164,7 +164,7 @@ fn counted(line: &str) -> Result<Vec<ColumnRole>, Message> {
     let fields = cells.len();
     let is_number = |cell: &&str| parsed(cell, Decimal::Point, None).is_some();
     let behind = cells.iter().rev().take_while(|cell| !is_number(cell)).count();
-    let read = if cells.iter().any(|cell| is_number(cell)) { fields - behind } else { fields };
+    let read = if cells.iter().any(is_number) { fields - behind } else { fields };
     match read {
         3..=6 => {
             let xyz = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];

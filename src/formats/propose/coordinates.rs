@@ -6,6 +6,9 @@ use super::table::{Column, Table};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 
+/// Tag of the headings of a quaternion, and its columns.
+type Quaternion = (String, [usize; 4]);
+
 /// Kind of a set of coordinates, by the words of its headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
@@ -348,7 +351,7 @@ impl Interpretation {
             let of_point: Vec<String> = body(&self.points[number].tag).into_iter().map(str::to_owned).collect();
             let same = |(tag, _): &(String, [usize; 4])| body(tag) == of_point;
             // a heading that names no body is of the only point
-            let alone = |(tag, _): &(String, [usize; 4])| {
+            let alone = |(tag, _): &Quaternion| {
                 number == 0 && (body(tag).is_empty() || of_point.is_empty()) && !self.is_of_another_body(tag)
             };
             // of equal headings those next to the coordinates
@@ -356,7 +359,7 @@ impl Interpretation {
             let gap = |columns: &[usize; 4]| {
                 own.iter().flatten().flat_map(|at| columns.map(|of| of.abs_diff(*at))).min().unwrap_or(0)
             };
-            let nearest = |fits: &dyn Fn(&(String, [usize; 4])) -> bool| {
+            let nearest = |fits: &dyn Fn(&Quaternion) -> bool| {
                 (0..left.len()).filter(|at| fits(&left[*at])).min_by_key(|at| gap(&left[*at].1))
             };
             let Some(at) = nearest(&same).or_else(|| nearest(&alone)) else { continue };

@@ -196,7 +196,7 @@ fn compare_clocks(parts: &mut [Part]) {
     for part in parts.iter_mut().filter(|part| open(part)) {
         let Some(span) = part.times_s().and_then(|times| duration(&times)) else { continue };
         let fits = |unit: &&str| (0.1..10.0).contains(&(span * seconds_per(Some(unit)) / known_s));
-        part.clock = ["s", "ms", "us", "ns"].into_iter().find(|unit| fits(&unit));
+        part.clock = ["s", "ms", "us", "ns"].into_iter().find(|unit| fits(unit));
         part.state_clock();
     }
 }

@@ -10,11 +10,11 @@ use etalon_documents::{Characteristics, Iso9283Document, Iso9283Path, Iso9283Str
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verified {
     /// Formula from the text of the standard, reproduced on a published data set.
-    ByText,
+    Text,
     /// Compared with an independent program (`etalon selftest`).
-    ByProgram,
+    Program,
     /// Compared with simulated motions.
-    BySimulation,
+    Simulation,
 }
 
 /// Clause with its characteristics.
@@ -44,112 +44,112 @@ const CLAUSES: [Clause; 16] = [
         number: "7.2.1",
         name: || phrase!("clause-pose-accuracy"),
         symbols: &["AP"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| poses(t, |d| d.poses.iter().any(|p| p.ap_mm.is_some())),
     },
     Clause {
         number: "7.2.2",
         name: || phrase!("clause-pose-repeatability"),
         symbols: &["RP"],
-        verified: Verified::ByText,
+        verified: Verified::Text,
         is_tested: |t| poses(t, |d| d.poses.iter().any(|p| p.rp_mm.is_some())),
     },
     Clause {
         number: "7.2.3",
         name: || phrase!("clause-directions"),
         symbols: &["vAP"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| poses(t, |d| !d.approaches.is_empty()),
     },
     Clause {
         number: "7.3",
         name: || phrase!("clause-distances"),
         symbols: &["AD", "RD"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| poses(t, |d| !d.distances.is_empty()),
     },
     Clause {
         number: "7.4",
         name: || phrase!("clause-stabilisation"),
         symbols: &["t"],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| motions(t, |s| !s.settling.is_empty() || !s.arrivals.is_empty()),
     },
     Clause {
         number: "7.5",
         name: || phrase!("clause-overshoot"),
         symbols: &["OV"],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| motions(t, |s| !s.settling.is_empty() || !s.arrivals.is_empty()),
     },
     Clause {
         number: "7.6",
         name: || phrase!("clause-drift"),
         symbols: &["dAP", "dRP"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| poses(t, |d| !d.drifts.is_empty()),
     },
     Clause {
         number: "7.7",
         name: || phrase!("clause-exchangeability"),
         symbols: &["E"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| poses(t, |d| d.exchangeability_mm.is_some()),
     },
     Clause {
         number: "8.2",
         name: || phrase!("clause-path-accuracy"),
         symbols: &["AT"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| paths(t, |p| !p.reorientation),
     },
     Clause {
         number: "8.3",
         name: || phrase!("clause-path-repeatability"),
         symbols: &["RT"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| paths(t, |p| p.rt_mm.is_some()),
     },
     Clause {
         number: "8.4",
         name: || phrase!("clause-reorientation"),
         symbols: &["AT"],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| paths(t, |p| p.reorientation),
     },
     Clause {
         number: "8.5",
         name: || phrase!("clause-cornering"),
         symbols: &["CR", "CO"],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| paths(t, |p| !p.corners.is_empty()),
     },
     Clause {
         number: "8.6",
         name: || phrase!("clause-velocity"),
         symbols: &["AV", "RV", "FV"],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| paths(t, |p| p.velocity.is_some()),
     },
     Clause {
         number: "9",
         name: || phrase!("clause-posing-time"),
         symbols: &[],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| motions(t, |s| !s.posing.is_empty()),
     },
     Clause {
         number: "10",
         name: || phrase!("clause-compliance"),
         symbols: &[],
-        verified: Verified::ByProgram,
+        verified: Verified::Program,
         is_tested: |t| t.compliance.is_some(),
     },
     Clause {
         number: "11",
         name: || phrase!("clause-weaving"),
         symbols: &["WS", "WF"],
-        verified: Verified::BySimulation,
+        verified: Verified::Simulation,
         is_tested: |t| motions(t, |s| s.weaving.is_some()),
     },
 ];
@@ -160,9 +160,9 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         return None;
     }
     let verified = |clause: &Clause| match clause.verified {
-        Verified::ByText => tr!(words, "verified-by-text"),
-        Verified::ByProgram => tr!(words, "verified-by-program"),
-        Verified::BySimulation => tr!(words, "verified-by-simulation"),
+        Verified::Text => tr!(words, "verified-by-text"),
+        Verified::Program => tr!(words, "verified-by-program"),
+        Verified::Simulation => tr!(words, "verified-by-simulation"),
     };
     let columns = Columns::<Clause>::new()
         .both(phrase!("head-clause"), "", |c| c.number)

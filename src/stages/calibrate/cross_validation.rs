@@ -427,7 +427,7 @@ impl LeftOut {
         let poses = self.identified.left_out.len();
         let statistics = |of: &CrossValidated| summarise(of.left_out.values().map(|squared| squared.sqrt()).collect());
         let [nominal, identified] = [&nominal, &self.identified].map(statistics);
-        (poses > 0).then(|| LeftOutErrors { poses, folds: self.folds.len(), nominal, identified })
+        (poses > 0).then_some(LeftOutErrors { poses, folds: self.folds.len(), nominal, identified })
     }
 
     /// Effects that the solution does not identify and that are significant, each in addition to
