@@ -196,7 +196,7 @@ fn robots_with_incomplete_models_are_judged_by_what_their_model_leaves() {
             let mut mistakes = mistakes_of_joints(&mut noise);
             mistakes.extend(mistakes_of_points());
             // each takes as long as all single ones
-            if seed % 2 == 0 {
+            if seed.is_multiple_of(2) {
                 mistakes.extend(mistakes_of_pairs(&mut noise));
             }
             // contacts are half of the rows: a shift of the others alone is no shift of the log
