@@ -1,12 +1,11 @@
 //! The walls: which crate may depend on which (cargo's own metadata against the table of docs/architecture.md), and no circle
 //! among the files of a crate.
 
+use crate::support::root;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Crates of pure mathematics, and external crates that they must not depend on.
 const PURE: [&str; 5] = ["math", "fit", "robots", "identify", "standards"];
@@ -18,7 +17,7 @@ const PROGRAM: [&str; 5] = ["stages", "simulate", "run", "tasks", "cli"];
 
 /// Rows of the table of crates in docs/architecture.md: name, dependencies inside the workspace, external ones.
 fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
-    let page = std::fs::read_to_string(Path::new(ROOT).join("docs/architecture.md")).unwrap();
+    let page = std::fs::read_to_string(root().join("docs/architecture.md")).unwrap();
     let rows = page.lines().skip_while(|line| !line.starts_with("| crate |")).skip(2);
     let names = |cell: &str| {
         cell.split(',')
@@ -37,7 +36,7 @@ fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
 fn crates_depend_on_what_the_table_of_the_architecture_states() {
     let metadata = Command::new(env!("CARGO"))
         .args(["metadata", "--locked", "--offline", "--no-deps", "--format-version", "1"])
-        .current_dir(ROOT)
+        .current_dir(root())
         .output()
         .unwrap();
     assert!(metadata.status.success(), "{}", String::from_utf8_lossy(&metadata.stderr));
@@ -130,7 +129,7 @@ fn spelled(text: &str) -> (Vec<String>, usize) {
 
 /// The folders of the crates in `src`, and `src` itself for the program.
 fn crates() -> Vec<PathBuf> {
-    let src = Path::new(ROOT).join("src");
+    let src = root().join("src");
     let folders = std::fs::read_dir(&src).unwrap().flatten().map(|entry| entry.path());
     folders.filter(|path| path.join("Cargo.toml").exists()).chain([src.clone()]).collect()
 }
@@ -179,7 +178,7 @@ fn target<'a>(modules: &'a BTreeMap<String, PathBuf>, path: &str) -> Option<&'a 
 fn the_modules_of_the_program_name_those_below_them() {
     let place = |name: &str| PROGRAM.iter().position(|module| *module == name.split("::").next().unwrap_or(name));
     let mut wrong = String::new();
-    for (module, file) in modules(&Path::new(ROOT).join("src")).iter().filter(|(name, _)| *name != "lib") {
+    for (module, file) in modules(&root().join("src")).iter().filter(|(name, _)| *name != "lib") {
         let own = place(module).unwrap_or_else(|| panic!("`{module}` is not in the table of the program's modules"));
         for Named { line, path } in named(module, &code(&std::fs::read_to_string(file).unwrap())) {
             if place(&path).is_some_and(|other| other > own) {

@@ -1,6 +1,7 @@
 //! The catalogue of messages: every call names a text of all languages with its arguments, every text is called, and every
 //! message is explained.
 
+use crate::support::root;
 use etalon::base::catalogue::{FILES, LANGUAGES, entries};
 use fluent_syntax::ast;
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
@@ -238,7 +239,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
 
 /// Calls of each folder of `src`.
 fn calls() -> BTreeMap<String, Calls> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let src = root().join("src");
     let mut files = Vec::new();
     sources(&src, &mut files);
     let mut all: BTreeMap<String, Calls> = BTreeMap::new();
@@ -433,7 +434,7 @@ fn is_named(tests: &str, id: &str) -> bool {
 
 #[test]
 fn every_message_is_named_by_a_test_or_states_why_not() {
-    let (root, mut text) = (Path::new(env!("CARGO_MANIFEST_DIR")), String::new());
+    let (root, mut text) = (root(), String::new());
     tests(&root.join("src"), false, &mut text);
     tests(&root.join("tests"), true, &mut text);
     let called = calls();
@@ -504,7 +505,7 @@ fn tests_name_messages_by_their_ids() {
             messages.push('\n');
         }
     }
-    let (root, mut text) = (Path::new(env!("CARGO_MANIFEST_DIR")), String::new());
+    let (root, mut text) = (root(), String::new());
     tests(&root.join("src"), false, &mut text);
     tests(&root.join("tests"), true, &mut text);
     let mut all = Vec::new();

@@ -1,6 +1,8 @@
 //! What the program is built from, by the lists of deny.toml: licences, banned crates, sources.
 
+use crate::support::root;
 use serde_json::Value;
+use std::path::Path;
 use std::process::Command;
 
 /// Whether one of the alternatives of an SPDX expression has nothing but allowed licences.
@@ -43,8 +45,8 @@ fn expressions_of_licences_are_read_as_spdx_defines_them() {
 
 #[test]
 fn dependencies_are_those_that_deny_toml_allows() {
-    let root = env!("CARGO_MANIFEST_DIR");
-    let deny = std::fs::read_to_string(format!("{root}/deny.toml")).unwrap();
+    let root = root();
+    let deny = std::fs::read_to_string(root.join("deny.toml")).unwrap();
     let deny: toml::Table = toml::from_str(&deny).unwrap();
     let licences: Vec<&str> = deny["licenses"]["allow"].as_array().unwrap().iter().filter_map(|l| l.as_str()).collect();
     let banned = deny["bans"]["deny"].as_array().unwrap();
@@ -71,7 +73,7 @@ fn dependencies_are_those_that_deny_toml_allows() {
             wrong.push(format!("{name} {version}: licence {licence:?}"));
         }
         let manifest = package["manifest_path"].as_str().unwrap();
-        let local = package["source"].is_null() && manifest.starts_with(root);
+        let local = package["source"].is_null() && Path::new(manifest).starts_with(root);
         if !local && !package["source"].as_str().is_some_and(|source| source.starts_with("registry+")) {
             wrong.push(format!("{name} {version} is not from a registry"));
         }

@@ -1,10 +1,9 @@
 //! Mechanical rules of plain English for the comments of the source code.
 
+use crate::support::root;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Maximum width of a line that holds only a comment (columns).
 const MAX_WIDTH: usize = 100;
@@ -137,7 +136,7 @@ fn files() -> Vec<(String, PathBuf)> {
             }
         }
     }
-    let (src, mut found) = (Path::new(ROOT).join("src"), Vec::new());
+    let (src, mut found) = (root().join("src"), Vec::new());
     walk(&src, &mut found);
     found.sort();
     let name = |path: &Path| {
@@ -153,7 +152,7 @@ fn comments_keep_the_mechanical_rules_of_plain_english() {
     let mut found: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for (name, path) in files() {
         let of_crate = found.entry(name).or_default();
-        let shown = path.strip_prefix(ROOT).unwrap().display();
+        let shown = path.strip_prefix(root()).unwrap().display();
         for comment in comments(&std::fs::read_to_string(&path).unwrap()) {
             of_crate.extend(violations(&comment).into_iter().map(|(line, rule)| format!("{shown}:{line}: {rule}")));
         }

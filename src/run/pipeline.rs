@@ -245,7 +245,10 @@ mod tests {
             }
         }
         let folder = tempfile::tempdir().unwrap();
-        copy_all(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample), folder.path());
+        copy_all(
+            &PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap()).join("samples").join(sample),
+            folder.path(),
+        );
         let text = std::fs::read_to_string(folder.path().join("campaign.toml")).unwrap();
         std::fs::write(folder.path().join("campaign.toml"), text + more).unwrap();
         for (name, text) in others {

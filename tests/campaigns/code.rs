@@ -3,13 +3,13 @@
 
 use super::controllers::{disturbed, etalon, parameters};
 use crate::support::controller_files::galil_prexyt;
+use crate::support::root;
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
 use etalon::robots::{Kinematics, Quantity, Robot};
 use std::io::Write;
-use std::path::Path;
 use std::process::{Command, Stdio};
 
 const POSES: usize = 10_000;
@@ -23,7 +23,7 @@ struct Exported {
 
 impl Exported {
     fn new(robot: &str, format: &str) -> Self {
-        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(robot);
+        let file = root().join(robot);
         let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
         let mut values = disturbed(robot.as_ref(), &["gain_1", "gain_5", "gain_elbow"]);
         for (value, p) in values.iter_mut().zip(robot.parameters()) {
@@ -248,7 +248,7 @@ fn structured_text_computes_what_the_program_does() {
     if Command::new("python3").arg("--version").output().is_err() {
         return crate::support::skipped("python3");
     }
-    let interpreter = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/structured_text.py");
+    let interpreter = root().join("tests/support/structured_text.py");
     for robot in ROBOTS {
         for (format, file) in [
             ("structured-text", "etalon_kinematics.st"),

@@ -1,6 +1,7 @@
 //! Files for controllers of one kind of robot: what an independent reader makes of them is the identified robot.
 
 use crate::support::controller_files::{genserkins, universal_robots};
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::Argument;
 use etalon::base::pose::{Pose, minus, norm};
@@ -74,7 +75,7 @@ fn reads_as_the_identified_robot(urdf: &Path, robot: &dyn Robot, values: &[f64])
     };
     let input = urdf.with_file_name("joints.jsonl");
     std::fs::write(&input, cases.iter().map(line).collect::<String>()).unwrap();
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support/urdf_direct.py");
+    let script = root().join("tests/support/urdf_direct.py");
     let mut reader = Command::new("python3");
     let reader = reader.arg("-B").arg(script).arg(urdf).args(["base_link", "tool"]);
     let Ok(output) = reader.stdin(std::fs::File::open(input).unwrap()).output() else {
@@ -154,7 +155,7 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
 
 #[test]
 fn a_universal_robots_calibration_is_the_identified_arm() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     for file in ["docs/keys/robot-serial-dh.toml", "samples/abb-irb120/robot.toml"] {
         let file = root.join(file);
         let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
@@ -231,7 +232,7 @@ fn table(convention: &str, rows: &[[f64; 4]]) -> String {
 
 /// Geometry of makers, as `etalon init --robot` has it: name, key of the table, rows.
 fn published() -> Vec<(String, String, toml::Value)> {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/src/tasks/known_robots.toml")).unwrap();
+    let text = std::fs::read_to_string(root().join("src/tasks/known_robots.toml")).unwrap();
     let all: toml::Table = text.parse().unwrap();
     let of = |robot: &toml::Value| {
         let key = ["dh", "mdh", "poe"].into_iter().find(|key| robot.get(key).is_some())?;
@@ -344,7 +345,7 @@ fn a_universal_robots_arm_is_known_as_a_urdf() {
 
 #[test]
 fn an_export_for_universal_robots_names_an_arm_of_another_maker() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     for (file, named) in [("docs/keys/robot-serial-dh.toml", false), ("samples/abb-irb120/robot.toml", true)] {
         let file = root.join(file);
         let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
@@ -435,7 +436,7 @@ fn a_universal_robots_file_has_the_frames_of_the_maker_wherever_the_arm_stands()
 
 #[test]
 fn genserkins_has_the_axes_of_the_identified_arm() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     // with errors, and without: parallel axes have no common normal of their own
     for (file, errors) in [
         ("samples/abb-irb120/robot.toml", true),
@@ -490,7 +491,7 @@ fn point_error(target: &str) -> PointError {
 /// What a format writes of its robot with nominal parameters, for a campaign and a robot of these names.
 fn written(format: &str, campaign: &str, robot_name: &str) -> Vec<u8> {
     let scratch = Scratch::with(&[]);
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(robot_of(format));
+    let file = root().join(robot_of(format));
     let file = read_robot(&file).unwrap();
     let robot = file.build(&["tool".to_owned()]).unwrap();
     let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
@@ -644,7 +645,7 @@ fn a_target_of_any_name_is_recorded_in_the_world() {
 #[test]
 fn a_recording_without_measured_points_is_refused() {
     let scratch = Scratch::with(&[]);
-    let file = read_robot(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm/robot.toml")).unwrap();
+    let file = read_robot(&root().join("samples/column-arm/robot.toml")).unwrap();
     let robot = file.build(&["tool".to_owned()]).unwrap();
     let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
     let (code, said) = etalon(&["export", &found, "--format", "mcap"]);

@@ -1,12 +1,12 @@
 //! What parameters mean: every model explains and draws its own.
 
+use crate::support::root;
 use etalon::campaign::read_robot;
 use etalon::robots::{Quantity, Role};
-use std::path::Path;
 
 #[test]
 fn every_parameter_has_a_meaning_and_every_length_that_is_drawn_is_in_a_sketch() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     for (file, apart) in [
         ("samples/prexyt-cmm/robot.toml", false),
         ("samples/dextar/robot.toml", false),

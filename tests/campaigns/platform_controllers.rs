@@ -2,16 +2,16 @@
 
 use super::controllers::{disturbed, etalon, parameters};
 use crate::support::controller_files::{Towers, after, five_bar, genhexkins, rotarydeltakins};
+use crate::support::root;
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::campaign::read_robot;
 use etalon::robots::Robot;
-use std::path::Path;
 
 /// The robot of an example with these values, and the file of a format.
 fn exported(model: &str, format: &str, change: impl Fn(&dyn Robot) -> Vec<f64>) -> (Box<dyn Robot>, Vec<f64>, String) {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/keys/robot-{model}.toml"));
+    let file = root().join(format!("docs/keys/robot-{model}.toml"));
     let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
     let values = change(robot.as_ref());
     let scratch = Scratch::with(&[]);
@@ -109,7 +109,7 @@ fn m669_has_the_links_of_the_identified_five_bar() {
 #[test]
 fn formats_of_other_robots_are_refused() {
     let scratch = Scratch::with(&[]);
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys/robot-serial-dh.toml");
+    let file = root().join("docs/keys/robot-serial-dh.toml");
     let robot = read_robot(&file).unwrap().build(&["tool".to_owned()]).unwrap();
     let found = parameters(&scratch, robot.as_ref(), &robot.nominal());
     for format in ["linuxcnc-hexapod", "linuxcnc-delta", "klipper-delta", "reprap-delta", "reprap-five-bar"] {

@@ -1,6 +1,7 @@
 //! The robot file beside parameters is compared with the robot whose parameters were identified: its geometry, not its text.
 
 use super::controllers::{etalon, parameters};
+use crate::support::root;
 use crate::support::said::Says;
 use crate::support::scratch::Scratch;
 use etalon::campaign::read_robot;
@@ -32,7 +33,7 @@ const ROBOTS: [&str; 14] = [
 const ELASTIC: &str = "samples/elastic-arm/robot.toml";
 
 fn path(robot: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(robot)
+    root().join(robot)
 }
 
 fn build(file: &Path) -> Box<dyn Robot> {

@@ -1,6 +1,7 @@
 //! Whole campaigns: simulate → run gives the truth, the same bytes every time, whatever the number of threads.
 
 use crate::support::documents_of;
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use etalon::documents::ParameterStatus;
@@ -144,7 +145,7 @@ fn report_and_controller_files_are_made_again_from_the_output_folder_alone() {
 
 #[test]
 fn every_synthetic_sample_is_made_again_from_its_truth() {
-    let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+    let samples = root().join("samples");
     for sample in std::fs::read_dir(&samples).unwrap().flatten().map(|entry| entry.path()) {
         if !sample.join("truth.toml").exists() {
             continue;

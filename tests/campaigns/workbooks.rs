@@ -1,17 +1,18 @@
 //! Workbooks that other programs wrote: `tests/workbooks` holds made-up points (synthetic) under a title and a head, as
 //! openpyxl 3.1 wrote them, and as LibreOffice Calc 7.4 saved that file again (strings shared, formulas with their value).
 
+use crate::support::root;
 use crate::support::scratch::copy_sample;
 use etalon::base::phrase;
 use etalon::campaign::Campaign;
 use etalon::formats::propose_file;
 use etalon::stages::gather::gather;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const SHEET: &str = "Points (mm)";
 
 pub fn workbook(program: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/workbooks").join(format!("synthetic-{program}.xlsx"))
+    root().join("tests/workbooks").join(format!("synthetic-{program}.xlsx"))
 }
 
 /// Points of the sheet by label, and the lines of rows that are refused.

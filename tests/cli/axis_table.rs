@@ -2,12 +2,12 @@
 
 use super::{etalon, text};
 use crate::campaigns::controllers::{disturbed, parameters};
+use crate::support::root;
 use crate::support::said::Says;
 use crate::support::scratch::Scratch;
 use etalon::base::pose::{minus, norm};
 use etalon::campaign::read_robot;
 use etalon::robots::Robot;
-use std::path::Path;
 
 /// Two slides one above the other, a cross table.
 const CROSS: &str = "name = \"cross\"\nmodel = \"serial\"\nconvention = \"poe\"\nflange_xyz_mm = [0.0, 0.0, 80.0]\nflange_rpy_deg = [0.0, 0.0, 0.0]\n[[joint]]\nprismatic = true\n\
@@ -43,7 +43,7 @@ impl Identified {
 }
 
 fn sample(robot: &str) -> String {
-    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(robot)).unwrap()
+    std::fs::read_to_string(root().join(robot)).unwrap()
 }
 
 /// The values of lines `NAME VALUE` or `NAME=VALUE` of a table, by the whole name.

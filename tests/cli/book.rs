@@ -1,15 +1,14 @@
 //! The book: its commands run, its files are complete, its links lead somewhere, its paragraphs are short.
 
 use crate::support::pages::blocks;
+use crate::support::root;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
-
 /// Pages of a folder of the book.
 fn pages(folder: &str) -> Vec<PathBuf> {
-    let entries = fs::read_dir(Path::new(ROOT).join("docs").join(folder)).unwrap().flatten().map(|entry| entry.path());
+    let entries = fs::read_dir(root().join("docs").join(folder)).unwrap().flatten().map(|entry| entry.path());
     let mut pages: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|e| e == "md")).collect();
     pages.sort();
     pages
@@ -34,7 +33,7 @@ fn shows(expected: &[String], shown: &str) -> bool {
 fn run(page: &Path) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     for part in ["samples", "python/examples"] {
-        let copy = Command::new("cp").args(["-r", "--parents", part]).arg(folder.path()).current_dir(ROOT).status();
+        let copy = Command::new("cp").args(["-r", "--parents", part]).arg(folder.path()).current_dir(root()).status();
         assert!(copy.unwrap().success());
     }
     let program = Path::new(crate::support::program()).parent().unwrap();
@@ -84,7 +83,7 @@ fn expected_lines_are_compared() {
 
 /// Pages in the table of contents, in order, and the shelf of each.
 fn contents() -> Vec<(String, String)> {
-    let summary = fs::read_to_string(Path::new(ROOT).join("docs/SUMMARY.md")).unwrap();
+    let summary = fs::read_to_string(root().join("docs/SUMMARY.md")).unwrap();
     let mut shelf = String::new();
     let mut all = Vec::new();
     for line in summary.lines() {
@@ -103,7 +102,7 @@ const FOLDERS: [&str; 4] = ["", "learn", "how-to", "explanation"];
 /// Every page is in the table of contents, and every page in it exists. The generated page of messages is the last.
 #[test]
 fn the_table_of_contents_has_every_page() {
-    let docs = Path::new(ROOT).join("docs");
+    let docs = root().join("docs");
     let contents = contents();
     let named: Vec<&str> = contents.iter().map(|(name, _)| name.as_str()).collect();
     let missing: Vec<&&str> = named.iter().filter(|name| !docs.join(name).is_file()).collect();
@@ -134,7 +133,7 @@ fn anchors(page: &str) -> Vec<String> {
 /// Links lead to files and headings; links of the book lead to its pages and pictures, which the built book contains.
 #[test]
 fn links_lead_somewhere() {
-    let (mut wrong, docs) = (Vec::new(), Path::new(ROOT).join("docs"));
+    let (mut wrong, docs) = (Vec::new(), root().join("docs"));
     let named: Vec<PathBuf> = contents().iter().map(|(name, _)| docs.join(name)).collect();
     for page in crate::support::pages::pages() {
         let text = fs::read_to_string(&page).unwrap();
@@ -182,9 +181,7 @@ fn pages_are_short() {
     assert!(long.is_empty(), "{long:?}");
     let book = contents().into_iter().filter(|(name, _)| name != "messages.md");
     let whole: usize = book
-        .map(|(name, _)| {
-            fs::read_to_string(Path::new(ROOT).join("docs").join(name)).unwrap().split_whitespace().count()
-        })
+        .map(|(name, _)| fs::read_to_string(root().join("docs").join(name)).unwrap().split_whitespace().count())
         .sum();
     assert!(whole <= 60_000, "{whole} words");
 }
@@ -201,14 +198,14 @@ fn paragraphs_are_short() {
             assert!(paragraph.lines().count() <= 5, "{}:\n{paragraph}", page.display());
         }
     }
-    let readme = fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap();
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
     assert!(readme.lines().count() <= 70, "README.md has {} lines", readme.lines().count());
 }
 
 /// Figures of the book are those that the script draws from numbers of this program; `ETALON_UPDATE=1` draws them again.
 #[test]
 fn figures_are_current() {
-    let figures = Path::new(ROOT).join("docs/figures");
+    let figures = root().join("docs/figures");
     let folder = tempfile::tempdir().unwrap();
     let to = if std::env::var_os("ETALON_UPDATE").is_some() { figures.as_path() } else { folder.path() };
     let mut python = Command::new("python3");
@@ -218,7 +215,7 @@ fn figures_are_current() {
     let drawn: Vec<PathBuf> = fs::read_dir(to).unwrap().flatten().map(|entry| entry.path()).collect();
     let drawn: Vec<&PathBuf> = drawn.iter().filter(|path| path.extension().is_some_and(|e| e == "svg")).collect();
     assert!(drawn.len() >= 12, "{drawn:?}");
-    let gallery = fs::read_to_string(Path::new(ROOT).join("docs/gallery.md")).unwrap();
+    let gallery = fs::read_to_string(root().join("docs/gallery.md")).unwrap();
     for path in drawn {
         let name = path.file_name().unwrap().to_string_lossy();
         assert_eq!(fs::read_to_string(path).unwrap(), fs::read_to_string(figures.join(&*name)).unwrap(), "{name}");

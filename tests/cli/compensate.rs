@@ -2,13 +2,14 @@
 
 use super::{etalon, text};
 use crate::campaigns::controllers::{disturbed, parameters};
+use crate::support::root;
 use crate::support::said::{Says, has};
 use crate::support::scratch::Scratch;
 use etalon::base::phrase;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::read_robot;
 use etalon::documents::CompensationDocument;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A robot that differs from its drawing as calibrations find it, in a folder.
 struct Real {
@@ -19,7 +20,7 @@ struct Real {
 
 impl Real {
     fn new(robot: &str) -> Self {
-        let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join(robot);
+        let robot = root().join(robot);
         let scratch = Scratch::with(&[]);
         let model = read_robot(&robot).unwrap().build(&["tool".to_owned()]).unwrap();
         let parameters = parameters(&scratch, model.as_ref(), &disturbed(model.as_ref(), &[]));

@@ -1,6 +1,7 @@
 //! `etalon iso9283`: recorded motions, paths, loads and plans of tests.
 
 use super::{etalon, text_of};
+use crate::support::root;
 use crate::support::said::Says;
 use etalon::base::pose::Pose;
 use etalon::base::pose_name::PoseName;
@@ -306,17 +307,30 @@ fn an_instrument_that_was_turned_changes_neither_position_nor_orientation() {
 fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    let dextar = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/dextar/robot.toml");
     let answer = |robot: &str, workspace: &str| {
+        let robot = root().join(format!("samples/{robot}/robot.toml"));
         // a folder each: nothing is written over what is there
         let to = if workspace == "350,250,430,330" { "test" } else { workspace };
-        let arguments = ["iso9283", "--plan", "--json", "--write", to, "--robot", robot, "--workspace-mm", workspace];
+        let arguments = [
+            "iso9283",
+            "--plan",
+            "--json",
+            "--write",
+            to,
+            "--robot",
+            robot.to_str().unwrap(),
+            "--workspace-mm",
+            workspace,
+        ];
         super::etalon(here, &arguments)
     };
-    let inside = answer(dextar, "350,250,430,330");
+    let inside = answer("dextar", "350,250,430,330");
     assert_eq!(inside.status.code(), Some(0), "{}", text_of(&inside));
     let document: Iso9283PlanDocument = serde_json::from_slice(&inside.stdout).unwrap();
-    let robot = etalon::campaign::read_robot(Path::new(dextar)).unwrap().build(&["tool".to_owned()]).unwrap();
+    let robot = etalon::campaign::read_robot(&root().join("samples/dextar/robot.toml"))
+        .unwrap()
+        .build(&["tool".to_owned()])
+        .unwrap();
     for places in &document.places {
         for (point, joints) in places.points.iter().zip(&places.joints) {
             let joints = joints.as_ref().unwrap();
@@ -325,20 +339,19 @@ fn a_plan_says_what_the_robot_reaches_and_with_which_joint_values() {
             assert!((x - point["x_mm"]).abs() < 1e-9 && (y - point["y_mm"]).abs() < 1e-9, "{} {point:?}", places.name);
         }
     }
-    let again = answer(dextar, "350,250,430,330");
+    let again = answer("dextar", "350,250,430,330");
     assert!(again.status.code() == Some(2) && text_of(&again).contains("error[file-exists]"), "{}", text_of(&again));
     let table = std::fs::read_to_string(here.join("test/poses-joints.csv")).unwrap();
     assert!(table.starts_with("pose,assembly,theta1_deg,theta2_deg\n1,") && table.lines().count() == 6, "{table}");
-    let outside = answer(dextar, "300,200,2300,2200");
+    let outside = answer("dextar", "300,200,2300,2200");
     assert_eq!(outside.status.code(), Some(1));
     let document: Iso9283PlanDocument = serde_json::from_slice(&outside.stdout).unwrap();
     assert!(document.unreached.iter().any(|u| u.places == "poses" && u.point == 5), "{:?}", document.unreached);
     assert!(text_of(&outside).contains("warning[test-point-unreached]"));
 
-    let prexyt = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/robot.toml");
-    let table = answer(prexyt, "150,50,1150,1050");
+    let table = answer("prexyt-cmm", "150,50,1150,1050");
     assert_eq!(table.status.code(), Some(1), "{}", text_of(&table));
     assert!(text_of(&table).contains("its travel is 0 to"), "{}", text_of(&table));
-    let arm = answer(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml"), "300,-250,900,350");
+    let arm = answer("abb-irb120", "300,-250,900,350");
     assert!(arm.status.code() == Some(2) && text_of(&arm).contains("model `serial`"), "{}", text_of(&arm));
 }

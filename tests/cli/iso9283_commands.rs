@@ -1,16 +1,17 @@
 //! `etalon iso9283 pose | path | compliance | plan`: the same as by options, and repeatability without commanded poses.
 
 use super::{etalon, text, text_of};
+use crate::support::root;
 use crate::support::said::Says;
 use serde_json::Value;
-use std::path::Path;
+use std::path::PathBuf;
 
-fn sample() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/pose-test"))
+fn sample() -> PathBuf {
+    root().join("samples/pose-test")
 }
 
 fn json(arguments: &[&str]) -> Value {
-    let output = etalon(sample(), arguments);
+    let output = etalon(&sample(), arguments);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", text_of(&output));
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -58,12 +59,12 @@ fn repeatability_needs_no_commanded_poses() {
         }
         assert!(alone.get("ap_a_deg").is_none());
     }
-    let output = etalon(sample(), &["iso9283", "pose", "poses.csv", "--all", "--json"]);
+    let output = etalon(&sample(), &["iso9283", "pose", "poses.csv", "--all", "--json"]);
     assert!(text_of(&output).contains("warning[commanded-missing]"), "{}", text_of(&output));
     let all: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(all["distances"].as_array().unwrap().is_empty() && all["drifts"].as_array().unwrap().is_empty());
     assert!(all["conventions"].to_string().contains("no commanded poses: AP, distances and drift are not determined"));
-    let printed = etalon(sample(), &["iso9283", "pose", "poses.csv", "--rp-limit-mm", "0.5"]);
+    let printed = etalon(&sample(), &["iso9283", "pose", "poses.csv", "--rp-limit-mm", "0.5"]);
     assert_eq!(printed.status.code(), Some(0), "{}", text_of(&printed));
     assert!(text(&printed.stdout).contains("RP"));
 }
@@ -79,7 +80,7 @@ fn options_that_contradict_are_refused() {
         (&["iso9283", "poses.csv", "--workspace-mm", "1,2,3,4"], "--workspace-mm"),
         (&["iso9283", "path", "nothing.csv"], "nothing.csv"),
     ] {
-        let output = etalon(sample(), arguments);
+        let output = etalon(&sample(), arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(text_of(&output).says(part), "{arguments:?}: {}", text_of(&output));
     }

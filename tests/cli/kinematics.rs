@@ -1,12 +1,9 @@
 //! `etalon kinematics`: joint values to poses and back, for every model.
 
 use super::{etalon, text};
+use crate::support::root;
 use crate::support::said::Says;
 use std::path::{Path, PathBuf};
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// The answer to a table, its exit code and what stderr says.
 fn kinematics(direction: &str, robot: &Path, table: &str, more: &[&str]) -> (String, Option<i32>, String) {

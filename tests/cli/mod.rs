@@ -35,6 +35,7 @@ mod talk;
 mod tracim;
 mod verdict;
 
+use crate::support::root;
 use crate::support::said::Says;
 use crate::support::scratch::copy_sample;
 use etalon::base::catalogue::IntoArgument;
@@ -89,7 +90,7 @@ fn init_names_the_schemas_of_its_files() {
 #[test]
 fn init_takes_the_robot_of_a_urdf() {
     let folder = tempfile::tempdir().unwrap();
-    let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm/arm.urdf");
+    let urdf = root().join("samples/column-arm/arm.urdf");
     let made = etalon(folder.path(), &["init", "mine", "--urdf", urdf.to_str().unwrap()]);
     assert_eq!(
         text(&made.stdout),
@@ -161,8 +162,8 @@ fn init_has_the_geometry_of_robots() {
     let ur5e = &poses("ur5e/robot.toml")[0];
     assert!(near(&ur5e[1..4], &[-817.2, -232.9, 62.8]), "{ur5e:?}");
     // the axes of the URDF and the table by the drawing
-    let drawn = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/abb-irb120/robot.toml");
-    let (urdf, drawn) = (poses("irb120/robot.toml"), poses(drawn));
+    let drawn = root().join("samples/abb-irb120/robot.toml");
+    let (urdf, drawn) = (poses("irb120/robot.toml"), poses(drawn.to_str().unwrap()));
     assert!(urdf.iter().zip(&drawn).all(|(a, b)| near(&a[1..4], &b[1..4])), "{urdf:?} {drawn:?}");
     let Some(arm) = crate::reference_data("robots/hilti_column") else { return };
     // the same arm as its user has it, with quarter turns rounded to 0.2 mrad

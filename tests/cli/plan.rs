@@ -2,6 +2,7 @@
 
 use super::{etalon, text, text_of};
 use crate::support::five_bar::{SEVEN, holes, robot};
+use crate::support::root;
 use crate::support::said::Says;
 use etalon::documents::PlanDocument;
 use etalon::robots::Robot;
@@ -99,7 +100,7 @@ fn what_is_out_of_reach_is_told_and_never_chosen() {
         std::fs::write(folder.path().join("robot.toml"), robot).unwrap();
         std::fs::write(folder.path().join("c.csv"), csv).unwrap();
     };
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm/robot.toml");
+    let sample = root().join("samples/prexyt-cmm/robot.toml");
     let prexyt = std::fs::read_to_string(sample).unwrap();
     let csv = "pose,rho1_mm,rho2_mm,rho3_mm\n1,0,300,300\n2,0,0,256\n3,0,300,44\n4,0,0,0\n5,170,300,300\n6,170,0,256\n\
                7,170,300,44\n8,170,0,0\n9,170.001,0,0\n10,0,-1,0\n";
@@ -136,7 +137,7 @@ fn what_is_out_of_reach_is_told_and_never_chosen() {
 #[test]
 fn eight_poses_of_the_prexyt_are_better_than_the_corners() {
     let folder = tempfile::tempdir().unwrap();
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm/robot.toml");
+    let sample = root().join("samples/prexyt-cmm/robot.toml");
     std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
     // set 1 of figure 3.5 as in the sample, then a grid of actuator values with less than 35 degrees between rails
     let corners = [
@@ -178,7 +179,7 @@ fn eight_poses_of_the_prexyt_are_better_than_the_corners() {
 #[test]
 fn an_irb120_is_planned_with_its_redundant_parameters_named() {
     let folder = tempfile::tempdir().unwrap();
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let sample = root().join("samples/abb-irb120/robot.toml");
     std::fs::copy(sample, folder.path().join("robot.toml")).unwrap();
     let mut csv = "pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n".to_owned();
     let mut noise = etalon::base::noise::Noise::new(3, 0);
@@ -210,7 +211,7 @@ fn an_irb120_is_planned_with_its_redundant_parameters_named() {
 #[test]
 fn a_plan_writes_its_report_its_targets_and_a_simulated_calibration() {
     let folder = tempfile::tempdir().unwrap();
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/dextar");
+    let sample = root().join("samples/dextar");
     for file in ["robot.toml", "candidates.csv", "actual.toml", "plate.csv"] {
         std::fs::copy(sample.join(file), folder.path().join(if file == "candidates.csv" { "c.csv" } else { file }))
             .unwrap();

@@ -1,6 +1,7 @@
 //! Candidates that `etalon plan --generate` draws, their order, and measuring programs: everything is computed again here.
 
 use super::{etalon, text_of};
+use crate::support::root;
 use etalon::base::pose::{cross, dot, minus, norm};
 use etalon::controllers::commands::{Freedoms, language};
 use etalon::documents::PlanDocument;
@@ -49,7 +50,7 @@ fn at(q_deg: &[f64], point: [f64; 3]) -> [f64; 3] {
 }
 
 fn copy_robot(sample: &str, folder: &Path) {
-    let robot = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample).join("robot.toml");
+    let robot = root().join("samples").join(sample).join("robot.toml");
     std::fs::copy(robot, folder.join("robot.toml")).unwrap();
 }
 

@@ -1,13 +1,14 @@
 //! `etalon robot convert`: an arm in another convention moves alike, and what is lost is said.
 
 use super::{etalon, text};
+use crate::support::root;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::read_robot;
 use std::path::{Path, PathBuf};
 
 fn sample(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name).join("robot.toml")
+    root().join("samples").join(name).join("robot.toml")
 }
 
 /// Pose of the flange at joint values.

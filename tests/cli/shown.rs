@@ -1,12 +1,11 @@
 //! Everything that pages show is read by the program: blocks of TOML, commands outside of `console` blocks, names of sections.
 
 use crate::support::pages::{Block, blocks, pages, shown};
+use crate::support::root;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// Errors of a fragment that the rest of its file and the files that it names would remove.
 const OF_THE_REST: [&str; 9] = [
@@ -48,7 +47,7 @@ fn refused(text: &str, table: &toml::Table) -> Vec<String> {
         wrong.is_empty()
     };
     for robot in ROBOTS {
-        fs::copy(Path::new(ROOT).join(robot), at.join("robot.toml")).unwrap();
+        fs::copy(root().join(robot), at.join("robot.toml")).unwrap();
         if accepts("campaign.toml", errors(at, &["check", "."]), &OF_THE_REST) {
             return Vec::new();
         }
@@ -59,7 +58,7 @@ fn refused(text: &str, table: &toml::Table) -> Vec<String> {
     if accepts("robot.toml", found, &OF_THE_REST) {
         return Vec::new();
     }
-    let sample = Path::new(ROOT).join("samples/torque-arm");
+    let sample = root().join("samples/torque-arm");
     for file in ["campaign.toml", "robot.toml"] {
         fs::copy(sample.join(file), at.join(file)).unwrap();
     }

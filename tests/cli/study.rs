@@ -1,6 +1,7 @@
 //! `etalon study`, and errors of a simulated robot that no parameter describes.
 
 use super::etalon;
+use crate::support::root;
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, cmm_truth, copy_sample, ends, said};
 use etalon::base::pose::{Pose, Vector, minus};
@@ -9,7 +10,7 @@ use etalon::simulate::Truth;
 
 /// The study of the sample with few draws and commands.
 fn study(scratch: &Scratch, changes: &[(&str, &str)]) -> (Option<i32>, String, String) {
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm/study.toml");
+    let sample = root().join("samples/prexyt-cmm/study.toml");
     let text = std::fs::read_to_string(sample).unwrap();
     let few = [
         ("draws = 100", "draws = 6"),

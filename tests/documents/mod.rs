@@ -1,5 +1,6 @@
 //! Output folders that earlier versions wrote are read by today's program.
 
+use crate::support::root;
 use crate::support::scratch::copy_sample;
 use crate::support::{documents_of, program};
 use etalon::campaign::Campaign;
@@ -18,7 +19,7 @@ fn folders(root: &Path) -> Vec<PathBuf> {
 
 /// Stored output folders of all versions.
 fn stored() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/documents");
+    let root = root().join("tests/documents");
     folders(&root).iter().flat_map(|version| folders(version)).collect()
 }
 

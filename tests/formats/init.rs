@@ -1,6 +1,7 @@
 //! `etalon init --from`: a stranger's files become a campaign that runs, after the questions that `check` lists.
 
 use super::recordings::{Cdr, JOINTS, recording};
+use crate::support::root;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
@@ -597,7 +598,7 @@ fn the_tool_link_is_that_of_the_measured_points() {
 
 /// Points of both hands of the sample two-hands, with names of their own: rows of a table with all joints.
 fn rows_of_hands(rename: &dyn Fn(&str) -> String, keep: &dyn Fn(usize, &str) -> bool) -> String {
-    let sample = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/two-hands/observations.csv");
+    let sample = root().join("samples/two-hands/observations.csv");
     let text = std::fs::read_to_string(sample).unwrap();
     let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let header = lines.next().unwrap();
@@ -619,7 +620,7 @@ fn rows_of_hands(rename: &dyn Fn(&str) -> String, keep: &dyn Fn(usize, &str) -> 
 fn points_of_two_hands_are_branches() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let urdf = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/two-hands/two_hands.urdf");
+    let urdf = root().join("samples/two-hands/two_hands.urdf");
     std::fs::copy(urdf, at.join("body.urdf")).unwrap();
     let renamed = |target: &str| format!("SMR{}", ["L1", "R2", "L2", "R1"].iter().position(|t| *t == target).unwrap());
     let proposed = |rows: String| {

@@ -11,6 +11,7 @@ mod several;
 mod six_d;
 mod tables;
 
+use crate::support::root;
 use etalon::base::message::{Problems, SourceText};
 use etalon::documents::{FormatsDocument, Source, SourceKind};
 use etalon::formats::{Export, Log, TableReading, file_text, log, observations_with, propose_file};
@@ -46,7 +47,7 @@ struct Right {
 }
 
 fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats/corpus")
+    root().join("tests/formats/corpus")
 }
 
 fn corpus() -> Vec<Right> {

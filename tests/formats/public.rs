@@ -2,9 +2,10 @@
 //! them.
 
 use super::{Right, wrong};
+use crate::support::root;
 use etalon::formats::propose_file;
 use serde::Deserialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Deserialize)]
 struct Public {
@@ -21,7 +22,7 @@ struct Listed {
 }
 
 fn listed() -> Vec<Listed> {
-    let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats/public.toml");
+    let list = root().join("tests/formats/public.toml");
     toml::from_str::<Public>(&std::fs::read_to_string(list).unwrap()).unwrap().file
 }
 

@@ -2,6 +2,7 @@
 //! are synthetic, and written here by the specifications of their formats.
 
 use crate::hostile::logs::with_log;
+use crate::support::root;
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::formats::propose_file;
@@ -229,7 +230,7 @@ fn real_variables_of_matlab_are_read() {
 /// A database with the tables of rosbag2, written by SQLite 3.40 in pages of 512 bytes: messages are longer than a page.
 #[test]
 fn a_database_of_rosbag2_is_read_like_a_recording() {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats/bags/rosbag2.db3");
+    let path = root().join("tests/formats/bags/rosbag2.db3");
     let bytes = std::fs::read(&path).unwrap();
     let stated = "topic = \"/joint_states\"\ncolumns = { time_s = \"header.stamp\", \
                   a_rad = \"position.shoulder_with_a_long_name_0\", b_rad = \"position.shoulder_with_a_long_name_11\" }";

@@ -1,6 +1,7 @@
 //! `etalon formats A B ...`: the printed lines run as they are. All data are synthetic.
 
 use super::robot::{measured, program, robot};
+use crate::support::root;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -98,7 +99,7 @@ fn files_that_nothing_joins_and_rows_of_other_poses_are_doubted() {
 fn attained_and_commanded_poses_are_one_section() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
-    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formats/corpus");
+    let corpus = root().join("tests/formats/corpus");
     for name in ["own-poses.csv", "own-commanded.csv"] {
         std::fs::copy(corpus.join(name), at.join(name)).unwrap();
     }

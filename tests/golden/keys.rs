@@ -1,5 +1,6 @@
 //! Keys of `campaign.toml` and `robot.toml`: docs/*.md list them from the schemas, and every sample follows these.
 
+use crate::support::root;
 use etalon::robots::{Quantity, Role};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -331,7 +332,7 @@ fn read(path: &Path) -> toml::Value {
 
 /// Files of this name in the samples and in `src/cli/init`.
 fn samples(name: &str) -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let folders = std::fs::read_dir(root.join("samples")).unwrap().flatten().map(|entry| entry.path());
     let mut all: Vec<PathBuf> = folders.chain([root.join("src/cli/init")]).map(|folder| folder.join(name)).collect();
     all.retain(|path| path.is_file());
@@ -362,7 +363,7 @@ fn check_page(name: &str, page: &str, examples: &[PathBuf], more: &str) {
     let mut wrong = String::new();
     let list = listing(&schema, &read, &mut wrong) + more;
     assert!(wrong.is_empty(), "{name}:\n{wrong}");
-    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(page)).unwrap();
+    let text = std::fs::read_to_string(root().join(page)).unwrap();
     let (above, _) = text.split_once(MARK).expect("the page has the mark");
     super::compare(page, &format!("{above}{MARK}\n{}\n", list.trim_end()));
 }
@@ -377,7 +378,7 @@ fn check_values(name: &str, files: &[PathBuf]) {
 
 #[test]
 fn keys_of_campaigns_are_documented() {
-    let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys/campaign.toml");
+    let all = root().join("docs/keys/campaign.toml");
     let (_, problems) = etalon::campaign::Campaign::recover(&all).unwrap();
     let keys: Vec<_> = problems.0.iter().filter(|m| !m.what.contains("robot.toml")).collect();
     assert!(keys.is_empty(), "{keys:?}");
@@ -387,7 +388,7 @@ fn keys_of_campaigns_are_documented() {
 
 #[test]
 fn keys_of_robots_are_documented() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/keys");
+    let folder = root().join("docs/keys");
     let all = [
         "prexyt",
         "five_bar",

@@ -4,13 +4,13 @@ mod keys;
 mod motion;
 mod pose_test;
 
+use crate::support::root;
 use crate::support::scratch::copy_sample;
 use etalon::base::catalogue::{Entry, entries};
 use etalon::documents::{Explanation, ExplanationDocument};
-use std::path::Path;
 
 fn compare(path: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let path = root().join(path);
     if std::env::var_os("ETALON_UPDATE").is_some() {
         std::fs::write(&path, text).unwrap();
     }

@@ -2,6 +2,7 @@
 //! name is executed or steers a terminal.
 
 use super::links;
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon, said};
 use crate::support::{Ended, program, run_for};
 use etalon::base::noise::Noise;
@@ -174,7 +175,7 @@ fn make(folder: &Path, arguments: &[&OsStr]) -> Ended {
     let mut command = Command::new("make");
     let program = program();
     command.args(["-s", "-o", program, &format!("ETALON={program}"), "CARGO_TARGET_DIR=target"]);
-    command.args(["-f", concat!(env!("CARGO_MANIFEST_DIR"), "/Makefile")]).args(arguments);
+    command.arg("-f").arg(root().join("Makefile")).args(arguments);
     for inherited in ["MAKEFLAGS", "MFLAGS", "MAKELEVEL", "CAMPAIGNS"] {
         command.env_remove(inherited);
     }

@@ -1,5 +1,6 @@
 //! Data that look sound and are not, or are sound and too many: refused by name, or read in time and memory that grow with them.
 
+use crate::support::root;
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends, said};
 
@@ -155,7 +156,7 @@ fn counts_are_bounded_before_anything_is_allocated() {
         simulate("count = 36", &format!("count = {count}"), &parts);
         simulate("repeats = 5", &format!("repeats = {count}"), &parts);
     }
-    let study = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/samples/prexyt-cmm/study.toml")).unwrap();
+    let study = std::fs::read_to_string(root().join("samples/prexyt-cmm/study.toml")).unwrap();
     for (from, to, part) in [
         ("draws = 100", "draws = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),
         ("runs = 5", "runs = 9223372036854775807", "9223372036854775807 is not a count from 0 to 1000000"),

@@ -16,6 +16,7 @@ mod set_ups;
 mod simulate;
 mod tests_of_robots;
 
+use crate::support::root;
 use etalon::base::catalogue::Argument;
 use etalon::base::message::Message;
 use etalon::cli::{Answer, answer};
@@ -37,7 +38,7 @@ const CHECK: &str = "check @";
 const RUN: &str = "run @";
 
 fn samples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("samples")
+    root().join("samples")
 }
 
 /// A copy of a sample with its output, which is computed once.

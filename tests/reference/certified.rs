@@ -2,6 +2,7 @@
 //! nothing with etalon. Synthetic.
 
 use crate::support::documents_of;
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::campaign::Campaign;
 use serde_json::Value;
@@ -12,14 +13,14 @@ use std::process::Command;
 /// Number of reference campaigns.
 const CAMPAIGNS: usize = 12;
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/reference")
+fn archive() -> PathBuf {
+    root().join("samples/reference")
 }
 
 /// Names of the reference campaigns.
 fn names() -> Vec<String> {
     let folders =
-        std::fs::read_dir(root()).unwrap().flatten().filter(|entry| entry.path().join("certified.json").exists());
+        std::fs::read_dir(archive()).unwrap().flatten().filter(|entry| entry.path().join("certified.json").exists());
     let mut names: Vec<String> = folders.map(|entry| entry.file_name().into_string().unwrap()).collect();
     names.sort();
     names
@@ -30,7 +31,7 @@ fn read(path: &Path) -> Value {
 }
 
 fn certified(name: &str) -> Value {
-    read(&root().join(name).join("certified.json"))
+    read(&archive().join(name).join("certified.json"))
 }
 
 fn items(value: &Value) -> &[Value] {
@@ -136,7 +137,7 @@ fn every_reference_campaign_has_its_certified_values() {
     for name in names {
         let certified = certified(&name);
         for (file, sha256) in certified["files"].as_object().unwrap() {
-            let bytes = std::fs::read(root().join(&name).join(file)).unwrap();
+            let bytes = std::fs::read(archive().join(&name).join(file)).unwrap();
             assert_eq!(etalon::base::files::sha256(&bytes), text(sha256), "{name}/{file}");
         }
         let shares = Shares::of(&copy_sample(&format!("reference/{name}")), &certified);
@@ -175,7 +176,7 @@ fn one_changed_digit_is_beyond_the_permissible_errors() {
 #[test]
 fn the_archive_is_complete_and_reproducible() {
     let made = |folder: &Path| {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/campaigns/archive.sh");
+        let script = root().join("tests/reference/campaigns/archive.sh");
         let output = Command::new("bash").arg(script).arg(folder).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         folder.join("etalon-reference-1.tar.gz")

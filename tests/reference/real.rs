@@ -1,11 +1,12 @@
 //! `make real` with the files of the reference folder instead of the network.
 
+use crate::support::root;
 use std::path::Path;
 use std::process::{Command, Output};
 
 /// Runs the script on the files in `source`.
 fn real(source: &Path, folder: &Path) -> Output {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real/real.sh");
+    let script = root().join("tests/real/real.sh");
     let arguments = [Path::new(env!("CARGO_BIN_EXE_etalon")), folder];
     Command::new(script).args(arguments).env("REAL_SOURCE", source).output().unwrap()
 }

@@ -19,9 +19,18 @@ use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::run::pipeline::{self, Outcome, Wanted};
 use std::io::Read;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
+
+/// The folder of this checkout, as the runner of the tests states it: what was compiled in another
+/// checkout with the same build folder would name that one.
+pub fn root() -> &'static Path {
+    static ROOT: OnceLock<PathBuf> = OnceLock::new();
+    let stated = || std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    ROOT.get_or_init(|| PathBuf::from(stated()))
+}
 
 /// The program that the tests start: the one that was built with them, or `ETALON_PROGRAM`.
 pub fn program() -> &'static str {

@@ -1,8 +1,7 @@
 //! Pages of the documentation: README.md, the book, and the README of each folder.
 
+use super::root;
 use std::path::{Path, PathBuf};
-
-const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
 /// A block of a page: fenced, or indented by four columns.
 #[derive(Debug)]
@@ -18,7 +17,7 @@ pub struct Block {
 pub fn pages() -> Vec<PathBuf> {
     let mut found = Vec::new();
     for folder in [".", "docs", "samples", "python", "benches", "tests"] {
-        walk(&Path::new(ROOT).join(folder), folder == ".", &mut found);
+        walk(&root().join(folder), folder == ".", &mut found);
     }
     found.sort();
     found
@@ -47,7 +46,7 @@ fn is_part(path: &Path) -> bool {
 
 /// Returns the path of a page as messages of the tests name it.
 pub fn shown(page: &Path) -> String {
-    page.strip_prefix(ROOT).unwrap_or(page).display().to_string()
+    page.strip_prefix(root()).unwrap_or(page).display().to_string()
 }
 
 /// Returns the blocks of a page.

@@ -1,5 +1,6 @@
 //! All sample campaigns, run once for all tests that look at their output.
 
+use super::root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -38,7 +39,7 @@ fn copy(from: &Path, to: &Path) {
 
 fn run() -> (tempfile::TempDir, Vec<Ran>) {
     let folder = tempfile::tempdir().unwrap();
-    copy(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples"), folder.path());
+    copy(&root().join("samples"), folder.path());
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder.path()).unwrap().flatten() {
         let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());

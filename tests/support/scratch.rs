@@ -1,5 +1,6 @@
 //! Copies of samples that a test may change.
 
+use super::root;
 use super::said::Says;
 use etalon::documents::ManifestDocument;
 use std::path::{Path, PathBuf};
@@ -52,7 +53,7 @@ pub fn stamp(out: &Path) {
 /// A copy of a sample campaign without its output.
 pub fn copy_sample(name: &str) -> Scratch {
     let scratch = Scratch(tempfile::tempdir().unwrap());
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name);
+    let from = root().join("samples").join(name);
     std::fs::create_dir_all(scratch.path().join("exports")).unwrap();
     for file in [
         "campaign.toml",

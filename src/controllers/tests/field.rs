@@ -6,7 +6,7 @@ use crate::field_code;
 use etalon_base::noise::Noise;
 use etalon_documents::{FieldCentre, FieldComponent, FieldDocument, FieldInputEntry, FieldParameter};
 use std::io::Write;
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 const JOINTS: [&str; 3] = ["q1_deg", "rail_mm", "q3_deg"];
@@ -113,7 +113,8 @@ fn the_code_of_a_field_is_its_definition() {
 
     let python = "import sys, etalon_field as f\n\
         for line in sys.stdin:\n    q = [float(v) for v in line.split()]\n    print(*f.corrected(q), f.share(q))\n";
-    let interpreter = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/support/structured_text.py");
+    let interpreter =
+        PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap()).join("../../tests/support/structured_text.py");
     let mut by_python = Command::new("python3");
     by_python.args(["-B", "-c", python]);
     let mut by_interpreter = Command::new("python3");

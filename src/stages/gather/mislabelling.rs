@@ -245,7 +245,8 @@ mod tests {
     }
 
     fn campaign(more: &str) -> Campaign {
-        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm");
+        let folder =
+            std::path::PathBuf::from(std::env::var_os("CARGO_MANIFEST_DIR").unwrap()).join("samples/prexyt-cmm");
         let copy = tempfile::tempdir().unwrap();
         std::fs::copy(folder.join("robot.toml"), copy.path().join("robot.toml")).unwrap();
         let text = std::fs::read_to_string(folder.join("campaign.toml")).unwrap();

@@ -1,6 +1,7 @@
 //! Output folders: of one run or refused, whatever stops a run, and over no input. Here and not among the hostile files
 //! because a run is short in the release profile.
 
+use crate::support::root;
 use crate::support::run_for;
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon, said};
@@ -583,7 +584,7 @@ fn a_large_export_takes_a_small_multiple_of_its_size() {
 
 #[test]
 fn the_makefile_needs_no_more_than_gnu_make_3_81() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/Makefile")).unwrap();
+    let text = std::fs::read_to_string(root().join("Makefile")).unwrap();
     // of the release notes of 3.82 to 4.4; `.SHELLFLAGS` is ignored before 3.82
     let newer = [
         ".ONESHELL",
@@ -619,7 +620,7 @@ fn make_runs_what_has_changed_and_lists_how_each_ended() {
     let make = |arguments: &[&str]| {
         let mut command = Command::new("make");
         command.args(["-s", "-o", program, &format!("ETALON={program}"), "CARGO_TARGET_DIR=target"]).args(arguments);
-        command.args(["-f", concat!(env!("CARGO_MANIFEST_DIR"), "/Makefile"), "CAMPAIGNS=a b c d"]);
+        command.arg("-f").arg(root().join("Makefile")).arg("CAMPAIGNS=a b c d");
         for inherited in ["MAKEFLAGS", "MFLAGS", "MAKELEVEL"] {
             command.env_remove(inherited);
         }

@@ -1,6 +1,7 @@
 //! ABB IRB 120 with a FARO tracker (real data): blunders, accuracy of an independent SciPy fit, and the two logs.
 
 use crate::support::documents_of;
+use crate::support::root;
 use etalon::base::message::Message;
 use etalon::base::phrase;
 use etalon::base::pose::{minus, norm};
@@ -12,7 +13,6 @@ use etalon::run::pipeline::{self, Outcome};
 use etalon::stages::kinds::Observed;
 use etalon::stages::verify::verification::{EarlierCalibration, verify};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 /// The sample with `hold` added, run into a folder that goes away.
 fn run(hold: &str) -> Option<(Outcome, ImportDocument)> {
@@ -76,7 +76,7 @@ fn ten_poses_verify_the_parameters() {
     let Some((outcome, _)) = run("[]") else { return };
     let found = outcome.solution.unwrap();
     let parameters = outcome.results.identified.unwrap().parameters;
-    let campaign = Campaign::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120")).unwrap();
+    let campaign = Campaign::read(&root().join("samples/abb-irb120")).unwrap();
     let verdicts = |by_rad: f64| {
         let groups = found.sets.validation.chunks(10).filter(|group| group.len() == 10);
         let of = |group: &[Observation]| {
@@ -192,7 +192,7 @@ fn gravity_that_points_up_is_named() {
 fn compensated_joints_predict_the_test_error() {
     let Some((outcome, _)) = run("[]") else { return };
     let found = outcome.solution.as_ref().unwrap();
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let sample = root().join("samples/abb-irb120/robot.toml");
     let robot = read_robot(&sample).unwrap().build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
     let arm = robot.kinematics().unwrap();
     let identified = &found.found.values;

@@ -5,6 +5,7 @@
 //! number: `s17` of the statements, `d17` of the data. A sample whose data are not there is left out. `ETALON_MUTANTS_SECONDS` is for
 //! seeds that nobody has tried: so long instead of so many, and what is wrong in silence is printed and fails nothing.
 
+use crate::support::root;
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
@@ -111,7 +112,7 @@ fn pick<T: Clone>(noise: &mut Noise, all: &[T]) -> Option<T> {
 
 /// The files of a sample; `None` where its data are outside and not there.
 fn files(name: &str) -> Option<Files> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(name);
+    let folder = root().join("samples").join(name);
     let campaign = std::fs::read_to_string(folder.join("campaign.toml")).unwrap();
     let reference = std::env::var("ETALON_REFERENCE").ok();
     let outside = "$ETALON_REFERENCE/";

@@ -3,11 +3,11 @@
 
 use crate::robots::conventions;
 use crate::support::arms::SIX_AXES;
+use crate::support::root;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, minus, norm};
 use etalon::campaign::read_robot;
 use etalon::robots::{Calibrated, Kinematics, Quantity, Robot, Role};
-use std::path::Path;
 
 /// Where a robot is, by formulas of this test; `None` for models that it has none for.
 type Direct = fn(&dyn Robot, &[f64], &[f64]) -> Option<[f64; 3]>;
@@ -68,7 +68,7 @@ fn range(robot: &dyn Kinematics, joint: usize) -> [f64; 2] {
 fn pseudo_poses_land_on_their_targets() {
     let wanted: usize = std::env::var("ETALON_TARGETS").ok().and_then(|n| n.parse().ok()).unwrap_or(200);
     let of_file = |file: &str| {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+        let path = root().join(file);
         read_robot(&path).unwrap().build(&["tool".to_owned()]).unwrap()
     };
     let cases: [(&str, Box<dyn Robot>, Direct); 11] = [

@@ -4,6 +4,7 @@ use super::files::File;
 use crate::support::controller_files::{
     Towers, five_bar, galil_prexyt, genhexkins, genserkins, lineardeltakins, rotarydeltakins, universal_robots,
 };
+use crate::support::root;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::documents::PoseSet;
 use etalon::identify::Observation;
@@ -12,7 +13,6 @@ use etalon::robots::{Quantity, base_pose};
 use etalon::stages::evaluate::errors::point_errors;
 use std::collections::BTreeMap;
 use std::io::Write as _;
-use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Largest differences of joint values (mm or rad) that rounding leaves: of all digits, and of six decimals.
@@ -61,7 +61,7 @@ fn is_installed(program: &str) -> bool {
 }
 
 fn support(script: &str) -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/support").join(script)
+    root().join("tests/support").join(script)
 }
 
 impl File<'_> {

@@ -1,6 +1,7 @@
 //! Conditions: orientations, distances, contacts, planes, lines, spheres and joints give the robot back, alone and together, with intervals that hold.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
@@ -13,7 +14,6 @@ use etalon::robots::{FreeBase, Robot, Role, Serial};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
-use std::path::Path;
 use std::process::Command;
 
 /// Standard uncertainties of the simulated measurements.
@@ -570,7 +570,7 @@ fn a_table_of_every_kind_identifies_as_its_conditions_do() {
 /// A copy of the sample of contacts, with other text in its table.
 fn sample(change: impl Fn(String) -> String) -> Scratch {
     let scratch = copy_sample("contacts");
-    let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/contacts/observations.csv");
+    let table = root().join("samples/contacts/observations.csv");
     let table = change(std::fs::read_to_string(table).unwrap());
     std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
     scratch
@@ -580,7 +580,7 @@ fn sample(change: impl Fn(String) -> String) -> Scratch {
 #[test]
 fn the_sample_of_contacts_is_what_its_readme_states() {
     let table = campaign("contact, lengths", 80, 0, 1.0).table();
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/contacts/observations.csv");
+    let file = root().join("samples/contacts/observations.csv");
     if std::env::var_os("ETALON_UPDATE").is_some() {
         std::fs::write(&file, &table).unwrap();
     }

@@ -3,6 +3,7 @@
 //!
 //! `ETALON_CAMPAIGNS` states how many of each; by default so many that the suite stays short.
 
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample};
 use crate::support::tracker::{self, Reflectors};
 use etalon::base::noise::Noise;
@@ -18,7 +19,6 @@ use etalon::stages::calibrate::selection::CampaignData;
 use etalon::stages::observe::frames;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// How many campaigns of each are simulated: `usual`, or what the environment states.
 fn campaigns(usual: usize) -> usize {
@@ -199,7 +199,7 @@ fn campaigns_in_which_the_model_misfits_are_not_called_changed() {
 /// A scan instead of three points: of many points some are there for all of them.
 #[test]
 fn the_frame_of_a_scan_is_as_uncertain_as_the_sums_over_all_its_points_say() {
-    let campaign = Campaign::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/prexyt-cmm")).expect("campaign");
+    let campaign = Campaign::read(&root().join("samples/prexyt-cmm")).expect("campaign");
     // to and fro in rows of 50, which a fixed step through them would meet at their ends alone
     let patch = |label: &str, from: [f64; 2], size: [f64; 2], rows: usize| {
         let point = |i: usize| {

@@ -1,6 +1,7 @@
 //! Drawn robots, excitations and measurements (synthetic), for laws that hold whatever is measured.
 
 use crate::support::five_bar;
+use crate::support::root;
 use crate::support::scratch::Scratch;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, norm};
@@ -9,7 +10,6 @@ use etalon::identify::{Effects, Observation, Prior, Settings};
 use etalon::math::statistics::rms;
 use etalon::robots::{Parameter, Prexyt, Quantity, Robot, Role};
 use std::fmt::Write;
-use std::path::Path;
 
 /// A drawn robot and what is measured of it.
 pub struct Drawn {
@@ -321,7 +321,7 @@ fn platform_problem(
     excitation: Excitation,
     poses: usize,
 ) -> Problem {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/keys/robot-{name}.toml"));
+    let file = root().join(format!("docs/keys/robot-{name}.toml"));
     let robot = read_robot(&file).expect("robot.toml").build(&targets(whole(noise, 1, 3))).expect("a platform");
     let (nominal, near) = (robot.nominal(), vec![0.0; robot.joints().len()]);
     let joints = |p: Vec<f64>| {

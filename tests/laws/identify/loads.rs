@@ -2,13 +2,13 @@
 //! (synthetic); `ETALON_CAMPAIGNS` states how many.
 
 use crate::identify::drawn::number;
+use crate::support::root;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Vector;
 use etalon::campaign::read_robot;
 use etalon::identify::{Effects, LoadContradiction, LoadSlip, Observation, Prior, Settings, identify, load_slips};
 use etalon::robots::{Effect, Quantity, Robot, Role};
 use rayon::prelude::*;
-use std::path::Path;
 
 const NOISE_MM: f64 = 0.02;
 
@@ -38,7 +38,7 @@ const USUAL: Build = Build {
 };
 
 fn robot() -> Box<dyn Robot> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/payload-arm/robot.toml");
+    let path = root().join("samples/payload-arm/robot.toml");
     read_robot(&path).unwrap().build(&["SMR".to_owned()]).unwrap()
 }
 

@@ -2,13 +2,13 @@
 
 use super::drawn::number;
 use crate::controllers::drawn::drawn;
+use crate::support::root;
 use crate::support::scratch::copy_sample;
 use etalon::campaign::Campaign;
 use etalon::documents::{Effect, LOADING_RATIO, LoadAnswer, LoadVerdict, Results};
 use etalon::run::pipeline::evaluate;
 use etalon::run::validation::recommend;
 use rayon::prelude::*;
-use std::path::Path;
 
 #[test]
 fn bending_of_the_irb120_is_recommended() {
@@ -37,7 +37,7 @@ fn bending_of_the_irb120_is_recommended() {
 /// Parameters that are correlated may each be uncertain, and matter: what is held costs little at poses that were left out.
 #[test]
 fn parameters_that_matter_together_are_loaded() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/column-arm");
+    let folder = root().join("samples/column-arm");
     let errors = recommend(&Campaign::read(&folder).unwrap(), &mut |_, _| ()).unwrap().held_out;
     assert!(errors.recommended.rms < 1.1 * errors.all.rms && errors.all.rms < 0.1 * errors.none.rms, "{errors:?}");
 }
@@ -48,7 +48,7 @@ fn parameters_that_matter_together_are_loaded() {
 #[ignore = "a long law: make laws"]
 fn every_kind_of_observation_is_judged() {
     for sample in ["contacts", "draw-wire", "probe-poses", "surfaces", "second-encoders", "turntable", "two-arms"] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample);
+        let folder = root().join("samples").join(sample);
         let answer = recommend(&Campaign::read(&folder).unwrap(), &mut |_, _| ()).unwrap();
         let accepted: Vec<_> = answer.steps.iter().filter(|s| s.accepted).collect();
         // where no effect is proven without the others, all are taken together

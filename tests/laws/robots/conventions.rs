@@ -2,6 +2,7 @@
 //! each leaves the same errors.
 
 use crate::support::arms::SIX_AXES;
+use crate::support::root;
 use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::base::phrase;
@@ -270,7 +271,7 @@ fn three_reflectors_as_one_pose() {
     let scratch = copy_sample("abb-irb120");
     let outcome = pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap();
     let found = outcome.solution.unwrap();
-    let sample = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let sample = root().join("samples/abb-irb120/robot.toml");
     let file = read_robot(&sample).unwrap();
     let by_points = file.build(&["SMR_1", "SMR_2", "SMR_3"].map(str::to_owned)).unwrap();
     let mut robot = file.build(&["probe".to_owned()]).unwrap();

@@ -1,6 +1,7 @@
 //! Platforms on legs: hexapod and deltas. Direct and inverse kinematics, what of them is identifiable, and intervals that hold.
 
 use crate::robots::models::{jacobian_is_the_numeric_derivative, joint_jacobian_is_the_numeric_derivative};
+use crate::support::root;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
@@ -10,7 +11,6 @@ use etalon::identify::{
 use etalon::robots::{Robot, Role};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use rayon::prelude::*;
-use std::path::Path;
 
 /// A model, and the poses of its platform that are drawn.
 struct Model {
@@ -32,7 +32,7 @@ const MODELS: [&Model; 3] = [&HEXAPOD, &DELTA, &LINEAR];
 impl Model {
     fn robot(&self, targets: &[&str]) -> Box<dyn Robot> {
         let file = format!("docs/keys/robot-{}.toml", self.name);
-        let robot = read_robot(&Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
+        let robot = read_robot(&root().join(file)).unwrap();
         robot.build(&targets.iter().map(|t| (*t).to_owned()).collect::<Vec<_>>()).unwrap()
     }
 

@@ -1,6 +1,7 @@
 //! Serial arms: whatever the place of the tracker, a noise-free identification gives the truth.
 
 use crate::support::arms::{SIX_AXES, serial};
+use crate::support::root;
 use crate::support::tracker;
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, norm};
@@ -11,7 +12,7 @@ use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 fn robot(targets: usize) -> Box<dyn Robot> {
-    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/abb-irb120/robot.toml");
+    let file = root().join("samples/abb-irb120/robot.toml");
     let names: Vec<String> = (0..targets).map(|k| format!("t{k}")).collect();
     read_robot(&file).unwrap().build(&names).unwrap()
 }
