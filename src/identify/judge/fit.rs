@@ -15,7 +15,7 @@ use etalon_base::angle::Turn;
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
 use etalon_math::{Loss, Options, ParameterPrior, Problem, WithPriors};
-use etalon_robots::{Quantity, Robot, Role};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use std::collections::BTreeSet;
 
@@ -226,8 +226,7 @@ impl Hypothesis<'_> {
             }
         }
         let counted = |i: &&usize| parameters[**i].tolerance.is_finite() && loose != Some(**i);
-        let off =
-            |&i: &usize| (values[i] - parameters[i].nominal).abs() / uncertainty(parameters[i].tolerance).max(1e-9);
+        let off = |&i: &usize| deviation(&parameters[i], values[i]);
         let spread_mm = spread_mm(robot, data, &values);
         let deviations: f64 = free.iter().filter(counted).map(|i| off(i).powi(2)).sum();
         let rows = counts[0] + counts[1];
@@ -335,6 +334,11 @@ fn row_units(data: &Data, settings: &crate::Settings, dimension: usize) -> Vec<(
         .iter()
         .flat_map(|c| std::iter::repeat_n((c.kind.is_angle(), c.standard_uncertainty), c.kind.rows()));
     std::iter::repeat_n((false, unit_mm), points).chain(conditions).collect()
+}
+
+/// Deviation of a parameter from nominal, in standard uncertainties of its tolerance.
+pub(super) fn deviation(parameter: &Parameter, value: f64) -> f64 {
+    (value - parameter.nominal).abs() / uncertainty(parameter.tolerance).max(1e-9)
 }
 
 /// Standard uncertainty from a tolerance, the half-width of a rectangular distribution (GUM 4.3.7).

@@ -18,6 +18,7 @@ pub use changes::Reading as OrientationReading;
 pub use exchanged::exchanged_poses;
 pub use moved::moved_between;
 
+use crate::judgement::chi_square::exceeds;
 use crate::model::residuals::Residuals;
 use crate::solution::placing::{PLAIN, UNEXPLAINED, measured_parameters, spread_mm, spread_over, with_few_targets};
 use crate::solution::scatter::observed_noise_mm;
@@ -139,7 +140,20 @@ pub fn set_up_problem(
 ) -> (Option<Warning>, Judgement) {
     let judged = judge(robot, observations, settings, &[]);
     let far = far_mm(robot, observations, settings).and_then(|far_mm| far_problem(far_mm, &judged));
-    (far.or_else(|| contradicted(&judged)), judged)
+    let problem = far.or_else(|| contradicted(&judged));
+    // few readings beyond the unknown places, or readings without a length, refute nothing that an
+    // identification explains
+    (problem.filter(|_| !is_explained(robot, observations, settings)), judged)
+}
+
+/// `true` if a robot within its tolerances leaves of the observations what the instrument leaves.
+fn is_explained(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> bool {
+    let Ok(found) = crate::identify(robot, observations, settings) else { return false };
+    let parameters = robot.parameters();
+    let is_near = |&i: &usize| fit::deviation(&parameters[i], found.values[i]) <= OFF;
+    let residuals = &found.residuals;
+    let is_noise = residuals.chi_square.is_some_and(|chi_square| !exceeds(chi_square, residuals.degrees_of_freedom));
+    is_noise && found.free.iter().filter(|&&i| parameters[i].tolerance.is_finite()).all(is_near)
 }
 
 /// Error that a change of the set-up explains the measurements, and the set-up as stated does not.

@@ -9,7 +9,7 @@ use etalon::base::pose::{Vector, minus, norm};
 use etalon::campaign::read_robot;
 use etalon::identify::{
     Between, Condition, Effects, Fixture, Identification, Kind, Prior, Separation, Settings, Status, fit_frames,
-    identify_from,
+    identify_from, set_up_problem,
 };
 use etalon::robots::{Effect, Parameter, Robot, Role};
 use etalon::stages::calibrate::solution::{Basis, Solution};
@@ -264,6 +264,19 @@ fn intervals_hold(kinds: &[Held], campaigns: u64) {
         );
         assert!((share - 0.95).abs() < 0.03, "{held:?}: {share}");
         assert!(after < 0.5 * before, "{held:?}: {before} {after}");
+    }
+}
+
+/// Sound data of every kind and of few to many poses are not accused before an identification, where nothing but the
+/// judge of the set-up has seen them.
+#[test]
+fn sound_hands_are_not_accused_before_an_identification() {
+    for held in KINDS {
+        for seed in 1..=8 {
+            let campaign = Campaign::drawn(held, 12 + 6 * seed as usize, seed);
+            let (problem, _) = set_up_problem(campaign.robot.as_ref(), &[], &campaign.settings);
+            assert_eq!(problem, None, "{held:?}: {seed}");
+        }
     }
 }
 
