@@ -62,6 +62,8 @@ pub struct DistributionEntry {
     /// `true` if value ± 1.96 linear uncertainties agrees with the interval of the draws. The
     /// tolerance is half of the second significant digit (JCGM 101, 8.1) plus twice the standard
     /// deviation of an interval end.
+    /// Of an error, `true` if the draws do not have the larger standard uncertainty, within this
+    /// tolerance. Otherwise the draws decide (JCGM 101, clause 8).
     pub agrees: Option<bool>,
     /// Standard deviation over the resamples; absent without resamples.
     pub bootstrap: Option<f64>,

@@ -13,6 +13,13 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
         0 => tr!(words, "draws-agree", draws = document.draws, parameters = document.parameters.len()),
         n => tr!(words, "draws-differ", draws = document.draws, differing = n, parameters = document.parameters.len()),
     }];
+    let judged: Vec<bool> = document.errors.iter().filter_map(|e| e.agrees).collect();
+    if !judged.is_empty() {
+        sentences.push(match judged.iter().filter(|agrees| !**agrees).count() {
+            0 => tr!(words, "errors-draws-confirm", errors = judged.len()),
+            n => tr!(words, "errors-draws-larger", differing = n, errors = judged.len()),
+        });
+    }
     if !document.two_digits_reached {
         sentences.push(tr!(words, "draws-too-few"));
     }
@@ -36,6 +43,7 @@ pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Sec
     parameters.push(Block::note(if document.resamples > 0 { Text::from(note) } else { Text::default() }));
     let mut errors = Section::new("errors", tr!(words, "distributions-of-errors"));
     errors.push(Block::Table(table(&document.errors, words).on(phrase!("sheet-distributions-of-errors"))));
+    errors.push(Block::note(Text::from(tr!(words, "largest-error-drawn"))));
     [parameters, errors].into_iter().filter_map(|section| section.on_terminal().whole()).collect()
 }
 

@@ -86,6 +86,8 @@ struct Readings {
     validation: Vec<Reading>,
     /// Number of readings; a reading that is common to several targets counts once.
     count: usize,
+    /// Index of the largest position error, among the targets of the validation that are measured.
+    largest: usize,
 }
 
 /// An observation, and the scatter of its targets.
@@ -118,9 +120,9 @@ impl<'a> Trials<'a> {
             of.iter().map(|o| reading(o, settings, robot.dimension(), &mut numbers)).collect()
         };
         let [calibration, validation] = [&solution.sets.calibration, &solution.sets.validation].map(|of| readings(of));
-        Self {
+        let mut trials = Self {
             frames: MeasuredFrames { points: frames::defining(campaign, points), export_T_world },
-            readings: Readings { calibration, validation, count: numbers.len() },
+            readings: Readings { calibration, validation, count: numbers.len(), largest: 0 },
             systematic: campaign.systematic(robot, Vec::new()),
             found: &solution.found,
             campaign,
@@ -130,7 +132,16 @@ impl<'a> Trials<'a> {
             budget: &documents.accuracy.budget,
             model_root: solution.found.uncertainty.budget.model_root(),
             seed: 0,
-        }
+        };
+        let sizes = trials.sizes(&trials.found.values, trials.measured());
+        let largest = sizes.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
+        trials.readings.largest = largest.map_or(0, |(i, _)| i);
+        trials
+    }
+
+    /// Observations of the validation as measured.
+    fn measured(&self) -> impl Iterator<Item = &Observation> {
+        self.readings.validation.iter().map(|r| &r.observation)
     }
 
     /// The distributions of the results, without input files; `report` is called with the number of
@@ -180,16 +191,19 @@ impl<'a> Trials<'a> {
         let figure = |(i, figure): (usize, Figure)| {
             let drawn = Distribution::new(monte_carlo.iter().map(|trial| trial[n + i]).collect());
             let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == ErrorQuantity::Position);
+            let reported = of_budget.map(|b| b.standard_uncertainty_mm);
+            // a standard deviation of so many draws has about this one itself
+            let by_chance = by_chance * drawn.sd / (2.0 * monte_carlo.len() as f64).sqrt();
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),
                 unit: Quantity::Length.unit().to_owned(),
-                value: trials.figures(&found.values, trials.readings.validation.iter().map(|r| &r.observation))[i],
+                value: trials.figures(trials.sizes(&found.values, trials.measured()))[i],
                 linear: None,
-                standard_uncertainty: of_budget.map(|b| b.standard_uncertainty_mm),
+                standard_uncertainty: reported,
                 mean: None,
                 standard_deviation: drawn.sd,
                 interval_95: None,
-                agrees: None,
+                agrees: reported.map(|u| drawn.sd <= u + numerical_tolerance(drawn.sd) + by_chance),
                 bootstrap: None,
             }
         };
@@ -296,7 +310,7 @@ impl<'a> Trials<'a> {
             let by_row = all.iter_mut().zip(root.chunks_exact(z.len()));
             by_row.for_each(|(value, row)| *value += row.iter().zip(&z).map(|(l, z)| l * z).sum::<f64>());
         }
-        all.extend(self.figures(&values, validation.iter()));
+        all.extend(self.figures(self.sizes(&values, validation.iter())));
         Some(all)
     }
 
@@ -320,9 +334,8 @@ impl<'a> Trials<'a> {
         Some(poses.iter().filter_map(of).collect())
     }
 
-    /// Mean, root mean square and largest position error of these observations; nothing without
-    /// observations.
-    fn figures<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
+    /// Size (mm) of each position error of these observations.
+    fn sizes<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
         let (robot, loads) = (self.robot.parametrised(values), self.robot.loads());
         let d = self.robot.dimension();
         let mut predicted = vec![0.0; d * self.robot.targets().len()];
@@ -346,11 +359,18 @@ impl<'a> Trials<'a> {
                 }
             }
         }
-        if sizes.is_empty() {
-            return Vec::new();
-        }
+        sizes
+    }
+
+    /// Mean and root mean square of position errors (mm), and the error of the reading that is
+    /// largest in the data; nothing without errors.
+    ///
+    /// The largest error of each draw would be that of other readings, and vary less than any of
+    /// them: its limit is about the true error of one reading.
+    fn figures(&self, sizes: Vec<f64>) -> Vec<f64> {
+        let Some(largest) = sizes.get(self.readings.largest).copied() else { return Vec::new() };
         let found = summarise(sizes);
-        vec![found.mean, found.rms, found.max]
+        vec![found.mean, found.rms, largest]
     }
 
     /// Parameters identified from poses, and cycles of each pose, that are drawn from the measured

@@ -500,6 +500,8 @@ errors-by-number-of-positions = Positionsabweichungen über der Anzahl der Posit
 errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse ({ $unit }).
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-by-set-and-pose = Abweichungen nach Gruppe und nach Pose
+errors-draws-confirm = Die Ziehungen bestätigen die berichtete Unsicherheit aller { $errors } Abweichungen an den Validierungsposen.
+errors-draws-larger = Bei { $differing } von { $errors } Abweichungen an den Validierungsposen ist die Unsicherheit der Ziehungen größer; sie entscheidet (JCGM 101:2008, Abschnitt 8).
 errors-hold-among = { $region ->
         [beyond] Einige Validierungsposen liegen außerhalb des gemessenen Bereichs; ihre Abweichungen zählen mit
        *[within] Diese Werte gelten im gemessenen Bereich
@@ -679,6 +681,7 @@ largest = größter Beitrag
 largest-displacement = größte Verschiebung
 largest-distance = größter Abstand
 largest-error = größte Abweichung
+largest-error-drawn = `max` ist die Abweichung der Messung mit der größten Abweichung in den Daten. Jede Ziehung misst diese Messung neu.
 largest-errors-drawn = An jeder der { $places } Positionen ist die größte Abweichung gezeichnet (von { $total } Abweichungen).
 largest-errors-of-poses = Abweichungen je Pose, die größten zuerst
 largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung

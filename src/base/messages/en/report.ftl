@@ -476,6 +476,8 @@ errors-by-number-of-positions = Position errors versus number of positions
 errors-by-pose-linear = One mark per pose, cycle and target; linear axis ({ $unit }).
 errors-by-pose-logarithmic = One mark per pose, cycle and target; logarithmic axis ({ $unit }).
 errors-by-set-and-pose = Errors by set and by pose
+errors-draws-confirm = The draws confirm the reported uncertainty of all { $errors } errors at the validation poses.
+errors-draws-larger = For { $differing } of { $errors } errors at the validation poses the draws have the larger uncertainty, and decide (JCGM 101:2008, clause 8).
 errors-hold-among = { $region ->
         [beyond] Some validation poses are beyond the measured region; their errors are included
        *[within] These figures apply within the measured region
@@ -649,6 +651,7 @@ largest = largest
 largest-displacement = largest displacement
 largest-distance = largest distance
 largest-error = largest error
+largest-error-drawn = `max` is the error of the reading with the largest error in the data. Each draw measures this reading again.
 largest-errors-drawn = The largest error at each of { $places } positions is drawn (total { $total } errors).
 largest-errors-of-poses = Errors by pose, largest first
 largest-mean-deviation-from-linear = largest mean deviation from linearity

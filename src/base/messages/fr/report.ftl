@@ -503,6 +503,8 @@ errors-by-number-of-positions = Erreurs de position en fonction du nombre de pos
 errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({ $unit }).
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
+errors-draws-confirm = Les tirages confirment l’incertitude rapportée des { $errors } erreurs aux poses de validation.
+errors-draws-larger = Pour { $differing } des { $errors } erreurs aux poses de validation, l’incertitude des tirages est plus grande et décide (JCGM 101:2008, article 8).
 errors-hold-among = { $region ->
         [beyond] Certaines poses de validation sont hors de la région mesurée ; leurs erreurs sont comprises
        *[within] Ces valeurs s’appliquent à la région mesurée
@@ -682,6 +684,7 @@ largest = plus grande contribution
 largest-displacement = plus grand déplacement
 largest-distance = plus grande distance
 largest-error = plus grande erreur
+largest-error-drawn = `max` est l’erreur de la mesure dont l’erreur est la plus grande dans les données. Chaque tirage répète cette mesure.
 largest-errors-drawn = La plus grande erreur est tracée à chacune des { $places } positions (sur { $total } erreurs).
 largest-errors-of-poses = Erreurs par pose, les plus grandes d’abord
 largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
