@@ -348,6 +348,12 @@ pub struct ValidationDistance {
     pub outside: usize,
 }
 
+impl ValidationDistance {
+    /// Distance, in spacings, beyond which calibration poses do not represent the errors of the
+    /// robot.
+    pub const BEYOND: f64 = 3.0;
+}
+
 /// Set of poses of a campaign.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, strum::Display, strum::IntoStaticStr,

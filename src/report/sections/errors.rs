@@ -14,13 +14,9 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, IdentifiedDocuments, MapNode,
-    ParametersDocument, PointError, PoseSet, Results, SelfLocated, Statistics, ToolAccuracy,
+    ParametersDocument, PointError, PoseSet, Results, SelfLocated, Statistics, ToolAccuracy, ValidationDistance,
 };
 use std::collections::BTreeMap;
-
-/// Distance of a validation pose from the nearest calibration pose, in spacings of the calibration
-/// poses, beyond which its error is not one of the measured region.
-const BEYOND: f64 = 3.0;
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let IdentifiedDocuments { accuracy, errors, parameters, .. } = results.identified.as_ref()?;
@@ -70,7 +66,7 @@ fn with_flagged(
     }
     if let Some(d) = &accuracy.validation_distance {
         let number = |v: f64| number::fixed(v, 2);
-        let region = if d.largest > BEYOND { "beyond" } else { "within" };
+        let region = if d.largest > ValidationDistance::BEYOND { "beyond" } else { "within" };
         section.push(Block::text(tr!(
             words,
             "errors-hold-among",

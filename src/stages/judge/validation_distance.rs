@@ -15,8 +15,6 @@ use std::collections::BTreeMap;
 /// Distance, in spacings of the calibration poses, below which a validation pose repeats a
 /// calibration pose, whose errors the fit reduced.
 const REPEATED: f64 = 0.1;
-/// Distance, in spacings, beyond which calibration poses do not represent the errors of the robot.
-const BEYOND: f64 = 3.0;
 
 /// Maximum scatter of joint values of repeats of a pose, as a share of their range.
 const SCATTER: f64 = 1e-3;
@@ -110,7 +108,9 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
     let median = distance.median;
     match () {
         () if median < REPEATED => Some(warning!("validation-repeats-calibration", median, limit = REPEATED)),
-        () if median > BEYOND => Some(warning!("validation-far", median, limit = BEYOND)),
+        () if median > ValidationDistance::BEYOND => {
+            Some(warning!("validation-far", median, limit = ValidationDistance::BEYOND))
+        }
         () => None,
     }
 }
