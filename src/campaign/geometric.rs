@@ -9,8 +9,8 @@ use toml::Spanned;
 /// Steps of the geometric calibration. Leads, scale bars, single balls and the workspace can be
 /// used alone. `arc` (origin O of the base) and `turn` (centre C of the platform) need the world
 /// frame. `shaft` (s) needs the world frame and `arc`. `offsets` (d1, d3) needs `arc`, `turn`,
-/// `shaft` and `mid_travel_mm`. The world frame defines the plane of the base frame, ball R and the
-/// side of actuator 3.
+/// `shaft` and `mid_travel_mm`. The world frame determines the xy plane of the base frame, the
+/// position of ball R and the side of actuator 3.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {

@@ -1,5 +1,5 @@
-//! Decision rules: role of the uncertainty of a value when its limit is judged (JCGM 106:2012, ISO
-//! 14253-1, ILAC-G8:09/2019), and the verdict that follows.
+//! Decision rules: role of the uncertainty of a value when its limit is judged (JCGM 106:2012,
+//! ILAC-G8:09/2019), and the verdict that follows.
 
 use crate::iso9283::statistics::interval::Interval;
 use statrs::distribution::{ContinuousCDF, Normal};
@@ -26,8 +26,8 @@ use statrs::distribution::{ContinuousCDF, Normal};
 pub enum DecisionRule {
     /// Simple acceptance: the value alone is compared with the limit (ILAC-G8:09/2019, 4.2.1).
     SimpleAcceptance,
-    /// Guard band of the expanded uncertainty on either side of the limit (ISO 14253-1;
-    /// ILAC-G8:09/2019, 4.2.2 and 4.2.3).
+    /// Guard band of the expanded uncertainty on either side of the limit (ILAC-G8:09/2019,
+    /// 4.2.2 and 4.2.3).
     #[default]
     Guarded,
     /// Simple acceptance if the expanded uncertainty is at most a quarter of the limit (JCGM

@@ -40,7 +40,7 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert_eq!(loads, answered(&scratch, &["--compliance", "loads.csv"]));
     assert!(judged(&shown, "largest pose accuracy AP", "pass"), "{shown}");
     assert!(rows(&shown).iter().any(|row| row.starts_with("+x 1.83 ")), "{shown}");
-    assert!(shown.contains("(ISO 14253-1): all 5 poses conform."), "{shown}");
+    assert!(shown.contains("(ILAC-G8:09/2019, 4.2.2): all 5 poses conform."), "{shown}");
     // what its README says was put in: P5 is off by 0.30 mm, and warms up by 60 µm
     let p5 = &of_campaign.poses[4];
     assert!((0.32..0.37).contains(&p5.ap_mm.unwrap()), "{:?}", p5.ap_mm);
@@ -316,7 +316,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     ] {
         assert!(judged(&shown, limit, verdict), "{limit}: {shown}");
     }
-    let said = "1 of 3 limits of the campaign is not met. Decision rule: guarded acceptance (ISO 14253-1).";
+    let said = "1 of 3 limits of the campaign is not met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).";
     assert!(shown.lines().any(|line| line == said), "{shown}");
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     let verdict = html.split_once("<section id=\"verdict\">").unwrap().1.split_once("</div>").unwrap().0;

@@ -432,7 +432,7 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
     }
 }
 
-/// Conformity of the poses by ISO 14253-1, if a limit is stated.
+/// Conformity of the poses by guarded acceptance, if a limit is stated.
 fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words) -> Option<String> {
     let poses = |what| -> Vec<String> {
         document.poses.iter().filter(|p| (of.conformity)(p) == Some(what)).map(|p| p.pose.to_string()).collect()
@@ -478,7 +478,7 @@ mod tests {
             "largest orientation error at 51 validation poses (255 readings): 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
             "Position residuals: RMS 26.0 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
              instrument's standard uncertainty: the model is incomplete.",
-            "Both limits of the campaign are met. Decision rule: guarded acceptance (ISO 14253-1).",
+            "Both limits of the campaign are met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
         let limit = |u| LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
@@ -543,14 +543,14 @@ mod tests {
         documents.tested = whole();
         let open = report_verdict(&documents);
         let expected = [
-            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. By guarded acceptance (ISO \
-             14253-1): poses 1, 2 are undecided.",
+            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. By guarded acceptance \
+             (ILAC-G8:09/2019, 4.2.2): poses 1, 2 are undecided.",
             "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
             "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. By guarded acceptance \
-             (ISO 14253-1): all 2 poses conform.",
+             (ILAC-G8:09/2019, 4.2.2): all 2 poses conform.",
             "Suitable: the measurement uncertainty is within 25 % of AP and RP at every pose.",
             "Undecided (limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance \
-             (ISO 14253-1).",
+             (ILAC-G8:09/2019, 4.2.2).",
         ];
         assert_eq!(
             (open.class, open.met, &open.sentences[4..]),

@@ -292,7 +292,7 @@ convention-different-instruments = die Kampagnen haben verschiedene Messgeräte:
 convention-drift-compensated = die Drift der Positionen und Orientierungen ist durch die Referenzmarken korrigiert
 convention-f-test = Parameter insgesamt: F-Test; sind die Unsicherheiten aus den Abweichungen der Posen geschätzt, ist er eine Näherung und zeigt bei einer oder zwei gemessenen Koordinaten je Pose zu oft eine Änderung an
 convention-first-robot = von { $count } Robotern: alle Werte gelten für `{ $robot }`, außer der Austauschbarkeit
-convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ISO 14253-1) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
+convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
 convention-intervals-instrument = die Intervalle berücksichtigen die Stichprobe und die erweiterte Messunsicherheit einer Koordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = die Intervalle berücksichtigen nur die Stichprobe: für das Messgerät ist keine Messunsicherheit angegeben
 convention-limit-band = Grenzband: { $band } mm um das Mittel des Stillstands
@@ -591,7 +591,7 @@ geometry-alone = Geometrie allein
 geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
-guarded-acceptance = Annahme mit Schutzabstand (ISO 14253-1)
+guarded-acceptance = Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2)
 guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
 head-along = entlang
 head-and = und

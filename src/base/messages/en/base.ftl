@@ -90,7 +90,7 @@ file-exists = `{ $file }` already exists
 # Do: Remove the folder, link or device that has the name of the lock.
 # Example: a symbolic link `out.lock` beside the output folder `out`
 lock-foreign = cannot write `{ $file }`: `{ $lock }` is not a lock of etalon
-    .expected = a regular file with one name
+    .expected = a regular file without other hard links
     .hint = remove it: etalon needs this name for its lock
 
 # Means: A symbolic link leads to the place that would be written.

@@ -937,7 +937,8 @@ targets-beyond-field = { $count ->
     } beyond the residual field, where it fades out
     .hint = measure calibration poses in this region
 # Means: The last day on which the laboratory states the parameters as valid has passed.
-# Matters: The robot may have changed since: zeros after a collision or an exchanged motor, geometry by wear.
+# Matters: The robot may have changed since: joint offsets by a collision or a new motor, geometry
+# by wear.
 # Do: Measure a few poses and use `etalon verify`, or calibrate again.
 # Example: `etalon export parameters.json` in 2027 with `valid_until = "2026-03-02"`
 parameters-expired = the parameters are valid until { $last }; today is { $today }

@@ -76,8 +76,8 @@ error-near-nominal = { $case ->
        *[both] the position error is not clearly smaller than with nominal parameters, and its maximum is larger
     }: { $set } poses { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum); nominal { FIXED($nominal_mm, $decimals) } mm and { FIXED($nominal_max_mm, $decimals) } mm
 
-# Means: The file is written, but at these poses its RMS error is less than 5 % smaller than with
-# nominal parameters, or its largest error is larger.
+# Means: The file is written. At these poses it reduces the RMS error by less than 5 %, or increases
+# the largest error.
 # Matters: The robot gains little by the file, or is less accurate at some poses.
 # Do: Use a format that holds all identified parameters. If the format holds them, measure more
 # poses or identify other effects.
@@ -157,8 +157,7 @@ parameter-names-collide = parameters `{ $first }` and `{ $second }` are both `{ 
 parameter-missing = parameter `{ $parameter }` is missing
     .hint = name the robot.toml with which the parameters were identified
 
-# Means: The recording shows measured positions and their errors, and the parameters come without
-# any.
+# Means: The recording contains measured positions and their errors, and these parameters have none.
 # Matters: The file would be empty.
 # Do: Export from the `parameters.json` in the output folder of a run that measured positions.
 # Example: `etalon export --format mcap` for a parameters.json outside of an output folder
@@ -187,7 +186,7 @@ robot-parameter-missing = the robot has no parameter `{ $parameter }`
 
 # Means: The deviation of an axis changes by more than 5 % of the distance between two neighbouring
 # positions.
-# Matters: The worst transmissions change less. Positions and deviations are in different units.
+# Matters: No transmission changes as much: positions and deviations are in different units.
 # Do: State positions and deviations in the same unit, mm or deg.
 # Example: positions in mm, deviations in µm
 deviation-steep = the deviation changes by { $change } from { $from } to { $to }

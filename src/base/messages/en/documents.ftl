@@ -32,9 +32,10 @@ few-cycles-of-direction = fewer than { $least } cycles in { $count ->
     }
     .hint = measure more cycles
 
-# Means: The expanded uncertainty of the instrument exceeds a quarter of the verified value (ISO
+# Means: The expanded uncertainty of the instrument exceeds a quarter of the characteristic (ISO
 # 9283, 6.6).
-# Matters: The scatter is partly that of the instrument: the values are upper bounds for the robot.
+# Matters: The instrument causes part of the scatter. RP is an upper bound for the robot; AP is not
+# bounded.
 # Do: Measure with a better instrument.
 # Example: RP of 0.02 mm measured with U = 0.01 mm
 instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at { $count ->

@@ -26,13 +26,13 @@ name-a-file = the folder has { $files }
 
 # Means: A line of the file is longer than any line of measurements.
 # Matters: The file is a binary recording or an archive, or its line ends are lost.
-# Do: Export the measurements as text with one row a line.
+# Do: Export the measurements as text with one row per line.
 # Example: a gigabyte of digits without a line end
 line-too-long = `{ $file }`: line { $line } is longer than { $most_mib } MiB
-    .hint = export the measurements as text, one row a line: the file may be a binary recording or an archive
+    .hint = export the measurements as text, one row per line: the file may be a binary recording or an archive
 
 # Means: A `.db3` file is not complete, is written with a write-ahead log, or is another database.
-# Matters: Messages could be missing.
+# Matters: Recorded ROS messages may be missing.
 # Do: Follow the hint.
 # Example: a `.db3` that was copied while ROS was recording
 database-unreadable = the SQLite database cannot be read as a recording of rosbag2: { $fault ->

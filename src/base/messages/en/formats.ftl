@@ -252,13 +252,13 @@ galil-array-ended = no count: the array of { $columns } has ended
 galil-array-empty = one of the arrays is empty
     .hint = upload the arrays again after the recording has ended
 
-# Means: A value of an array is not a whole number of 32 bits.
+# Means: A value of an array is not a 32-bit integer.
 # Matters: A Galil controller records encoder counts; this file was scaled, or another program wrote
 # it.
 # Do: Read a scaled file as delimited text: omit `format = "galil"`.
 # Example: `3.5` in an array
 not-a-count = { $value } is not an encoder count
-    .expected = a whole number of 32 bits
+    .expected = a 32-bit integer
     .hint = if the values are scaled, omit `format = "galil"`
 
 # Means: A counter jumped by more than half of its range.
@@ -555,7 +555,7 @@ coordinates-differ = attained and commanded positions have different coordinates
     .hint = planar robots omit `z_mm` in both tables
 
 # Means: A coordinate or an angle of a row is empty, infinite or not a number.
-# Matters: The row has no position.
+# Matters: The pose of the row is incomplete.
 # Do: Complete the cell, or remove the row.
 # Example: an empty cell in the column `x_mm`
 coordinate-missing = a coordinate is missing or non-finite

@@ -280,7 +280,7 @@ convention-different-instruments = the campaigns have different instruments: a s
 convention-drift-compensated = drift of positions and orientations is compensated by reference targets
 convention-f-test = all parameters together: F test; it is approximate if uncertainties are estimated from pose errors, and then too often significant if only one or two coordinates of a pose were measured
 convention-first-robot = { $count } robots: all results except exchangeability refer to `{ $robot }`
-convention-guarded-acceptance = conformity: guarded acceptance (ISO 14253-1): met or not met only if the whole interval of 95 % lies on one side of the limit
+convention-guarded-acceptance = conformity: guarded acceptance (ILAC-G8:09/2019, 4.2.2): met or not met only if the whole interval of 95 % lies on one side of the limit
 convention-intervals-instrument = intervals include sampling and the instrument's expanded uncertainty of a coordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = intervals include sampling only: no uncertainty of the instrument is stated
 convention-limit-band = limit band: { $band } mm about the mean of the standstill
@@ -564,7 +564,7 @@ geometry-alone = Geometry alone
 geometry-alone-title = Measurements by geometry alone
 geometry-beside-identification = Geometry alone, beside the identification
 geometry-improvement = The largest mean position error decreases from { $nominal } mm to { $geometric } mm by geometry alone: a factor of { $improvement }.
-guarded-acceptance = guarded acceptance (ISO 14253-1)
+guarded-acceptance = guarded acceptance (ILAC-G8:09/2019, 4.2.2)
 guarded-acceptance-explained = pass if the value plus its expanded uncertainty U is within the limit; fail if the value minus U exceeds the limit; otherwise undecided
 head-along = along
 head-and = and

@@ -190,13 +190,13 @@ target-without-pose = the row names a target but no pose
 
 # Means: Two rows have the same target, pose and cycle.
 # Matters: It is unknown which of them is valid.
-# Do: Number repeats as cycles, or remove one row. Files whose rows are poses need different
-# numbers.
+# Do: Give each repeat its own cycle number, or remove one row. Files whose rows are poses need
+# different numbers.
 # Example: two files with `pose = "row"`
 target-twice = target `{ $target }` occurs twice at pose { $pose }, cycle { $cycle }
     .hint = the first is { $file }:{ $line }; { $numbered ->
             [by-row] state `pose = "row + 100"` for one of the files
-           *[by-label] number repeats as cycles, or remove one
+           *[by-label] give each repeat its own cycle number, or remove one
         }
 
 # Means: Labels name no target of the robot and are not used by a feature, frame or step of a
@@ -474,7 +474,7 @@ join-by-label-targets = a join by label needs a robot with one target; this robo
     .hint = name one target, or choose another key with `by` in [join]
 
 # Means: The plate is measured once, but the world frame is measured at each pose.
-# Matters: The points of the plate have no position in the world.
+# Matters: The points of the plate have no common position in a frame that changes with the pose.
 # Do: Define the world frame by stationary points.
 # Example: `each = "pose"` in [frame.world] with `by = "label"`
 join-by-label-frame = a join by label needs one world frame for all poses
@@ -524,7 +524,7 @@ several-rows-near = { $count ->
     .hint = lower `tolerance_s` to less than half the period of the log
 
 # Means: Measured points have no row of the log within `tolerance_s`.
-# Matters: They do not take part in the result; import.json lists them.
+# Matters: They are excluded from the result; import.json lists them.
 # Do: If these points have partners, check `clock_offset_s` and `tolerance_s`.
 # Example: points measured after the log ended
 points-without-row = { $count ->
@@ -774,10 +774,10 @@ station-row-unsupported = { $fault ->
 station-join-by-label = points of station `{ $station }` are joined by label
     .hint = join them by pose, row or time: a touched point is measured in the frame of the world
 
-# Means: The standard uncertainty of a row is zero or negative.
+# Means: The standard uncertainty of a row is negative.
 # Matters: The weight of the row depends on its uncertainty.
 # Do: Correct the value, or leave the cell empty.
-# Example: `u_mm = 0`
+# Example: `u_mm = -1`
 uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertainty
     .expected = a positive number
 
@@ -2551,7 +2551,7 @@ cell-loads-replaced = the entry of tool { $number } has zero mass and centre of 
 # Matters: The error of a point grows with its distance from the axis.
 # Do: Align the axis, or accept the stated error.
 # Example: an axis C that leans by 0.05 deg
-cell-axis-tilted = the axis along { $axis } is tilted by { FIXED($angle_deg, 4) } deg, and `{ $maker }` has no tilt: { FIXED($left_um, 1) } um at 100 mm from the axis
+cell-axis-tilted = the axis along { $axis } is tilted by { FIXED($angle_deg, 4) } deg, and `{ $maker }` has no tilt: { FIXED($left_um, 1) } µm at 100 mm from the axis
     .hint = align the axis, or accept this error
 
 # Means: Columns that `--column` states have no effect on this problem.
@@ -2613,7 +2613,7 @@ cell-foreign-turned = the orientation of line { $line } does not fit the others:
 # Matters: Uncertainties of the result are from the residuals.
 # Do: Check the stated uncertainty: it includes robot and measurement.
 # Example: the uncertainty of the tracker alone
-cell-noise-larger = positions have residuals of { FIXED($found_um, 1) } um (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
+cell-noise-larger = positions have residuals of { FIXED($found_um, 1) } µm (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
     .hint = state the uncertainty of robot and measurement together
 
 # Means: Residuals of orientations are larger than the stated uncertainty explains.

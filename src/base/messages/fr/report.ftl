@@ -295,7 +295,7 @@ convention-different-instruments = les campagnes ont des instruments différents
 convention-drift-compensated = la dérive des positions et des orientations est corrigée par les cibles de référence
 convention-f-test = paramètres dans leur ensemble : test F ; si les incertitudes sont estimées à partir des erreurs des poses, il est approché, et avec une ou deux coordonnées mesurées par pose, il indique trop de changements
 convention-first-robot = sur { $count } robots : tout se rapporte à `{ $robot }`, sauf l’interchangeabilité
-convention-guarded-acceptance = conformité : acceptation avec bande de garde (ISO 14253-1) et intervalle à 95 % : prouvée seulement si l’intervalle entier est d’un côté de la limite
+convention-guarded-acceptance = conformité : acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2) et intervalle à 95 % : prouvée seulement si l’intervalle entier est d’un côté de la limite
 convention-intervals-instrument = les intervalles tiennent compte de l’échantillonnage et de l’incertitude élargie de l’instrument pour une coordonnée, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = les intervalles ne tiennent compte que de l’échantillonnage : aucune incertitude de l’instrument n’est indiquée
 convention-limit-band = bande limite : { $band } mm autour de la moyenne de l’arrêt
@@ -594,7 +594,7 @@ geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
 geometry-beside-identification = Géométrie seule, comparée à l’identification
 geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule : un facteur { $improvement }.
-guarded-acceptance = acceptation avec bande de garde (ISO 14253-1)
+guarded-acceptance = acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2)
 guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U la dépasse ; sinon indécidé
 head-along = suivant
 head-and = et
