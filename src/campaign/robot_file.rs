@@ -426,17 +426,16 @@ impl RobotFile {
         robot.ok().filter(|_| problems.0.is_empty()).ok_or(Unbuilt { problems, without_target })
     }
 
-    /// Builds the robot with these joints bending, by number from 1, and these targets; `None` if
-    /// the file states bending joints, or if the model has no such key.
-    pub fn build_bending(&self, joints: &[usize], targets: &[String]) -> Option<Box<dyn Robot>> {
-        const KEY: &str = "bending";
+    /// Builds the robot with an effect of these joints, by number from 1, and these targets; `None`
+    /// if the file states the effect, or if the model has no such key.
+    pub fn build_with(&self, key: &'static str, joints: &[usize], targets: &[String]) -> Option<Box<dyn Robot>> {
         let (model, values) = self.description.as_ref()?;
-        if values.contains_key(KEY) || !model.keys().iter().any(|key| key.name == KEY) {
+        if values.contains_key(key) || !model.keys().iter().any(|known| known.name == key) {
             return None;
         }
         let mut file = self.clone();
         let joints = joints.iter().map(|joint| JointRef::Number(*joint)).collect();
-        file.description.as_mut()?.1.insert(KEY, Value::Joints(joints));
+        file.description.as_mut()?.1.insert(key, Value::Joints(joints));
         file.build(targets).ok()
     }
 

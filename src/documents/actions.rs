@@ -19,6 +19,8 @@ use serde::{Deserialize, Serialize};
 pub const MOST: usize = 5;
 /// Maximum number of poses in one action.
 const POSES: usize = 5;
+/// Maximum number of readings, in multiples of the present ones, that is advised for a decision.
+const MOST_REPEATS: f64 = 25.0;
 /// Ids of warnings that other actions contain.
 const COVERED: [&str; 8] = [
     "outliers",
@@ -365,12 +367,20 @@ impl Evidence<'_> {
         Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
     }
 
-    /// Uncertainty that would decide on a limit, and its largest source.
+    /// Uncertainty that would decide on a limit, and its largest source; a decision rule, if so small
+    /// an uncertainty is out of reach.
     fn decide(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, u) = (limit.value?, limit.expanded_uncertainty?);
         let enough = (limit.limit - value).abs();
-        let what = phrase!("action-reduce-uncertainty", limit = limit.name.phrase());
         let (present, required) = (in_unit(u, limit), in_unit(enough, limit));
+        let times = (u / enough).powi(2);
+        if times > MOST_REPEATS {
+            let what = phrase!("action-agree-rule", limit = limit.name.phrase());
+            let times = format!("{times:.0}");
+            let reason = phrase!("action-agree-rule-reason", present, required, times);
+            return Some(Action::new(ActionKind::ReduceUncertainty, what, reason).file("campaign.toml"));
+        }
+        let what = phrase!("action-reduce-uncertainty", limit = limit.name.phrase());
         let source = limit
             .name
             .limited_error()

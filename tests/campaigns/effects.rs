@@ -54,3 +54,28 @@ fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
     let said = ends(&campaign(0.0), "run", 0, &[]);
     assert!(!said.contains("[effect-would-prove]"), "{said}");
 }
+
+/// Encoders of joints 1 and 4 err twice a turn (truth.toml), and robot.toml states no harmonics: they are named, and no
+/// other effect that gains only because they are missing.
+#[test]
+fn harmonics_that_robot_toml_does_not_describe_are_named_alone() {
+    let scratch = copy_sample("field-arm");
+    scratch.replace("campaign.toml", "field = true", "field = false");
+    let named = ["[effect-would-prove] effect=harmonics joints=q1, q4", "add `harmonics = [1, 4]` to robot.toml"];
+    let said = ends(&scratch, "run", 0, &named);
+    assert_eq!(said.matches("[effect-would-prove]").count(), 1, "{said}");
+    scratch.replace("robot.toml", "joint = [", "harmonics = [1, 4]\njoint = [");
+    let said = ends(&scratch, "run", 0, &[]);
+    assert!(!said.contains("[effect-would-prove]"), "{said}");
+    let parameters = std::fs::read(scratch.path().join("out/parameters.json")).unwrap();
+    let parameters: Value = serde_json::from_slice(&parameters).unwrap();
+    for (name, amplitude_deg) in [("harmonic_1", 0.02), ("harmonic_4", 0.03)] {
+        let part = |end: &str| {
+            let all = parameters["parameters"].as_array().unwrap();
+            let found = all.iter().find(|p| p["name"] == format!("{name}_{end}")).unwrap();
+            found["value"].as_f64().unwrap()
+        };
+        let found_deg = part("sin2").hypot(part("cos2"));
+        assert!((found_deg / amplitude_deg - 1.0).abs() < 0.1, "{name}: {found_deg}");
+    }
+}

@@ -61,6 +61,13 @@ fn repeatability_needs_no_commanded_poses() {
     }
     let output = etalon(&sample(), &["iso9283", "pose", "poses.csv", "--all", "--json"]);
     assert!(text_of(&output).contains("warning[commanded-missing]"), "{}", text_of(&output));
+    // thirty cycles from a cold start, and no sets of cycles are stated
+    assert!(text_of(&output).contains("warning[positions-drift]"), "{}", text_of(&output));
+    let stated = etalon(
+        &sample(),
+        &["iso9283", "pose", "poses.csv", "--commanded", "commanded.csv", "--all", "--drift-set", "5"],
+    );
+    assert!(!text_of(&stated).contains("[positions-drift]"), "{}", text_of(&stated));
     let all: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert!(all["distances"].as_array().unwrap().is_empty() && all["drifts"].as_array().unwrap().is_empty());
     assert!(all["conventions"].to_string().contains("no commanded poses: AP, distances and drift are not determined"));

@@ -15,7 +15,7 @@ use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
 use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
-use etalon_standards::iso9283::pose::drift::{Drift, drifts};
+use etalon_standards::iso9283::pose::drift::{Drift, drifts, largest_trend};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
 use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
@@ -106,7 +106,7 @@ impl Iso9283Document {
             visits: Vec::new(),
             limits: Vec::new(),
             reference: Vec::new(),
-            messages: placed.into_iter().chain(messages(test, &poses)).collect(),
+            messages: placed.into_iter().chain(messages(test, &poses)).chain(unstated_drift(test, settings)).collect(),
             poses,
         })
     }
@@ -436,6 +436,13 @@ impl Iso9283Drift {
     pub fn is_unsettled(&self) -> bool {
         self.is_significant && self.settled_after.is_none()
     }
+}
+
+/// Returns a warning if positions change over the cycles, and no sets of cycles are stated for the
+/// drift.
+fn unstated_drift(test: &PoseTest, settings: &PoseTestSettings) -> Option<Message> {
+    let (pose, change_mm) = largest_trend(test).filter(|_| settings.drift_set.is_none())?;
+    Some(warning!("positions-drift", pose, change_mm).to_decide())
 }
 
 /// Warnings of a test of poses.

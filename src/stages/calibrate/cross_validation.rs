@@ -15,13 +15,12 @@ use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
-use etalon_campaign::RobotFile;
 use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, PoseSet, Statistics};
 use etalon_identify::{
-    Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, chi_square_exceeds, effects,
+    Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, effects,
 };
 use etalon_math::statistics::{mean, variance};
-use etalon_robots::{Effect, Quantity, Robot};
+use etalon_robots::{Effect, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -66,7 +65,7 @@ pub(crate) struct Study<'a> {
 /// identified.
 type Again<'a> = &'a (dyn Fn(&Identification) -> Vec<String> + Sync);
 /// Squared position errors of poses: mean of each, mm².
-type Squares = BTreeMap<PoseName, f64>;
+pub(super) type Squares = BTreeMap<PoseName, f64>;
 
 /// Errors with a choice of parameters.
 pub(crate) struct Tried {
@@ -285,7 +284,7 @@ fn mean_squares(folds: Vec<Squares>) -> Squares {
 }
 
 /// Returns the decrease of the mean square error, and its standard uncertainty, from the poses.
-fn gain(before: &Squares, after: &Squares) -> [f64; 2] {
+pub(super) fn gain(before: &Squares, after: &Squares) -> [f64; 2] {
     let gains: Vec<f64> = after.iter().filter_map(|(pose, squared)| Some(before.get(pose)? - squared)).collect();
     [mean(gains.iter().copied()), (variance(&gains) / gains.len() as f64).sqrt()]
 }
@@ -397,10 +396,10 @@ fn joint_names(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String>
 
 /// Errors of a solution at left-out calibration poses, at most 200.
 pub struct LeftOut {
-    sets: Sets,
-    settings: Settings,
+    pub(super) sets: Sets,
+    pub(super) settings: Settings,
     folds: Vec<BTreeSet<PoseName>>,
-    identified: CrossValidated,
+    pub(super) identified: CrossValidated,
 }
 
 impl LeftOut {
@@ -413,7 +412,8 @@ impl LeftOut {
         Some(Self { sets, settings, folds, identified })
     }
 
-    fn trial<'a>(&'a self, robot: &'a dyn Robot, start: &'a [f64]) -> Trial<'a> {
+    /// Fits that start at these values.
+    pub(super) fn trial<'a>(&'a self, robot: &'a dyn Robot, start: &'a [f64]) -> Trial<'a> {
         Trial { robot, sets: &self.sets, start, folds: &self.folds }
     }
 
@@ -470,52 +470,6 @@ impl LeftOut {
     }
 }
 
-/// Number of joints whose bending is tried if robot.toml states none: the first that carry a
-/// moment.
-const BENDING: usize = 2;
-/// Minimum load of a joint that carries a moment, relative to its largest possible load.
-const LOADED: f64 = 0.1;
-
-/// Returns the bending of the first joints of an arm that carry a moment, if robot.toml lacks it
-/// and the positions prove it.
-pub(crate) fn undescribed_bending(
-    robot_file: &RobotFile,
-    robot: &dyn Robot,
-    left_out: &LeftOut,
-    found: &Identification,
-) -> Option<EffectProof> {
-    let LeftOut { sets, settings, folds, identified } = left_out;
-    let explained =
-        found.residuals.chi_square.is_some_and(|c| !chi_square_exceeds(c, found.residuals.degrees_of_freedom));
-    if explained || !settings.conditions.is_empty() || !settings.known.is_empty() || robot.loads().is_some() {
-        return None;
-    }
-    let carries = |joint: &usize| {
-        let alone = robot_file.build_bending(&[*joint], robot.targets());
-        let loads = alone.as_ref().and_then(|bending| bending.loads());
-        loads.is_some_and(|loads| {
-            sets.calibration.iter().any(|o| loads(&o.joints).iter().any(|load| load.abs() > LOADED))
-        })
-    };
-    let turning = (1..=robot.joints().len()).filter(|&j| robot.joints()[j - 1].quantity == Quantity::Angle);
-    let joints: Vec<usize> = turning.filter(carries).take(BENDING).collect();
-    let bending = robot_file.build_bending(&joints, robot.targets()).filter(|_| !joints.is_empty())?;
-    let value = |name: &str| Some(found.values[robot.index(name)?]);
-    let start: Vec<f64> = bending.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect();
-    let mut more = settings.clone();
-    if let Effects::These(chosen) = &mut more.effects {
-        chosen.push(Effect::Bending);
-    }
-    let alone = Trial { robot, sets, start: &found.values, folds };
-    let bent = Trial { robot: bending.as_ref(), sets, start: &start, folds };
-    let with = bent.cross_validate(&more)?;
-    let names = joints.iter().map(|j| robot.joints()[j - 1].name.clone()).collect();
-    let both = || Some([alone.identify(settings)?, bent.identify(&more)?]);
-    let proof = would_prove([identified, &with], both, Effect::Bending, names)?;
-    let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
-    Some(EffectProof { robot_key: Some(format!("bending = [{}]", numbers.join(", "))), ..proof })
-}
-
 /// Some calibration poses, settings with their conditions, and folds of them; `None` if they are
 /// too few.
 fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTreeSet<PoseName>>)> {
@@ -536,7 +490,7 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
 /// Returns the gain of an effect that is not identified, if the effect is significant: by fits near
 /// the solution without it and with it, and then by identifications at left-out poses, as a run
 /// with the effect identifies.
-fn would_prove(
+pub(super) fn would_prove(
     [without, with]: [&CrossValidated; 2],
     identified: impl Fn() -> Option<[Squares; 2]>,
     effect: Effect,
@@ -562,14 +516,15 @@ fn would_prove(
 }
 
 /// Fit to all poses, and errors at left-out poses.
-struct CrossValidated {
+pub(super) struct CrossValidated {
     fit: ModelFit,
-    left_out: Squares,
+    /// Mean square of the errors of each pose.
+    pub(super) left_out: Squares,
 }
 
 /// Fits near a solution, without their uncertainties.
 #[derive(Clone, Copy)]
-struct Trial<'a> {
+pub(super) struct Trial<'a> {
     robot: &'a dyn Robot,
     sets: &'a Sets,
     start: &'a [f64],
@@ -578,7 +533,7 @@ struct Trial<'a> {
 
 impl Trial<'_> {
     /// Fits to all poses, and to all but the poses of each fold.
-    fn cross_validate(&self, settings: &Settings) -> Option<CrossValidated> {
+    pub(super) fn cross_validate(&self, settings: &Settings) -> Option<CrossValidated> {
         let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
         let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {
             let (sets, settings) = split(self.robot, self.sets, settings, fold);
@@ -592,7 +547,7 @@ impl Trial<'_> {
     }
 
     /// Errors at the poses of each fold by an identification from all other poses.
-    fn identify(&self, settings: &Settings) -> Option<Squares> {
+    pub(super) fn identify(&self, settings: &Settings) -> Option<Squares> {
         self.left_out(|fold| {
             let (sets, settings) = split(self.robot, self.sets, settings, fold);
             let before = etalon_identify::fit_frames(self.robot, &sets.calibration, &settings).ok()?;

@@ -1,9 +1,10 @@
 //! Evaluation of a solution: judgement, errors before and after, predictions and controls. Each
 //! step returns what it adds.
 
-use crate::stages::calibrate::cross_validation::{LeftOut, undescribed_bending};
+use crate::stages::calibrate::cross_validation::LeftOut;
 use crate::stages::calibrate::selection::CampaignData;
 use crate::stages::calibrate::solution::{Basis, Solution};
+use crate::stages::calibrate::undescribed_effects::{Undescribed, best_alone};
 use crate::stages::calibrate::validation_targets::{TargetLocations, ValidationTargets};
 use crate::stages::evaluate::accuracy::{self, ErrorUncertainty, Judged, RobotValues};
 use crate::stages::evaluate::errors::{point_errors, with_times};
@@ -112,8 +113,9 @@ impl LocatedSolution<'_> {
         accuracy.left_out = left_out.as_ref().and_then(|left_out| left_out.errors(robot, before));
         let unused = || left_out.as_ref().map_or_else(Vec::new, |left_out| left_out.unused(robot, found));
         accuracy.effects = proofs.unwrap_or_else(unused);
-        let bending = |left_out| undescribed_bending(&campaign.robot, robot, left_out, found);
-        accuracy.effects.extend(left_out.as_ref().and_then(bending));
+        let undescribed = |left_out| Undescribed { robot_file: &campaign.robot, robot, left_out, found }.effects();
+        accuracy.effects.extend(left_out.as_ref().map(undescribed).unwrap_or_default());
+        best_alone(&mut accuracy.effects);
         accuracy.validation_distance = validation_distance(robot, all);
         if with_times(&mut errors, &joined.observations[0].1.times()?) {
             accuracy.joints.push(table::TIME.to_owned());

@@ -10,4 +10,5 @@ pub mod preview;
 pub mod recommendation;
 pub mod selection;
 pub mod solution;
+mod undescribed_effects;
 pub mod validation_targets;

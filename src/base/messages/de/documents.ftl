@@ -26,6 +26,9 @@ instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Ke
     }
     .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
 
+positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
+    .hint = `drift_set` in [poses] angeben (`--drift-set`) oder den Roboter vor der Prüfung warmfahren
+
 several-approaches = mehrere Anfahrrichtungen { $count ->
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
@@ -142,6 +145,8 @@ action-add-effect = `{ $line }` in robot.toml ergänzen
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
 action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
 action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
+action-agree-rule = mit dem Auftraggeber eine Entscheidungsregel vereinbaren: { $limit }
+action-agree-rule-reason = die Grenze liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = Programme mit `etalon compensate` und `--field { $file }` korrigieren: das Residuenfeld enthält Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } ausgelassenen Posen: { $without } → { $with }
 action-verify = nach dem Laden einige Posen erneut messen und mit `etalon verify` prüfen; bei Exit-Code 1 die vorherige Datei der Steuerung wiederherstellen

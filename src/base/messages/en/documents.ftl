@@ -44,6 +44,15 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
     }
     .hint = use the values as upper bounds, or measure with a better instrument
 
+# Means: The positions of a pose change over the cycles by more than their scatter explains (Student's
+# test of a straight line, level 0.1 % for all poses together), and no sets of cycles are stated.
+# Matters: AP and RP contain this drift: the same test after warming up gives other values.
+# Do: State `drift_set`, the number of cycles of a set, to evaluate the drift (ISO 9283, 7.6), or
+# warm the robot up before the test.
+# Example: thirty cycles from a cold start
+positions-drift = the position of pose { $pose } changes by { FIXED($change_mm, 3) } mm from the first to the last cycle: AP and RP contain this drift
+    .hint = state `drift_set` in [poses] (`--drift-set`), or warm the robot up before the test
+
 # Means: Poses were approached from several directions.
 # Matters: ISO 9283 defines AP and RP for one approach (7.2). Values of all visits contain vAP as
 # well.
@@ -220,6 +229,8 @@ action-add-effect = add `{ $line }` to robot.toml
 action-add-effect-reason = root-mean-square error at left-out poses: { $without } → { $with }
 action-add-validation = measure poses that validate the parameters, and name them in `validation` of [identify]
 action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
+action-agree-rule = agree with the customer on a decision rule for the { $limit }
+action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
 action-compensate = correct programs with `etalon compensate` and `--field { $file }`: the residual field adds errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
 action-verify = after loading, measure a few poses again with `etalon verify`; if it ends with exit code 1, restore the file that the controller had

@@ -1570,10 +1570,10 @@ calibration-without-residuals = the calibration does not determine the standard 
 # Matters: The robot has this effect; with it, the parameters describe the robot better.
 # Do: Add the line to robot.toml, or the effect to `effects` in [identify].
 # Example: a geared arm with eccentric gears, identified by geometry alone
-effect-would-prove = { $effect }{ $count ->
+effect-would-prove = significant effect: { $effect }{ $count ->
         [0] {""}
        *[other] {" "}of joints { $joints }
-    } is significant: with it, the error at left-out calibration poses falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
+    }; with it, the error at left-out calibration poses falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
     .hint = add "{ $effect }" to `effects` in [identify], or state `effects = "proven"`
 
 # Means: `outliers = "exclude"` would leave out more than a tenth of all readings.

@@ -26,6 +26,9 @@ instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caracté
     }
     .hint = utiliser les valeurs comme majorants, ou mesurer avec un meilleur instrument
 
+positions-drift = la position de la pose { $pose } change de { FIXED($change_mm, 3) } mm du premier au dernier cycle : AP et RP contiennent cette dérive
+    .hint = indiquer `drift_set` dans [poses] (`--drift-set`), ou chauffer le robot avant l’essai
+
 several-approaches = plusieurs directions d’approche { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
@@ -139,6 +142,8 @@ action-add-effect = ajouter `{ $line }` à robot.toml
 action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
 action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
 action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
+action-agree-rule = convenir avec le client d’une règle de décision : { $limit }
+action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de mesures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
 action-compensate = corriger les programmes par `etalon compensate` et `--field { $file }` : le champ résiduel contient des erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
 action-verify = après le chargement, mesurer de nouveau quelques poses avec `etalon verify` ; si le code de sortie est 1, rétablir le fichier que la commande avait
