@@ -250,7 +250,8 @@ impl Evidence<'_> {
         let set = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?;
         let (file, errors) = (loading.file.as_deref()?, loading.errors.as_ref()?);
         let (count, others) = (loading.alternatives.len(), loading.alternatives.join(", "));
-        let [poses, _] = set.counts(set.leading()?);
+        let leading = set.leading()?;
+        let [poses, _] = set.counts(leading);
         let what = match self.campaign.measurements.synthetic.is_some() {
             true => phrase!("action-load-synthetic", file, count, others),
             false if loading.is_for_controllers == Some(true) => phrase!("action-load", file, count, others),
@@ -258,8 +259,8 @@ impl Evidence<'_> {
         };
         let (best, PositionErrors { rms_mm: nominal, .. }) = (errors.written, errors.nominal);
         let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
-        let reason =
-            phrase!("action-load-reason", expected, nominal = nominal_error, count = poses, set = set.name.name());
+        let (quantity, set) = (leading.quantity.phrase(), set.name.name());
+        let reason = phrase!("action-load-reason", expected, nominal = nominal_error, quantity, count = poses, set);
         Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm)))
     }
 

@@ -13,6 +13,9 @@ use etalon_base::message::{Message, Rank};
 use etalon_base::{files, phrase};
 use etalon_documents::{AccuracyDocument, ParameterEntry, Results, WrittenFile};
 
+/// Identifiers of sections of characteristics whose results the certificate has in its own tables.
+const PRINTED: [&str; 3] = ["accuracy", "repeatability", "poses"];
+
 /// Contents of the certificate, from the contents of the report.
 pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Contents {
     let missing = checklist::missing(results, words);
@@ -40,11 +43,16 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         files_section(results, words),
         provenance::section(results, words),
     ];
+    // what the title and the table of clauses claim is printed
+    let further = super::characteristics(&results.tested, words).filter(|s| !PRINTED.contains(&s.id.as_str()));
+    let mut sections: Vec<Section> = sections.into_iter().flatten().collect();
+    let place = sections.iter().position(|s| s.id == "characteristics").map_or(sections.len(), |i| i + 1);
+    sections.splice(place..place, further.map(|section| Section { annex: false, ..section }));
     Contents {
         subtitle: format!("{}. {}", whole.title, whole.subtitle),
         title,
         draft,
-        sections: sections.into_iter().flatten().collect(),
+        sections,
         statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
         // the table contains the headlines; next steps are opinions that a laboratory states by
         // itself (ISO/IEC 17025:2017, 7.8.7), and the checklist follows
@@ -80,7 +88,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// Identified parameters with their expanded uncertainties, and the checksum of their document.
+/// Parameters with their expanded uncertainties and their status, and the checksum of their document.
 fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     let document = &results.identified.as_ref()?.parameters;
     let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));
@@ -89,7 +97,8 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
             .both(phrase!("name"), "", |p| p.name.as_str())
             .both(phrase!("unit"), "", |p| p.unit.as_str())
             .both(phrase!("value"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
-            .both("U (k = 2)", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2));
+            .both("U (k = 2)", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
+            .both(phrase!("status"), "", |p| parameters::status(p.status, words));
         section.table(title, "", Table::new(words, group, columns));
     }
     section.push(Block::note(tr!(words, "certificate-coverage")));
@@ -99,13 +108,13 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
 }
 
 /// Controller files with their checksums.
-fn files_section(results: &Results, words: &Words) -> Option<Section> {
+pub(super) fn files_section(results: &Results, words: &Words) -> Option<Section> {
     let files: Vec<&WrittenFile> = results.campaign.controller_files.iter().filter(|f| f.sha256.is_some()).collect();
     let columns = Columns::<&WrittenFile>::new()
         .both(phrase!("file"), "", |f| Cell::from(&f.file))
         .both(phrase!("formats"), "", |f| Text::name(&f.format))
         .both("SHA-256", "", |f| f.sha256.as_deref().map(Text::code));
-    let mut section = Section::new("controllers", tr!(words, "controller-files"));
+    let mut section = Section::new("loaded-files", tr!(words, "checksums-of-files"));
     if !files.is_empty() {
         section.push(Block::Table(Table::new(words, &files, columns)));
     }
@@ -118,13 +127,15 @@ fn characteristics_section(results: &Results, words: &Words) -> Option<Section> 
     let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
+    let conventions = results.tested.poses.iter().flat_map(|document| &document.conventions);
+    section.push(Block::note(Text::conventions(&conventions.cloned().collect::<Vec<_>>(), words)));
     section.whole().map(|section| super::with_measurement_point(section, results, words))
 }
 
 /// Warnings that a reader of the results should know.
 fn warnings(results: &Results, words: &Words) -> Section {
     let known: Vec<&Message> = results.messages().filter(|m| m.rank != Rank::Routine).collect();
-    messages::section_from_messages(&known, words)
+    messages::section_beside_routine(&known, results.messages().count() - known.len(), words)
 }
 
 #[cfg(test)]

@@ -17,17 +17,25 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
                 .chain(results.identified.iter().flat_map(|i| &i.parameters.messages))
                 .any(|o| o == *m)
     };
-    let (_, here): (Vec<&Message>, Vec<&Message>) = results.messages().partition(elsewhere);
-    let mut section = section_from_messages(&here, words);
+    let (routine, here): (Vec<&Message>, Vec<&Message>) = results.messages().partition(elsewhere);
+    let mut section = section_beside_routine(&here, routine.len(), words);
     section.data = vec![table(&results.messages().collect::<Vec<_>>(), words)];
     Some(section)
 }
 
 /// Section of these messages: those that need action first, with similar rows merged.
 pub(crate) fn section_from_messages(messages: &[&Message], words: &Words) -> Section {
+    section_beside_routine(messages, 0, words)
+}
+
+/// Section of these messages, where so many routine remarks are elsewhere.
+pub(super) fn section_beside_routine(messages: &[&Message], routine_elsewhere: usize, words: &Words) -> Section {
     let mut section = Section::new("messages", tr!(words, "warnings-and-remarks"));
     if messages.is_empty() {
-        section.push(Block::text(tr!(words, "no-messages")));
+        section.push(Block::text(match routine_elsewhere {
+            0 => tr!(words, "no-messages"),
+            count => tr!(words, "no-messages-but-routine", count),
+        }));
     }
     let grouped = Problems(messages.iter().map(|m| (*m).clone()).collect()).grouped();
     for (rank, title) in [(Rank::Decide, tr!(words, "decide-now")), (Rank::Know, tr!(words, "should-know"))] {

@@ -46,12 +46,13 @@ type Make = fn(&Results, &Words) -> Option<Section>;
 const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
 const AFTER: [Make; 3] = [field::section, effects::section, budget::section];
 /// Annexes behind the evidence.
-const ANNEXES: [Make; 10] = [
+const ANNEXES: [Make; 11] = [
     errors::other_sets,
     messages::section,
     checklist::section,
     parameters::section,
     controllers::section,
+    certificate::files_section,
     checks::section,
     fit::section,
     frames::section,

@@ -152,7 +152,7 @@ fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
 }
 
 /// Origin of a parameter's value in words.
-fn status(status: ParameterStatus, words: &Words) -> Cell {
+pub(super) fn status(status: ParameterStatus, words: &Words) -> Cell {
     match status {
         ParameterStatus::Identified => term(words, phrase!("identified")),
         ParameterStatus::Fixed => term(words, phrase!("held-by-the-campaign")),

@@ -10,7 +10,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, Figure,
     IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument,
-    PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, VerdictDocument,
+    PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame, VerdictDocument,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -48,7 +48,10 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
         }
         None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
-    let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).map(|tool| at_tool(tool, words));
+    // the centre of a platform, where no point is stated, is none of the measured ones
+    let is_stated = |tool: &&ToolAccuracy| tool.frame != ToolFrame::Platform || tool.point_mm != [0.0; 3];
+    let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).filter(is_stated);
+    let tool = tool.map(|tool| at_tool(tool, words));
     let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(&i.accuracy, set, words));
     let verdict = Verdict {
         class: Grade::from_verdict(judgement.verdict),

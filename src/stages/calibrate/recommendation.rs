@@ -60,7 +60,9 @@ impl Recommendation<'_> {
         one_more();
         let (mut steps, _) = study.steps(&none, &mut one_more)?;
         let of_run = self.run_parameters();
-        let answer: Vec<usize> = (0..study.effects.len()).filter(|i| self.is_loaded(*i, &of_run)).collect();
+        let answer: Vec<usize> = (0..study.effects.len())
+            .filter(|i| study.effects[*i].is_some_and(|effect| self.is_answered(of_run.contains(i), effect)))
+            .collect();
         let holding = |free: &[usize]| study.holding(study.held(|i| free.contains(&i)));
         let all = study.tried(&holding(&of_run), None)?;
         one_more();
@@ -76,7 +78,7 @@ impl Recommendation<'_> {
         }
         let everything = study.identify(&study.settings_with_effects(&Effect::ALL))?;
         let stability = self.stability(&holding(&of_run), &all.found)?;
-        let parameters = self.verdicts([&everything, &all.found], &stability, &answer)?;
+        let parameters = self.verdicts(&everything, &stability)?;
         messages.extend(self.unstable(&stability));
         let document = match self.loading.answer {
             LoadAnswer::Load | LoadAnswer::Resolve => self.identified.parameters.clone(),
@@ -113,13 +115,10 @@ impl Recommendation<'_> {
         (0..study.effects.len()).filter(|&i| study.effects[i].is_some()).filter(identified).collect()
     }
 
-    /// `true` if a parameter of the robot itself is part of the answer, given those `of_run`.
-    fn is_loaded(&self, index: usize, of_run: &[usize]) -> bool {
-        let further = || {
-            let effect = self.study.effects[index].map(etalon_documents::Effect::from);
-            effect.is_some_and(|effect| self.loading.effects.contains(&effect))
-        };
-        self.loading.answer != LoadAnswer::KeepNominal && (of_run.contains(&index) || further())
+    /// `true` if a parameter of an effect is part of the answer; `is_of_run` if the run has it.
+    fn is_answered(&self, is_of_run: bool, effect: Effect) -> bool {
+        let further = || self.loading.effects.contains(&effect.into());
+        self.loading.answer != LoadAnswer::KeepNominal && (is_of_run || further())
     }
 
     /// Document of parameters that are not those of the run.
@@ -157,58 +156,65 @@ impl Recommendation<'_> {
         let identified = found.free.iter().copied().filter(|&i| self.study.effects[i].is_some());
         let change = |index: usize| {
             let change = found.values[index] - self.study.robot.parameters()[index].nominal;
-            let u = found.standard_uncertainty(index)?;
-            let t = (change / u).abs();
-            let p_value = match found.degrees_of_freedom(index).map(|nu| StudentsT::new(0.0, 1.0, nu)) {
-                Some(Ok(student)) => 2.0 * student.sf(t),
-                _ => 2.0 * Normal::standard().sf(t),
-            };
-            Some(Change { index, change, u, p_value })
+            Some(Change::new(index, change, found.standard_uncertainty(index)?, found.degrees_of_freedom(index)))
         };
-        let mut changes: Vec<Change> = identified.filter_map(change).collect();
-        let corrected = etalon_identify::holm(&changes.iter().map(|c| c.p_value).collect::<Vec<_>>());
-        changes.iter_mut().zip(corrected).for_each(|(c, p)| c.p_value = p);
-        changes
+        corrected(identified.filter_map(change).collect())
     }
 
-    /// Evidence for each identifiable parameter. Parameters of the run are judged in its model;
-    /// parameters in `load` are part of the answer.
-    fn verdicts(
-        &self,
-        [all, model]: [&Identification; 2],
-        stability: &[Stability],
-        load: &[usize],
-    ) -> Result<Vec<ParameterVerdict>> {
-        let (of_all, of_model) = (self.changes(all), self.changes(model));
+    /// Changes of the identified parameters of the run, as its parameters.json contains them.
+    fn run_changes(&self) -> Vec<Change> {
+        let robot = self.study.robot;
+        let change = |p: &ParameterEntry| {
+            let index = robot.index(&p.name).filter(|i| self.study.effects[*i].is_some())?;
+            let quantity = robot.parameters()[index].quantity;
+            let change = quantity.inward(p.value - p.nominal);
+            Some(Change::new(index, change, quantity.inward(p.standard_uncertainty?), p.degrees_of_freedom))
+        };
+        corrected(self.identified.parameters.identified().filter_map(change).collect())
+    }
+
+    /// Evidence for each parameter that the run identified, and for each that it would identify with
+    /// `all` effects.
+    fn verdicts(&self, all: &Identification, stability: &[Stability]) -> Result<Vec<ParameterVerdict>> {
+        let of_run = self.run_changes();
+        let is_of_run = |c: &Change| of_run.iter().any(|other| other.index == c.index);
+        let further: Vec<Change> = self.changes(all).into_iter().filter(|c| !is_of_run(c)).collect();
+        let mut changes: Vec<&Change> = of_run.iter().chain(&further).collect();
+        changes.sort_by_key(|c| c.index);
         let influences = &self.identified.accuracy.parameter_influences;
         let study = self.study;
-        let settings = study.holding(study.held(|i| all.status[i] == Status::Identified));
         // of the first cut alone: every pose is left out once
-        let folds = study.first_cut().iter().map(|fold| study.without(fold, &settings)).collect::<Result<Vec<_>>>()?;
+        let folds = |is_free: &dyn Fn(usize) -> bool| {
+            let settings = study.holding(study.held(is_free));
+            study.first_cut().iter().map(|fold| study.without(fold, &settings)).collect::<Result<Vec<_>>>()
+        };
+        let of_run_folds = folds(&|i| of_run.iter().any(|c| c.index == i))?;
+        let is_more = !further.is_empty();
+        let further_folds = if is_more { folds(&|i| all.status[i] == Status::Identified)? } else { Vec::new() };
         let verdict = |c: &Change| {
             let (p, effect) = (&study.robot.parameters()[c.index], study.effects[c.index]?);
             let stability = stability.iter().find(|s| s.parameter == c.index);
-            let judged = of_model.iter().find(|m| m.index == c.index).unwrap_or(c);
+            let folds = if is_of_run(c) { &of_run_folds } else { &further_folds };
             let values: Vec<f64> = folds.iter().map(|found| found.values[c.index]).collect();
             let variance = variance(&values);
             // two folds share all but two parts of their poses: their values differ by less than
             // independent ones
-            let u_fold = judged.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
+            let u_fold = c.u * ((values.len() as f64) / (values.len() as f64 - 1.0)).sqrt();
             Some(ParameterVerdict {
                 name: p.name.clone(),
                 unit: p.quantity.unit().to_owned(),
                 effect: effect.into(),
-                change: p.quantity.outward(judged.change),
+                change: p.quantity.outward(c.change),
                 displacement_mm: influences.iter().find(|of| of.name == p.name).map(|of| of.change_mm),
-                change_over_u: (judged.change / judged.u).abs(),
-                p_value: judged.p_value,
+                change_over_u: (c.change / c.u).abs(),
+                p_value: c.p_value,
                 fold_sd_over_u: variance.sqrt() / u_fold,
                 part_change_over_sd: stability.map(|s| s.over_sd),
                 part_change_limit: stability.map(|s| s.limit),
-                verdict: if load.contains(&c.index) { LoadVerdict::Load } else { LoadVerdict::Hold },
+                verdict: if self.is_answered(is_of_run(c), effect) { LoadVerdict::Load } else { LoadVerdict::Hold },
             })
         };
-        Ok(of_all.iter().filter_map(verdict).collect())
+        Ok(changes.into_iter().filter_map(verdict).collect())
     }
 
     /// The recommendation in sentences.
@@ -242,4 +248,24 @@ struct Change {
     change: f64,
     u: f64,
     p_value: f64,
+}
+
+impl Change {
+    /// A change with its standard uncertainty and the degrees of freedom of that, and the
+    /// probability of a larger one by chance.
+    fn new(index: usize, change: f64, u: f64, degrees_of_freedom: Option<f64>) -> Self {
+        let t = (change / u).abs();
+        let p_value = match degrees_of_freedom.map(|nu| StudentsT::new(0.0, 1.0, nu)) {
+            Some(Ok(student)) => 2.0 * student.sf(t),
+            _ => 2.0 * Normal::standard().sf(t),
+        };
+        Self { index, change, u, p_value }
+    }
+}
+
+/// Changes with probabilities corrected for their number (Holm 1979).
+fn corrected(mut changes: Vec<Change>) -> Vec<Change> {
+    let corrected = etalon_identify::holm(&changes.iter().map(|c| c.p_value).collect::<Vec<_>>());
+    changes.iter_mut().zip(corrected).for_each(|(c, p)| c.p_value = p);
+    changes
 }

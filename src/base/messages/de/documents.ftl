@@ -147,10 +147,10 @@ action-add-validation = Posen zur Validierung messen und unter `validation` in [
 action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
 action-agree-rule = mit dem Auftraggeber eine Entscheidungsregel vereinbaren: { $limit }
 action-agree-rule-reason = die Grenze liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
-action-compensate = Programme mit `etalon compensate` und `--field { $file }` korrigieren: das Residuenfeld enthält Abweichungen, die kein Parameter beschreibt
+action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Restfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } ausgelassenen Posen: { $without } → { $with }
-action-verify = nach dem Laden einige Posen erneut messen und mit `etalon verify` prüfen; bei Exit-Code 1 die vorherige Datei der Steuerung wiederherstellen
-action-verify-reason = diese Datei vor dem Laden sichern. Die Posen wählt `etalon verify --candidates`, das die kleinste erkennbare Änderung nennt
+action-verify = das Laden prüfen: einige Posen anfahren und die angezeigte Pose der Steuerung mit `etalon kinematics direct --parameters parameters.json` vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
+action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` aus wenigen gemessenen Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
 action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
 action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %, die { $count ->
         [one] Pose { $poses } überschreitet
@@ -165,10 +165,10 @@ action-load = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
     } laden
-action-load-reason = erwartete Abweichung { $expected }, mit Nennparametern { $nominal } (quadratischer Mittelwert an { $count } { $set ->
+action-load-reason = quadratischer Mittelwert der Abweichung ({ $quantity }) an { $count } { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    })
+    }: nominell { $nominal }, identifiziert { $expected }
 action-load-synthetic = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })

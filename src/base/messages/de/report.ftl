@@ -189,7 +189,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } Warnungen schränken das Ergebnis ein
     }
 certificate-coverage = U: erweiterte Messunsicherheit, Erweiterungsfaktor k = 2, Überdeckungswahrscheinlichkeit etwa 95 % bei Normalverteilung.
-certificate-parameters = Identifizierte Parameter
+certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
 change = Änderung
@@ -210,6 +210,7 @@ checklist-note = { $count ->
 }
 checklist-title = Vor der Unterschrift zu ergänzen
 checks-of-the-model = Prüfung des Modells
+checksums-of-files = Steuerungsdateien und ihre Prüfsummen
 chi-square = Chi-Quadrat
 choice = Auswahl
 choice-gap = höchstens { $percent } % unter der bestmöglichen Auswahl
@@ -433,9 +434,9 @@ draws-agree = Die lineare Fortpflanzung stimmt mit { $draws } Monte-Carlo-Ziehun
 draws-differ = Die lineare Fortpflanzung und { $draws } Monte-Carlo-Ziehungen weichen bei { $differing } von { $parameters } Parametern voneinander ab (um mehr als eine halbe Einheit der zweiten Stelle der Standardunsicherheit).
 draws-of-stated = Die Ziehungen erfassen die angegebenen Unsicherheiten, nicht den Modellfehler.
 draws-too-few = Zu wenige Ziehungen für zwei signifikante Stellen jeder Standardunsicherheit: Anzahl erhöhen.
-draws-without-model-bootstrap = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Der Bootstrap erfasst auch den Modellfehler.
-draws-without-model-both = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts und der Bootstrap erfassen auch den Modellfehler.
-draws-without-model-report = Die Ziehungen erfassen nur die angegebenen Unsicherheiten. Die Standardunsicherheiten des Berichts erfassen auch den Modellfehler.
+draws-without-model-bootstrap = Der Bootstrap erfasst den Modellfehler; die Ziehungen eines Parameters erfassen ihn, wenn sie mit dem Bootstrap übereinstimmen. Die Ziehungen der Abweichungen erfassen nur die angegebenen Unsicherheiten.
+draws-without-model-both = Die Standardunsicherheiten des Berichts und der Bootstrap erfassen den Modellfehler; die Ziehungen eines Parameters erfassen ihn, wenn sie mit dem Bericht übereinstimmen. Die Ziehungen der Abweichungen erfassen nur die angegebenen Unsicherheiten.
+draws-without-model-report = Die Standardunsicherheiten des Berichts erfassen den Modellfehler; die Ziehungen eines Parameters erfassen ihn, wenn sie mit dem Bericht übereinstimmen. Die Ziehungen der Abweichungen erfassen nur die angegebenen Unsicherheiten.
 drift = Drift
 drift-title = Drift der Pose-Genauigkeit und der Pose-Wiederholgenauigkeit
 effect = Effekt
@@ -650,8 +651,8 @@ instrument-calibration = Kalibrierung des Messgeräts
 instrument-expanded-uncertainty = erweiterte Messunsicherheit des Messgeräts
 instrument-good-enough = Eignung des Messgeräts
 instrument-good-for-all = Geeignet: Die Messunsicherheit übersteigt an keiner Pose 25 % von AP und RP.
-instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP: Die Werte sind Obergrenzen für den Roboter.
-instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an diesen Posen, wo die Werte Obergrenzen für den Roboter sind: { $poor }. Geeignet an den Posen: { $good }.
+instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
+instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
 instrument-uncertainty = Unsicherheit des Messgeräts
 instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
 instrument-uncertainty-with-k = U = { $uncertainty } µm je Koordinate (k = { $k })
@@ -681,7 +682,7 @@ largest = größter Beitrag
 largest-displacement = größte Verschiebung
 largest-distance = größter Abstand
 largest-error = größte Abweichung
-largest-error-drawn = `max` ist die Abweichung der Messung mit der größten Abweichung in den Daten. Jede Ziehung misst diese Messung neu.
+largest-error-drawn = `max` ist die Abweichung der Messung mit der größten Abweichung in den Daten. Jede Ziehung misst diese Messung neu. „in Übereinstimmung“ ist „nein“, wenn die Unsicherheit der Ziehungen größer ist.
 largest-errors-drawn = An jeder der { $places } Positionen ist die größte Abweichung gezeichnet (von { $total } Abweichungen).
 largest-errors-of-poses = Abweichungen je Pose, die größten zuerst
 largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
@@ -825,6 +826,10 @@ no-correlated-pairs = Kein Paar hat eine Korrelation von 0,9 oder mehr.
 no-error-to-draw = Keine Abweichungen zu zeichnen.
 no-errors-are-given = Das Dokument enthält keine Abweichungen.
 no-messages = Keine.
+no-messages-but-routine = Keine außer { $count ->
+        [one] einem Routinehinweis
+       *[other] { $count } Routinehinweisen
+    }, zum Beispiel zu Parametern auf ihren Nennwerten: siehe Anhang des Berichts.
 no-noise-stated = kein Rauschen angegeben
 no-quantity-changed = Signifikante Änderungen: 0 von { $total } Größen des Roboters.
 no-significant-change = keine signifikante Änderung
@@ -1305,7 +1310,7 @@ show-more = Mehr anzeigen
 signatures = Unterschriften
 significant-changes = Signifikant: { $campaigns }.
 simple-acceptance = einfache Annahme (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = bestanden, wenn der Wert den Grenzwert einhält, unabhängig von seiner Unsicherheit U
+simple-acceptance-explained = bestanden, wenn Wert + U den Grenzwert einhält; bedingt bestanden, wenn nur der Wert ihn einhält
 simulated-calibration-note = Synthetische Daten: normalverteiltes Rauschen von { $noise } µm auf jeder Koordinate; Mittel aus { $identifications } Identifikationen. Parameter und Bilder zeigen eines dieser Mittel. Abweichungen über der Anzahl der Positionen sind Mediane aus { $medians }. Die Abweichungen beziehen sich auf { $point }, ausgewertet über { $configurations } Konfigurationen.
 simulated-calibration-title = Simulierte Kalibrierung
 single-balls = Einzelne Kugeln, wiederholt gemessen
@@ -1411,7 +1416,7 @@ to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
 tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
-tool-point-headline = Werkzeugpunkt, RMS: nominal → erwartet
+tool-point-headline = Werkzeugpunkt, RMS: nominell minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.

@@ -231,10 +231,10 @@ action-add-validation = measure poses that validate the parameters, and name the
 action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
 action-agree-rule = agree with the customer on a decision rule for the { $limit }
 action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
-action-compensate = correct programs with `etalon compensate` and `--field { $file }`: the residual field adds errors that no parameter describes
+action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`, which adds errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
-action-verify = after loading, measure a few poses again with `etalon verify`; if it ends with exit code 1, restore the file that the controller had
-action-verify-reason = save that file before loading. Choose the poses with `etalon verify --candidates`, which lists the smallest change that they detect
+action-verify = test the loading: move to a few poses, and compare the pose that the controller shows with `etalon kinematics direct --parameters parameters.json`. If they differ, restore the file that the controller had
+action-verify-reason = save that file before loading. Later, `etalon verify` reports from a few measured poses whether base or robot have changed; `--candidates` chooses these poses
 action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = at pose { $pose }, U = { $uncertainty } is { $percent } % of the characteristic; ISO 9283 allows 25 %, which { $count ->
         [one] pose { $poses } exceeds
@@ -249,10 +249,10 @@ action-load = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
     }
-action-load-reason = expected error { $expected }, nominal { $nominal } (root mean square at { $count } { $set ->
+action-load-reason = root-mean-square error ({ $quantity }) at { $count } { $set ->
         [validation] validation
        *[calibration] calibration
-    } poses)
+    } poses: nominal { $nominal }, identified { $expected }
 action-load-synthetic = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })

@@ -180,7 +180,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } warnings limit the answer
     }
 certificate-coverage = U: expanded uncertainty, coverage factor k = 2, coverage probability about 95 % for a normal distribution.
-certificate-parameters = Identified parameters
+certificate-parameters = Parameters, identified and held
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
 change = change
@@ -201,6 +201,7 @@ checklist-note = { $count ->
 }
 checklist-title = To complete before signing
 checks-of-the-model = Model checks
+checksums-of-files = Controller files and their checksums
 chi-square = chi-square
 choice = Choice
 choice-gap = at most { $percent } % below the best possible choice
@@ -412,9 +413,9 @@ draws-agree = Linear propagation agrees with { $draws } Monte Carlo draws for al
 draws-differ = Linear propagation and { $draws } Monte Carlo draws differ for { $differing } of { $parameters } parameters (by more than half a unit in the second digit of the standard uncertainty).
 draws-of-stated = The draws cover the stated uncertainties, not the model error.
 draws-too-few = Too few draws for two digits of every standard uncertainty: increase their number.
-draws-without-model-bootstrap = The draws cover the stated uncertainties only. The bootstrap also covers the model error.
-draws-without-model-both = The draws cover the stated uncertainties only. The report's standard uncertainties and the bootstrap also cover the model error.
-draws-without-model-report = The draws cover the stated uncertainties only. The report's standard uncertainties also cover the model error.
+draws-without-model-bootstrap = The bootstrap covers the model error; draws of a parameter cover it if they agree with the bootstrap. Draws of the errors cover the stated uncertainties only.
+draws-without-model-both = The report's standard uncertainties and the bootstrap cover the model error; draws of a parameter cover it if they agree with the report. Draws of the errors cover the stated uncertainties only.
+draws-without-model-report = The report's standard uncertainties cover the model error; draws of a parameter cover it if they agree with the report. Draws of the errors cover the stated uncertainties only.
 drift = Drift
 drift-title = Drift of accuracy and repeatability
 effect = effect
@@ -620,8 +621,8 @@ instrument-calibration = instrument's calibration
 instrument-expanded-uncertainty = instrument's expanded uncertainty
 instrument-good-enough = Suitability of the instrument
 instrument-good-for-all = Suitable: the measurement uncertainty is within 25 % of AP and RP at every pose.
-instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: the values are upper bounds for the robot.
-instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at these poses, where the values are upper bounds for the robot: { $poor }. Suitable at poses: { $good }.
+instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
+instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
 instrument-uncertainty = instrument's uncertainty
 instrument-uncertainty-of-position = U = { $uncertainty } µm for a position
 instrument-uncertainty-with-k = U = { $uncertainty } µm per coordinate (k = { $k })
@@ -651,7 +652,7 @@ largest = largest
 largest-displacement = largest displacement
 largest-distance = largest distance
 largest-error = largest error
-largest-error-drawn = `max` is the error of the reading with the largest error in the data. Each draw measures this reading again.
+largest-error-drawn = `max` is the error of the reading with the largest error in the data. Each draw measures this reading again. "agree" is "no" if the draws have the larger uncertainty.
 largest-errors-drawn = The largest error at each of { $places } positions is drawn (total { $total } errors).
 largest-errors-of-poses = Errors by pose, largest first
 largest-mean-deviation-from-linear = largest mean deviation from linearity
@@ -789,6 +790,10 @@ no-correlated-pairs = No pair has a correlation of 0.9 or more.
 no-error-to-draw = No errors to plot.
 no-errors-are-given = The document contains no errors.
 no-messages = None.
+no-messages-but-routine = None, but { $count ->
+        [one] one routine remark
+       *[other] { $count } routine remarks
+    }, for example on parameters held at their nominal values: see the annex of the report.
 no-noise-stated = no noise stated
 no-quantity-changed = Significant changes: 0 of { $total } quantities of the robot.
 no-significant-change = no significant change
@@ -1239,7 +1244,7 @@ show-more = Show more
 signatures = Signatures
 significant-changes = Significant: { $campaigns }.
 simple-acceptance = simple acceptance (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = pass if the value is within the limit, regardless of its uncertainty U
+simple-acceptance-explained = pass if value + U is within the limit; conditional pass if only the value is
 simulated-calibration-note = Synthetic: Gaussian noise of { $noise } µm on each coordinate; mean of { $identifications } identifications. Parameters and figures show one such mean. Errors by number of positions are medians of { $medians }. Errors refer to { $point }, evaluated over { $configurations } configurations.
 simulated-calibration-title = Simulated calibration
 single-balls = Single balls, measured repeatedly
@@ -1345,7 +1350,7 @@ to-pose = to pose
 tolerance = tolerance
 tool-error-definition = { $error }; nominal minus identified: difference between the positions predicted by the two parameter sets; expected: magnitude (k = 1) from the covariance of the parameters, the tolerance of parameters that the data cannot determine, the model error beyond the instrument's uncertainty, and the position of the point on the tool; the target errors exclude parameters that shift targets and tool alike
 tool-point-expected = Expected error, RMS (k = 1): parameters { $parameters } µm; parameters that the data cannot determine (tolerance) { $undetermined } µm; model error { $model } µm; position of the point on the tool { $point } µm. Largest expanded uncertainty of a pose (k = 2): { $largest } µm.
-tool-point-headline = tool point, RMS: nominal → expected
+tool-point-headline = tool point, RMS: nominal minus identified → expected
 traceability = traceability
 trend = trend
 trend-description = One mark per campaign with its 95 % interval; diamonds: significant change.

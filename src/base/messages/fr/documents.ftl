@@ -144,10 +144,10 @@ action-add-validation = mesurer des poses de validation, et les indiquer sous `v
 action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
 action-agree-rule = convenir avec le client d’une règle de décision : { $limit }
 action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de mesures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
-action-compensate = corriger les programmes par `etalon compensate` et `--field { $file }` : le champ résiduel contient des erreurs qu’aucun paramètre ne décrit
+action-compensate = si la commande calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
-action-verify = après le chargement, mesurer de nouveau quelques poses avec `etalon verify` ; si le code de sortie est 1, rétablir le fichier que la commande avait
-action-verify-reason = sauvegarder ce fichier avant le chargement. Choisir les poses avec `etalon verify --candidates`, qui indique le plus petit changement détectable
+action-verify = vérifier le chargement : aller à quelques poses et comparer la pose affichée par la commande avec `etalon kinematics direct --parameters parameters.json`. Si elles diffèrent, rétablir le fichier que la commande avait
+action-verify-reason = sauvegarder ce fichier avant le chargement. Plus tard, `etalon verify` indique à partir de quelques poses mesurées si la base ou le robot ont changé ; `--candidates` choisit ces poses
 action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
 action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->
         [one] la pose { $poses } dépasse
@@ -162,10 +162,10 @@ action-load = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
     }
-action-load-reason = erreur attendue { $expected }, avec les paramètres nominaux { $nominal } (moyenne quadratique sur { $count } poses { $set ->
+action-load-reason = erreur quadratique moyenne ({ $quantity }) sur { $count } poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    })
+    } : nominale { $nominal }, identifiée { $expected }
 action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })

@@ -192,7 +192,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } avertissements limitent le résultat
     }
 certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
-certificate-parameters = Paramètres identifiés
+certificate-parameters = Paramètres, identifiés et tenus
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 change = écart
@@ -213,6 +213,7 @@ checklist-note = { $count ->
 }
 checklist-title = À compléter avant signature
 checks-of-the-model = Vérifications du modèle
+checksums-of-files = Fichiers de commande et leurs sommes de contrôle
 chi-square = khi-deux
 choice = Choix
 choice-gap = inférieur d’au plus { $percent } % au meilleur choix possible
@@ -436,9 +437,9 @@ draws-agree = La propagation linéaire concorde avec { $draws } tirages de Monte
 draws-differ = La propagation linéaire et { $draws } tirages de Monte-Carlo diffèrent pour { $differing } des { $parameters } paramètres (de plus d’une demi-unité du deuxième chiffre de l’incertitude-type).
 draws-of-stated = Les tirages couvrent les incertitudes indiquées, et non l’erreur du modèle.
 draws-too-few = Trop peu de tirages pour assurer deux chiffres significatifs de chaque incertitude-type : en augmenter le nombre.
-draws-without-model-bootstrap = Les tirages ne couvrent que les incertitudes indiquées. Le bootstrap couvre aussi l’erreur du modèle.
-draws-without-model-both = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport et le bootstrap couvrent aussi l’erreur du modèle.
-draws-without-model-report = Les tirages ne couvrent que les incertitudes indiquées. Les incertitudes-types du rapport couvrent aussi l’erreur du modèle.
+draws-without-model-bootstrap = Le bootstrap couvre l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le bootstrap. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
+draws-without-model-both = Les incertitudes-types du rapport et le bootstrap couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
+draws-without-model-report = Les incertitudes-types du rapport couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
 drift = Dérive
 drift-title = Dérive de l’exactitude et de la répétabilité de pose
 effect = effet
@@ -653,8 +654,8 @@ instrument-calibration = étalonnage de l’instrument
 instrument-expanded-uncertainty = incertitude de mesure élargie de l’instrument
 instrument-good-enough = Aptitude de l’instrument
 instrument-good-for-all = Apte : à aucune pose l’incertitude de mesure ne dépasse 25 % de AP ni de RP.
-instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses : les valeurs sont des majorants pour le robot.
-instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses suivantes, où les valeurs sont des majorants pour le robot : { $poor }. Instrument apte aux poses : { $good }.
+instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant pour le robot.
+instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant pour le robot. Instrument apte aux poses : { $good }.
 instrument-uncertainty = incertitude de l’instrument
 instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
 instrument-uncertainty-with-k = U = { $uncertainty } µm par coordonnée (k = { $k })
@@ -684,7 +685,7 @@ largest = plus grande contribution
 largest-displacement = plus grand déplacement
 largest-distance = plus grande distance
 largest-error = plus grande erreur
-largest-error-drawn = `max` est l’erreur de la mesure dont l’erreur est la plus grande dans les données. Chaque tirage répète cette mesure.
+largest-error-drawn = `max` est l’erreur de la mesure dont l’erreur est la plus grande dans les données. Chaque tirage répète cette mesure. La colonne de concordance indique « non » si l’incertitude des tirages est plus grande.
 largest-errors-drawn = La plus grande erreur est tracée à chacune des { $places } positions (sur { $total } erreurs).
 largest-errors-of-poses = Erreurs par pose, les plus grandes d’abord
 largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
@@ -828,6 +829,10 @@ no-correlated-pairs = Aucune paire n’a une corrélation de 0,9 ou plus.
 no-error-to-draw = Aucune erreur à tracer.
 no-errors-are-given = Le document ne contient aucune erreur.
 no-messages = Aucun.
+no-messages-but-routine = Aucun, sauf { $count ->
+        [one] une remarque de routine
+       *[other] { $count } remarques de routine
+    }, par exemple sur des paramètres tenus à leur valeur nominale : voir l’annexe du rapport.
 no-noise-stated = aucun bruit indiqué
 no-quantity-changed = Changements significatifs : 0 grandeur du robot sur { $total }.
 no-significant-change = pas de changement significatif
@@ -1311,7 +1316,7 @@ show-more = Afficher plus
 signatures = Signatures
 significant-changes = Significatif : { $campaigns }.
 simple-acceptance = acceptation simple (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = conforme si la valeur respecte la limite, quelle que soit son incertitude U
+simple-acceptance-explained = conforme si valeur + U respecte la limite ; conforme sous réserve si seule la valeur la respecte
 simulated-calibration-note = Données synthétiques : bruit gaussien de { $noise } µm sur chaque coordonnée ; moyenne de { $identifications } identifications. Les paramètres et les figures montrent l’une de ces moyennes. Les erreurs en fonction du nombre de positions sont des médianes de { $medians }. Les erreurs se rapportent à { $point } et sont évaluées sur { $configurations } configurations.
 simulated-calibration-title = Étalonnage simulé
 single-balls = Billes isolées, mesurées plusieurs fois
@@ -1417,7 +1422,7 @@ to-pose = à la pose
 tolerance = tolérance
 tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
 tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
-tool-point-headline = point de l’outil, RMS : nominal → attendue
+tool-point-headline = point de l’outil, RMS : nominal moins identifié → attendue
 traceability = traçabilité
 trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
