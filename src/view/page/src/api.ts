@@ -24,6 +24,10 @@ function takeToken(): string {
 
 const token = location.protocol === "file:" ? "" : takeToken();
 
+/** Times that a busy server is asked again, and the pause (ms) before. */
+const AGAIN = 4;
+const PAUSE = 250;
+
 async function ask<T>(path: string, method = "GET", body?: BodyInit | object): Promise<T> {
   const headers: Record<string, string> = { "X-Etalon-Token": token };
   let sent: BodyInit | undefined;
@@ -32,7 +36,12 @@ async function ask<T>(path: string, method = "GET", body?: BodyInit | object): P
     sent = JSON.stringify(body);
     headers["Content-Type"] = "application/json";
   }
-  const answer = await fetch(`/api/${path}`, { method, headers, body: sent, cache: "no-store", credentials: "omit" });
+  const send = () => fetch(`/api/${path}`, { method, headers, body: sent, cache: "no-store", credentials: "omit" });
+  let answer = await send();
+  for (let again = 0; answer.status === 503 && again < AGAIN; again++) {
+    await new Promise(done => setTimeout(done, PAUSE * 2 ** again));
+    answer = await send();
+  }
   const text = await answer.text();
   let read: unknown = null;
   try {

@@ -114,7 +114,7 @@ export class Chart {
       cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
       scales: {
         x: { time: false, range: (_, low, high) => pad(low, high) },
-        y: isLog ? { distr: 3, log: 10 } : { range: (_, _low, high) => [0, (high || 1) * 1.06] },
+        y: isLog ? { distr: 3, log: 10, range: (_, low, high) => [(low || 1) / 1.6, (high || 10) * 1.5] } : { range: (_, _low, high) => [0, (high || 1) * 1.06] },
       },
       axes: [
         {
@@ -132,7 +132,7 @@ export class Chart {
           ...axis,
           size: 54,
           values: (_, ticks) => ticks.map(v => (v === null ? "" : significant(v, 1))),
-          ...(isLog ? { filter: (_: uPlot, ticks: number[]) => ticks.map(v => (isPower(v) ? v : null)) } : {}),
+          ...(isLog ? { filter: (plot: uPlot, ticks: number[]) => readable(plot, ticks) } : {}),
         },
       ],
       series: [
@@ -246,7 +246,12 @@ export class Chart {
   }
 }
 
-const isPower = (v: number): boolean => Math.abs(Math.log10(v) - Math.round(Math.log10(v))) < 1e-6;
+/** Powers of ten, and 2 and 5 times them if few powers are in sight. */
+function readable(plot: uPlot, ticks: number[]): (number | null)[] {
+  const { min, max } = plot.scales.y;
+  const leads = Math.log10((max ?? 10) / (min ?? 1)) < 1.7 ? [1, 2, 5] : [1];
+  return ticks.map(v => (leads.some(lead => Math.abs(v / 10 ** Math.floor(Math.log10(v) + 1e-9) - lead) < 1e-6) ? v : null));
+}
 
 function pad(low: number, high: number): [number, number] {
   const by = Math.max((high - low) * 0.03, high === low ? 1 : 0);

@@ -45,13 +45,14 @@ function take(state: State): void {
   tell("scene");
 }
 
-/** Keeps the selected pose by its name, and proposes the magnification. */
-let scenes: { pose?: string; magnification?: number } = {};
+/** Keeps the selected pose by its name, or follows the newest one, and proposes the magnification. */
+let scenes: { pose?: string; magnification?: number; last?: string } = {};
 function newScene(): void {
   const shown = scene();
   if (!shown) return;
-  const at = shown.poses.findIndex(pose => pose.id === scenes.pose);
-  store.pose = at >= 0 ? at : 0;
+  const isFollowed = (store.watch || store.state?.watching) && (!scenes.pose || scenes.pose === scenes.last);
+  const at = isFollowed ? shown.poses.length - 1 : shown.poses.findIndex(pose => pose.id === scenes.pose);
+  store.pose = Math.max(0, at);
   store.point = -1;
   if (!sets().includes(store.view.set)) store.view.set = "";
   if (!targets().includes(store.view.target)) store.view.target = "";
@@ -62,7 +63,8 @@ function newScene(): void {
       store.view.before = true;
     }
   }
-  scenes = { pose: shown.poses[store.pose]?.id, magnification: store.view.magnification };
+  const id = (i: number) => shown.poses[i]?.id;
+  scenes = { pose: id(store.pose), magnification: store.view.magnification, last: id(shown.poses.length - 1) };
 }
 
 async function guard(work: () => Promise<void>): Promise<void> {
@@ -134,7 +136,7 @@ function header(): HTMLElement {
     const { state } = store;
     fill(
       title,
-      state?.name ?? state?.folder ?? "etalon",
+      state?.name ?? (state?.mode === "campaign" ? state.folder : "etalon view"),
       state?.synthetic && h("small", { class: "tag" }, t("synthetic")),
     );
     const status = (store.what?.verdict ?? state?.verdict)?.status;
@@ -244,7 +246,11 @@ function connect(): void {
       const wasConnected = isConnected;
       isConnected = there;
       showNotice();
-      if (there && !wasConnected) void refresh();
+      if (!there || wasConnected) return;
+      // an end of a run may have been missed
+      store.busy = null;
+      tell("busy");
+      void refresh();
     },
   });
 }

@@ -2,7 +2,7 @@
 
 import { api } from "./api";
 import { fill, h, prose, redraw } from "./dom";
-import { bytes, fixed, length, micrometres, quantity, significant, stated, time, withU } from "./numbers";
+import { bytes, fixed, length, micrometres, quantity, significant, stated, time } from "./numbers";
 import { messages } from "./parts";
 import { after, on, pointsOf, scene, select, store, worst } from "./store";
 import type { Parameter, Scene, Status } from "./types";
@@ -72,21 +72,21 @@ export function result(): HTMLElement {
   return root;
 }
 
-/** Value ± U and nominal in the decimals of U. */
+/** Value ± u and nominal in the decimals of u. */
 function parameterRow(p: Parameter): HTMLElement {
-  const places = p.uncertainty && p.uncertainty > 0 ? Math.max(0, 1 - Math.floor(Math.log10(p.uncertainty))) : undefined;
-  const nominal = places === undefined ? significant(p.nominal, 6) : fixed(p.nominal, Math.min(places, 9));
-  const unit = p.unit === "1" ? "" : `\u00a0${p.unit}`;
+  const u = p.held ? undefined : p.uncertainty;
+  const places = u && u > 0 ? Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(u)))) : undefined;
+  const show = (value: number) => (places === undefined ? significant(value, 6) : fixed(value, places));
   const change = p.identified - p.nominal;
-  const moved = p.uncertainty && p.uncertainty > 0 ? Math.abs(change) / p.uncertainty : 0;
+  const isMoved = u !== undefined && Math.abs(change) > 2 * u;
   return h(
     "tr",
     { class: p.held ? "unused" : "" },
-    h("th", { scope: "row", title: p.meaning }, p.name),
-    h("td", { class: "num" }, nominal + unit),
-    h("td", { class: "num" }, withU(p.identified, p.held ? undefined : p.uncertainty, p.unit)),
-    h("td", { class: "num" }, p.held ? "–" : `${change > 0 ? "+" : ""}${significant(change, 3)}${unit}`, moved > 1 && h("b", { title: "> U" }, " *")),
-    h("td", {}, p.held ? t("held") : t("identified")),
+    h("th", { scope: "row", title: p.meaning }, p.name, p.held && h("small", {}, ` ${t("held")}`)),
+    h("td", { class: "num" }, show(p.nominal)),
+    h("td", { class: "num" }, show(p.identified), u && places !== undefined ? ` ±\u00a0${fixed(u, places)}` : ""),
+    h("td", { class: "num" }, p.held ? "–" : `${change > 0 ? "+" : ""}${show(change)}`, isMoved && h("b", {}, " *")),
+    h("td", {}, p.unit),
   );
 }
 
@@ -109,7 +109,7 @@ export function parameters(): HTMLElement {
           h(
             "tr",
             {},
-            ...[t("parameter"), t("nominal"), t("value"), t("changeHead"), t("heldColumn")].map((head, i) =>
+            ...[t("parameter"), t("nominal"), t("value"), t("changeHead"), t("unit")].map((head, i) =>
               h("th", { scope: "col", class: i > 0 && i < 4 ? "num" : "" }, head),
             ),
           ),
@@ -117,7 +117,7 @@ export function parameters(): HTMLElement {
         body,
       ),
     ),
-    h("p", { class: "note" }, "* > U"),
+    h("p", { class: "note" }, t("moved")),
   );
   const draw = () => {
     const wanted = filter.value.trim().toLowerCase();
@@ -175,13 +175,14 @@ export function selected(leaveOut: ((pose: string) => void) | null): HTMLElement
 /** Errors of the targets at the selected pose. */
 function pointsTable(): HTMLElement {
   const shown = scene();
-  const heads = [t("target"), `${t("before")} (µm)`, `${t("after")} ± U (µm)`, "x", "y", `z ${t("after")} (µm)`];
+  const heads = [t("target"), t("before"), `${t("after")} ± U`, "x", "y", "z"];
   return h(
     "div",
     { class: "scroll", tabindex: 0, role: "region", "aria-label": `${t("pose")} ${shown?.poses[store.pose]?.id ?? ""}: ${t("errorsTab")}` },
     h(
       "table",
       { class: "targets" },
+      h("caption", {}, t("errorCaption")),
       h("thead", {}, h("tr", {}, ...heads.map((head, i) => h("th", { scope: "col", class: i ? "num" : "" }, head)))),
       h("tbody", {}, ...pointsOf(store.pose).slice(0, 24).map(i => (shown ? pointRow(shown, i) : null))),
     ),

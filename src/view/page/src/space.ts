@@ -70,14 +70,18 @@ const look = (): Look =>
         chosen: rgb("#c4009c"),
       };
 
-/** Whether the browser draws by the processor, and `null` if it cannot draw at all. */
-function drawsInSoftware(): boolean | null {
-  const context = document.createElement("canvas").getContext("webgl2");
+/** A renderer, or `null` if the browser cannot draw in three dimensions. */
+function createRenderer(): { renderer: WebGLRenderer; isSoftware: boolean } | null {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { antialias: false });
   if (!context) return null;
   const info = context.getExtension("WEBGL_debug_renderer_info");
   const name = String(context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  // without a graphics processor a second context is dear, and smooth edges are too
+  if (/swiftshader|llvmpipe|software|basic render/i.test(name))
+    return { renderer: new WebGLRenderer({ canvas, context }), isSoftware: true };
   context.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+  return { renderer: new WebGLRenderer({ antialias: true }), isSoftware: false };
 }
 
 interface Label {
@@ -87,6 +91,7 @@ interface Label {
 
 export class Space {
   readonly root: HTMLElement;
+  private readonly hint = h("p", { class: "hidden", id: unique("keys") }, t("keys"));
   private readonly stage = h("div", { class: "stage" });
   private readonly legend = h("div", { class: "legend" });
   private readonly tip = h("div", { class: "tip", hidden: true });
@@ -117,6 +122,8 @@ export class Space {
   private software = false;
   private ratio = 1;
   private asked = false;
+  /** The view was turned by hand, and stays. */
+  private isTurned = false;
   private moving = false;
   private stillTimer = 0;
   private lastFrame = 0;
@@ -129,23 +136,34 @@ export class Space {
   private hoverAsked = false;
 
   constructor() {
-    const hint = h("p", { class: "hidden", id: unique("keys") }, t("keys"));
-    this.root = h("section", { class: "space", "aria-label": t("space") }, this.stage, hint);
-    const software = drawsInSoftware();
-    if (software === null) {
+    this.root = h("section", { class: "space", "aria-label": t("space") }, this.stage, this.hint);
+    let isGone = false;
+    on(["gone"], () => {
+      isGone = true;
+      this.end();
+    });
+    // tables and charts are shown first: the first context may take a while
+    requestAnimationFrame(() => setTimeout(() => !isGone && this.begin()));
+  }
+
+  private begin(): void {
+    const created = createRenderer();
+    if (!created) {
       fill(this.stage, h("p", { class: "note webgl" }, t("webgl")));
       this.stage.classList.add("without");
       return;
     }
-    this.software = software;
-    this.ratio = software ? 1 : Math.min(devicePixelRatio, 2);
-    this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "high-performance" });
-    const canvas = this.renderer.domElement;
+    const { renderer, isSoftware } = created;
+    this.software = isSoftware;
+    this.ratio = isSoftware ? 1 : Math.min(devicePixelRatio, 2);
+    this.renderer = renderer;
+    renderer.debug.checkShaderErrors = false;
+    const canvas = renderer.domElement;
     for (const [name, value] of Object.entries({
       tabindex: "0",
       role: "application",
       "aria-label": t("space"),
-      "aria-describedby": hint.id,
+      "aria-describedby": this.hint.id,
     }))
       canvas.setAttribute(name, value);
     fill(this.stage, canvas, this.labelled, this.buttons(), this.legend, this.tip);
@@ -153,7 +171,6 @@ export class Space {
     this.camera.up.set(0, 0, 1);
     new ResizeObserver(() => this.resize()).observe(this.stage);
     on(["scene", "dark"], () => this.rebuild());
-    on(["gone"], () => this.end());
     on(["view", "what"], () => this.restyle());
     on(["selection"], () => this.showSelection());
     this.rebuild();
@@ -164,6 +181,7 @@ export class Space {
     controls.enableDamping = false;
     controls.zoomToCursor = true;
     controls.addEventListener("change", () => this.move());
+    controls.addEventListener("start", () => (this.isTurned = true));
     canvas.addEventListener("keydown", event => this.key(event));
     let down: [number, number] | null = null;
     canvas.addEventListener("pointerdown", event => (down = [event.clientX, event.clientY]));
@@ -222,6 +240,7 @@ export class Space {
     else if (event.key === "PageDown") select(store.pose + 1);
     else return;
     event.preventDefault();
+    this.isTurned = event.key !== "Home" && !event.key.startsWith("Page") ? true : this.isTurned;
     controls.update();
   }
 
@@ -236,11 +255,15 @@ export class Space {
   private fit(from: Vector | null): void {
     const controls = this.controls;
     if (!controls) return;
+    this.isTurned = false;
     const direction = from ? new Vector3(...from) : this.camera.position.clone().sub(controls.target);
     if (direction.lengthSq() === 0) direction.set(0.85, -1.25, 0.7);
-    controls.target.copy(this.centre);
     direction.normalize();
-    this.camera.position.copy(this.centre).addScaledVector(direction, this.distance(direction));
+    const distance = this.distance(direction);
+    // the legend covers the lower edge
+    const up = new Vector3(0, 0, 1).addScaledVector(direction, -direction.z).normalize();
+    controls.target.copy(this.centre).addScaledVector(up, -0.07 * distance * Math.tan((this.camera.fov * Math.PI) / 360));
+    this.camera.position.copy(controls.target).addScaledVector(direction, distance);
     controls.update();
     this.move();
   }
@@ -249,8 +272,8 @@ export class Space {
   private distance(back: Vector3): number {
     const right = new Vector3(0, 0, 1).cross(back).normalize();
     const up = back.clone().cross(right);
-    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * 0.9;
-    const wide = tall * this.camera.aspect;
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * 0.84;
+    const wide = Math.tan((this.camera.fov * Math.PI) / 360) * this.camera.aspect * 0.93;
     const from = new Vector3();
     let far = this.radius * 0.2;
     for (const point of this.outline) {
@@ -289,6 +312,9 @@ export class Space {
     this.renderer.setClearColor(new Color(colours.background));
     if (!shown) return this.draw();
     const before = this.radius;
+    const counts = { poses: shown.poses.length, points: shown.points.length };
+    const text = t("spaceText", { robot: store.state?.name ?? t("robot"), ...counts });
+    this.renderer.domElement.setAttribute("aria-label", text);
     this.measure(shown);
     this.addGround(colours);
     shown.frames.forEach((frame, i) => this.addFrame(frame.name, frame.pose, i < 6));
@@ -320,7 +346,7 @@ export class Space {
     this.restyle();
     this.showSelection();
     // a scene that grows keeps the view
-    if (first || Math.abs(before / this.radius - 1) > 0.3)
+    if (first || !this.isTurned || Math.abs(before / this.radius - 1) > 0.5)
       this.fit(first ? (this.flat ? [0.15, -0.45, 1] : [0.85, -1.25, 0.7]) : null);
   }
 
@@ -643,11 +669,10 @@ export class Space {
   private resize(): void {
     const [width, height] = [this.stage.clientWidth, this.stage.clientHeight];
     if (!this.renderer || width === 0 || height === 0) return;
-    const first = this.camera.aspect === 1;
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height);
-    if (first) this.fit(null);
+    if (!this.isTurned) this.fit(null);
     this.draw();
   }
 

@@ -1,12 +1,18 @@
 // The empty page: drop files, see what each column is taken for, answer, accept.
 
 import { api, Refused, type Answers } from "./api";
-import { button, fill, h, redraw } from "./dom";
+import { button, fill, h, prose, redraw } from "./dom";
 import { bytes } from "./numbers";
 import { difference, message, messages } from "./parts";
 import { on, store } from "./store";
 import type { Message, Proposal, State } from "./types";
 import { t } from "./words";
+
+/** Id of the question about the robot. */
+const ROBOT = "robot";
+/** Options that are buttons; of a longer list only the first ones. */
+const MOST = 8;
+const FIRST = 4;
 
 let proposal: Proposal | null = null;
 let given: Answers = {};
@@ -60,7 +66,7 @@ export function receive(files: Iterable<File>): Promise<void> {
 }
 
 function answer(id: string, value: string): void {
-  given = { ...given, answers: { ...given.answers, [id]: value } };
+  given = id === ROBOT ? { ...given, robot: value } : { ...given, answers: { ...given.answers, [id]: value } };
   void guard(propose);
 }
 
@@ -160,32 +166,35 @@ function fileList(state: State): HTMLElement {
   );
 }
 
-function robotField(): HTMLElement {
-  const input = h("input", { id: "robot", "data-key": "robot", autocomplete: "off", list: "robots", spellcheck: "false" });
-  input.value = given.robot ?? "";
-  const send = (event: Event) => {
-    event.preventDefault();
-    given = { ...given, robot: input.value.trim() || undefined };
+/** The chosen robot, which can be chosen anew. */
+function robotField(): HTMLElement | null {
+  if (!given.robot || proposal?.questions.some(q => q.id === ROBOT)) return null;
+  const again = () => {
+    given = { ...given, robot: undefined };
     void guard(propose);
   };
   return h(
-    "form",
-    { class: "robot", onsubmit: send },
-    h("label", { for: "robot" }, t("robotField")),
-    h("span", { class: "row" }, input, h("button", { type: "submit", "data-key": "robot-send" }, t("answer"))),
-    h("datalist", { id: "robots" }, ...(store.state?.robots ?? []).map(name => h("option", { value: name }))),
+    "p",
+    { class: "row" },
+    h("span", {}, `${t("robot")}: `, h("b", {}, given.robot)),
+    button(t("change"), again, { class: "small", "data-key": "robot" }),
   );
 }
 
 function question(q: Proposal["questions"][number]): HTMLElement {
-  const chosen = given.answers?.[q.id];
-  const options = (q.options ?? []).map(option =>
+  const chosen = q.id === ROBOT ? given.robot : given.answers?.[q.id];
+  const list = q.options ?? [];
+  const options = list.slice(0, list.length > MOST ? FIRST : MOST).map(option =>
     button(option.label, () => answer(q.id, option.value), {
       class: "option",
       "aria-pressed": String(chosen === option.value),
       "data-key": `q${q.id}=${option.value}`,
     }),
   );
+  const others = h("select", { class: "option", "aria-label": q.text, "data-key": `o${q.id}` });
+  fill(others, h("option", { value: "" }, t("others")));
+  for (const option of list.slice(options.length)) others.append(h("option", { value: option.value }, option.label));
+  others.addEventListener("change", () => others.value && answer(q.id, others.value));
   const input = h("input", { id: `q-${q.id}`, "aria-label": q.text, "data-key": `q${q.id}` });
   if (chosen !== undefined) input.value = chosen;
   const send = (event: Event) => {
@@ -196,9 +205,9 @@ function question(q: Proposal["questions"][number]): HTMLElement {
     "fieldset",
     { class: "question" },
     h("legend", {}, q.text),
-    q.doubt && h("p", { class: "note" }, q.doubt),
+    q.doubt && h("p", { class: "note" }, prose(q.doubt)),
     options.length
-      ? h("p", { class: "options" }, ...options)
+      ? h("p", { class: "options" }, ...options, list.length > options.length && others)
       : h("form", { class: "row", onsubmit: send }, input, h("button", { type: "submit", "data-key": `s${q.id}` }, t("answer"))),
   );
 }
@@ -228,6 +237,7 @@ function fileTable(file: Proposal["files"][number]): HTMLElement {
                 h(
                   "td",
                   {},
+                  h("span", { class: "hidden" }, `${t("takenFor")}: `),
                   c.taken_for ? h("b", {}, c.taken_for) : h("i", {}, t("notTaken")),
                   c.why && h("small", {}, c.why),
                 ),

@@ -176,7 +176,9 @@ export class ErrorTable {
     const shown = scene();
     if (next === undefined || !shown) return;
     event.preventDefault();
+    const isOnRow = document.activeElement?.classList.contains("pick");
     select(shown.points[next].pose, next);
+    if (isOnRow) this.body.querySelector<HTMLElement>(`[data-key="p${next}"]`)?.focus({ preventScroll: true });
   }
 
   /** Scrolls to the selected row if it is out of sight. */

@@ -24,7 +24,7 @@ export interface Parameter {
   unit: string;
   nominal: number;
   identified: number;
-  /** Expanded uncertainty (k = 2). */
+  /** Standard uncertainty. */
   uncertainty?: number;
   held: boolean;
   meaning?: string;
@@ -95,7 +95,7 @@ export interface Point {
   after?: Vector;
   magnitude_before_um?: number;
   magnitude_after_um?: number;
-  /** Expanded uncertainty (k = 2). */
+  /** Expanded uncertainty of the predicted position (k = 2). */
   uncertainty_um?: number;
   /** Covariance of the predicted position: xx xy xz yy yz zz. */
   covariance_um2?: number[];
@@ -119,6 +119,7 @@ export interface WhatIf {
   parameters: Parameter[];
   points: Pick<Point, "pose" | "target" | "after" | "magnitude_after_um">[];
   maximum_um: { first: number; now: number; uncertainty?: number };
+  /** Changes beyond twice their standard uncertainty. */
   changed: { name: string; by: number; in_u: number }[];
   messages: Message[];
 }
@@ -128,7 +129,9 @@ export interface Watch {
   planned?: number;
   line: string;
   tone: "good" | "wait" | "bad";
+  /** The newest pose; expected: 95 %. */
   latest?: { pose: string; target?: string; error_um?: number; expected_um?: number; agrees: boolean; message?: Message };
+  /** Standard uncertainties now and after the remaining poses. */
   parameters?: { name: string; unit: string; value: number; u_now: number; u_end?: number }[];
   next?: { pose: string; joints: number[]; reason: string };
   stop?: { met: boolean; text: string };

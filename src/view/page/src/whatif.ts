@@ -27,7 +27,6 @@ const refused = (error: unknown): Message[] =>
 function ask(): void {
   clearTimeout(timer);
   const mine = ++asking;
-  written = null;
   if (isEmpty(store.asked)) {
     store.what = null;
     problems = [];
@@ -58,13 +57,31 @@ function toggle(key: ListKey, name: string, on?: boolean): void {
   const list = store.asked[key] ?? [];
   const has = list.includes(name);
   if (on === has) return;
-  store.asked = { ...store.asked, [key]: has ? list.filter(n => n !== name) : [...list, name] };
+  change({ [key]: has ? list.filter(n => n !== name) : [...list, name] });
+}
+
+/** Changes the question; what was written before belongs to another one. */
+function change(by: WhatIfAsked): void {
+  written = null;
+  store.asked = { ...store.asked, ...by };
   ask();
+}
+
+/** Ids of poses in a text such as `3, 7-12`; a range follows the order of measurement. */
+function idsIn(text: string): string[] {
+  const all = scene()?.poses.map(pose => pose.id) ?? [];
+  return text.split(/[,;\s]+/).flatMap(part => {
+    if (all.includes(part)) return [part];
+    const ends = all.flatMap((id, i) => (part.startsWith(`${id}-`) && all.includes(part.slice(id.length + 1)) ? [i] : []));
+    if (ends.length === 0) return [];
+    const to = all.indexOf(part.slice(all[ends[0]].length + 1));
+    return all.slice(Math.min(ends[0], to), Math.max(ends[0], to) + 1);
+  });
 }
 
 export const leaveOut = (pose: string): void => toggle("leave_out_poses", pose);
 
-/** Forgets the question, as after a run. */
+/** Forgets the question, as after a run; what was written stays in sight. */
 export function forget(): void {
   store.asked = {};
   ask();
@@ -100,6 +117,7 @@ function askedParts(): HTMLElement[] {
     pose &&
       !out.includes(pose.id) &&
       button(`${t("leaveOutPose")}: ${pose.id}`, () => leaveOut(pose.id), { class: "small", "data-key": "leave" }),
+    groupPart(out),
   );
   const list = targets();
   const marks = h(
@@ -115,6 +133,23 @@ function askedParts(): HTMLElement[] {
   const parts = [poses, ...(list.length > 1 ? [marks] : []), parametersPart(), limitPart()];
   if (store.state?.split) parts.push(splitPart());
   return parts;
+}
+
+/** Several poses at once. */
+function groupPart(out: string[]): HTMLElement {
+  const input = h("input", { id: "group", "data-key": "group", placeholder: "3, 7-12", autocomplete: "off" });
+  const send = (event: Event) => {
+    event.preventDefault();
+    const ids = idsIn(input.value.trim());
+    if (ids.length) change({ leave_out_poses: [...new Set([...out, ...ids])] });
+  };
+  return h(
+    "form",
+    { class: "row", onsubmit: send },
+    h("label", { for: "group" }, t("group")),
+    input,
+    h("button", { type: "submit", class: "small", "data-key": "group-send" }, t("leaveOut")),
+  );
 }
 
 function parametersPart(): HTMLElement {
@@ -141,10 +176,9 @@ function parametersPart(): HTMLElement {
 let isHoldOpen = false;
 
 function limitPart(): HTMLElement {
-  const change = () => {
+  const read = () => {
     const value = Number(input.value.replace(",", "."));
-    store.asked = { ...store.asked, limit_um: input.value !== "" && value > 0 ? value : undefined };
-    ask();
+    change({ limit_um: input.value !== "" && value > 0 ? value : undefined });
   };
   const present = store.state?.maximum?.limit_um;
   const input = h("input", {
@@ -154,7 +188,7 @@ function limitPart(): HTMLElement {
     id: "limit-um",
     "data-key": "limit",
     placeholder: present === undefined ? "" : String(present),
-    onchange: change,
+    onchange: read,
   });
   input.value = store.asked.limit_um === undefined ? "" : String(store.asked.limit_um);
   return h("p", { class: "field" }, h("label", { for: "limit-um" }, t("limitUm")), input);
@@ -167,8 +201,7 @@ function splitPart(): HTMLElement {
       "data-key": key,
       placeholder: store.state?.split?.[key] ?? "",
       onchange: () => {
-        store.asked = { ...store.asked, [key]: input.value.trim() || undefined };
-        ask();
+        change({ [key]: input.value.trim() || undefined });
       },
     });
     input.value = store.asked[key] ?? "";
@@ -255,6 +288,7 @@ function keepForm(): { root: HTMLElement; draw: () => void } {
     try {
       written = (await api.keep(store.asked, reason.value.trim())).difference;
       draw();
+      shown.scrollIntoView({ block: "nearest" });
     } catch (error) {
       problem.textContent = refused(error).map(m => [m.text, m.hint].filter(Boolean).join(" ")).join(" ");
     }
@@ -269,7 +303,10 @@ function keepForm(): { root: HTMLElement; draw: () => void } {
       "p",
       { class: "actions" },
       h("button", { type: "submit", class: "main" }, t("keep")),
-      button(t("reset"), forget),
+      button(t("reset"), () => {
+        written = null;
+        forget();
+      }),
     ),
     shown,
   );
