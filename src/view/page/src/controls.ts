@@ -91,6 +91,7 @@ export function player(): HTMLElement {
 /** Colours, filters, arrows. */
 export function options(): HTMLElement {
   const root = h("div", { class: "options-row" });
+  let showMagnification = () => {};
   const draw = () => {
     const current = scene();
     const view = store.view;
@@ -129,30 +130,35 @@ export function options(): HTMLElement {
         hasHulls && check(t("ellipsoids"), view.ellipsoids, ellipsoids => change({ ellipsoids })),
         check(t("chainsAll"), view.chains, chains => change({ chains })),
       ),
-      magnification(),
+      magnification(show => (showMagnification = show)),
     );
   };
   on(["scene"], draw);
+  on(["view"], () => showMagnification());
   draw();
   return root;
 }
 
-function magnification(): HTMLElement {
-  const proposed = scene()?.magnification || 100;
-  const slider = h("input", { type: "range", id: "magnification", min: -1.5, max: 1.5, step: 0.01 });
+/** Slider of the magnification; `shows` receives a function that shows a new value. */
+function magnification(shows: (show: () => void) => void): HTMLElement {
+  const slider = h("input", { type: "range", id: "magnification", min: 0, max: 5, step: 0.01 });
   const shown = h("output", { for: "magnification" });
   const label = (factor: number) => {
     say(shown, times(factor));
     slider.setAttribute("aria-valuetext", times(factor));
   };
-  slider.value = String(Math.log10(store.view.magnification / proposed));
-  label(store.view.magnification);
+  const show = () => {
+    slider.value = String(Math.log10(store.view.magnification));
+    label(store.view.magnification);
+  };
+  show();
   slider.addEventListener("input", () => {
     // two digits, as the label states
-    const factor = Number((proposed * 10 ** Number(slider.value)).toPrecision(2));
+    const factor = Number((10 ** Number(slider.value)).toPrecision(2));
     label(factor);
     change({ magnification: factor });
   });
+  shows(show);
   return h("span", { class: "field" }, h("label", { for: "magnification" }, t("arrows")), slider, shown);
 }
 

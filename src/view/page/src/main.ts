@@ -9,7 +9,7 @@ import { badge, largest, messagesPanel, parameters, result, selected } from "./p
 import { message, messages, progress } from "./parts";
 import { Space } from "./space";
 import { receive, start } from "./start";
-import { leave, on, scene, sets, store, targets, tell } from "./store";
+import { leave, magnify, on, scene, sets, store, targets, tell } from "./store";
 import { ErrorTable } from "./table";
 import type { Message, State } from "./types";
 import { band, watchPanel } from "./watch";
@@ -46,7 +46,8 @@ function take(state: State): void {
 }
 
 /** Keeps the selected pose by its name, or follows the newest one, and proposes the magnification. */
-let scenes: { pose?: string; magnification?: number; last?: string } = {};
+let scenes: { pose?: string; last?: string } = {};
+let isFirst = true;
 function newScene(): void {
   const shown = scene();
   if (!shown) return;
@@ -56,15 +57,15 @@ function newScene(): void {
   store.point = -1;
   if (!sets().includes(store.view.set)) store.view.set = "";
   if (!targets().includes(store.view.target)) store.view.target = "";
-  if (scenes.magnification === undefined) {
-    store.view.magnification = shown.magnification > 0 ? shown.magnification : 100;
-    if (!shown.points.some(point => point.magnitude_after_um !== undefined)) {
-      store.view.colour = shown.points.some(point => point.magnitude_before_um !== undefined) ? "before" : "target";
-      store.view.before = true;
-    }
+  const has = (key: "magnitude_after_um" | "magnitude_before_um") => shown.points.some(point => point[key] !== undefined);
+  if (isFirst && !has("magnitude_after_um")) {
+    store.view.colour = has("magnitude_before_um") ? "before" : "target";
+    store.view.before = true;
   }
+  isFirst = false;
+  magnify();
   const id = (i: number) => shown.poses[i]?.id;
-  scenes = { pose: id(store.pose), magnification: store.view.magnification, last: id(shown.poses.length - 1) };
+  scenes = { pose: id(store.pose), last: id(shown.poses.length - 1) };
 }
 
 async function guard(work: () => Promise<void>): Promise<void> {
@@ -273,7 +274,6 @@ function acceptDrops(): void {
 }
 
 on(["selection"], () => (scenes.pose = scene()?.poses[store.pose]?.id), true);
-on(["view"], () => (scenes.magnification = store.view.magnification), true);
 on(["busy", "what", "online"], showNotice, true);
 on(["state", "scene"], () => tabs?.relabel(), true);
 onDark(() => tell("dark"));

@@ -1,20 +1,22 @@
 // Instanced solids with light computed per vertex: cheap where no graphics processor is at hand.
 
 import {
+  BufferGeometry,
+  ConeGeometry,
   CylinderGeometry,
   DoubleSide,
   DynamicDrawUsage,
-  FrontSide,
+  Float32BufferAttribute,
+  IcosahedronGeometry,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
+  LineSegments,
   Mesh,
+  PlaneGeometry,
+  Points,
   ShaderMaterial,
-  IcosahedronGeometry,
-  ConeGeometry,
-  BufferGeometry,
-  Float32BufferAttribute,
 } from "three";
-import type { IUniform } from "three";
+import type { BufferAttribute, IUniform, Object3D } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 
 const LIGHT = /* glsl */ `
@@ -34,25 +36,41 @@ const PLAIN = /* glsl */ `
 varying vec3 shade;
 void main() { gl_FragColor = vec4(shade, 1.0); }`;
 
-/** A mesh whose instances are described by attributes of these sizes. */
+/** Solids, lines or points of one kind, described by arrays of these names. */
 export class Instances<Name extends string> {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private readonly attributes = {} as Record<Name, InstancedBufferAttribute>;
+  readonly mesh: Object3D;
+  private readonly attributes = {} as Record<Name, BufferAttribute>;
+  private shown = 0;
 
-  constructor(base: BufferGeometry, material: ShaderMaterial, sizes: Record<Name, number>, capacity: number) {
-    const geometry = new InstancedBufferGeometry();
-    geometry.index = base.index;
-    for (const name of Object.keys(base.attributes)) geometry.setAttribute(name, base.getAttribute(name));
+  /** Without a base each instance is one point. */
+  constructor(
+    private readonly material: ShaderMaterial,
+    sizes: Record<Name, number>,
+    capacity: number,
+    base: BufferGeometry | null,
+    kind: "faces" | "lines" = "faces",
+  ) {
+    this.geometry = base ? new InstancedBufferGeometry() : new BufferGeometry();
+    if (base) {
+      this.geometry.index = base.index;
+      for (const name of Object.keys(base.attributes)) this.geometry.setAttribute(name, base.getAttribute(name));
+    }
     for (const name of Object.keys(sizes) as Name[]) {
-      const attribute = new InstancedBufferAttribute(new Float32Array(capacity * sizes[name]), sizes[name]);
+      const values = new Float32Array(capacity * sizes[name]);
+      const attribute = base
+        ? new InstancedBufferAttribute(values, sizes[name])
+        : new Float32BufferAttribute(values, sizes[name]);
       attribute.setUsage(DynamicDrawUsage);
       this.attributes[name] = attribute;
-      geometry.setAttribute(name, attribute);
+      this.geometry.setAttribute(name, attribute);
     }
-    geometry.instanceCount = 0;
-    this.mesh = new Mesh(geometry, material);
+    if (!base) this.mesh = new Points(this.geometry, material);
+    else this.mesh = kind === "lines" ? new LineSegments(this.geometry, material) : new Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
+    this.count = 0;
   }
+
+  private readonly geometry: BufferGeometry;
 
   array(name: Name): Float32Array {
     return this.attributes[name].array as Float32Array;
@@ -63,45 +81,72 @@ export class Instances<Name extends string> {
   }
 
   get count(): number {
-    return this.mesh.geometry.instanceCount;
+    return this.shown;
   }
 
   set count(count: number) {
-    this.mesh.geometry.instanceCount = count;
+    this.shown = count;
+    if (this.geometry instanceof InstancedBufferGeometry) this.geometry.instanceCount = count;
+    else this.geometry.setDrawRange(0, count);
     this.mesh.visible = count > 0;
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
+    this.geometry.dispose();
+    this.material.dispose();
   }
 }
 
 type Uniforms = Record<string, IUniform<number>>;
 
-/** Unit sphere of 20 faces, or of four times as many per level; its positions are its normals. */
-function ball(detail: number): BufferGeometry {
-  const geometry = new IcosahedronGeometry(1, detail);
+/** Unit sphere of 80 faces; its positions are its normals. */
+function ball(): BufferGeometry {
+  const geometry = new IcosahedronGeometry(1, 1);
   geometry.deleteAttribute("normal");
   geometry.deleteAttribute("uv");
   return mergeVertices(geometry);
 }
 
-/** Spheres: `at`, `tint`, and `size` in units. */
-export function spheres(capacity: number, detail: number, unit: IUniform<number>): Instances<"at" | "tint" | "size"> {
+/** Spheres: `at`, `tint`, and `size` in mm. */
+export function spheres(capacity: number): Instances<"at" | "tint" | "size"> {
   const material = new ShaderMaterial({
-    uniforms: { unit },
     vertexShader: /* glsl */ `
-      attribute vec3 at; attribute vec3 tint; attribute float size; uniform float unit;
+      attribute vec3 at; attribute vec3 tint; attribute float size;
       ${LIGHT}
       void main() {
         shade = lit(tint, position);
-        gl_Position = projectionMatrix * viewMatrix * vec4(at + position * (size * unit), 1.0);
+        gl_Position = projectionMatrix * viewMatrix * vec4(at + position * size, 1.0);
       }`,
     fragmentShader: PLAIN,
-    side: FrontSide,
   });
-  return new Instances(ball(detail), material, { at: 3, tint: 3, size: 1 }, capacity);
+  return new Instances(material, { at: 3, tint: 3, size: 1 }, capacity, ball());
+}
+
+/** Balls drawn as one point each: `position`, `tint`, and the radius `size` in pixels (0 hides). */
+export function dots(capacity: number, uniforms: Uniforms): Instances<"position" | "tint" | "size"> {
+  const material = new ShaderMaterial({
+    uniforms,
+    vertexShader: /* glsl */ `
+      attribute vec3 tint; attribute float size;
+      uniform float ratio; uniform float distance;
+      varying vec3 shade;
+      void main() {
+        vec4 seen = viewMatrix * vec4(position, 1.0);
+        shade = tint;
+        gl_PointSize = 2.0 * size * ratio * clamp(distance / max(-seen.z, 1e-6), 0.6, 1.8);
+        gl_Position = size > 0.0 ? projectionMatrix * seen : vec4(2.0, 2.0, 2.0, 1.0);
+      }`,
+    fragmentShader: /* glsl */ `
+      varying vec3 shade;
+      void main() {
+        vec2 at = gl_PointCoord * 2.0 - 1.0;
+        float beyond = dot(at, at);
+        if (beyond > 1.0) discard;
+        vec3 normal = vec3(at.x, -at.y, sqrt(1.0 - beyond));
+        gl_FragColor = vec4(shade * (0.62 + 0.38 * max(dot(normal, normalize(vec3(0.3, 0.55, 0.8))), 0.0)), 1.0);
+      }`,
+  });
+  return new Instances(material, { position: 3, tint: 3, size: 1 }, capacity, null);
 }
 
 /** Tubes between two points, `size` in mm. */
@@ -124,7 +169,7 @@ export function tubes(capacity: number): Instances<"start" | "end" | "tint" | "s
     side: DoubleSide,
   });
   const base = new CylinderGeometry(1, 1, 1, 10, 1, true);
-  return new Instances(base, material, { start: 3, end: 3, tint: 3, size: 1 }, capacity);
+  return new Instances(material, { start: 3, end: 3, tint: 3, size: 1 }, capacity, base);
 }
 
 /** Shaft and head of an arrow of length 1; `part` is 0 on the shaft, 1 on the head. */
@@ -143,12 +188,8 @@ function arrowBase(sides: number): BufferGeometry {
   return geometry;
 }
 
-/** Arrows: `at`, `vector` (mm, before magnification), `tint`, `size` in units (0 hides). */
-export function arrows(
-  capacity: number,
-  sides: number,
-  uniforms: Uniforms,
-): Instances<"at" | "vector" | "tint" | "size"> {
+/** Arrows: `at`, `vector` (mm, before magnification), `tint`, `size` in pixels (0 hides). */
+export function arrows(capacity: number, uniforms: Uniforms): Instances<"at" | "vector" | "tint" | "size"> {
   const material = new ShaderMaterial({
     uniforms,
     vertexShader: /* glsl */ `
@@ -171,38 +212,64 @@ export function arrows(
     fragmentShader: PLAIN,
     side: DoubleSide,
   });
-  return new Instances(arrowBase(sides), material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity);
+  return new Instances(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, arrowBase(4));
 }
 
-/** Ellipsoids by their half axes (mm, before magnification). */
-export function ellipsoids(
-  capacity: number,
-  detail: number,
-  uniforms: Uniforms,
-): Instances<"at" | "a" | "b" | "c" | "tint"> {
+/** The same arrows as lines, for thousands of them. */
+export function lines(capacity: number, uniforms: Uniforms): Instances<"at" | "vector" | "tint" | "size"> {
   const material = new ShaderMaterial({
     uniforms,
     vertexShader: /* glsl */ `
+      attribute vec3 at; attribute vec3 vector; attribute vec3 tint; attribute float size;
+      uniform float magnification;
+      varying vec3 shade;
+      void main() {
+        shade = tint;
+        vec4 place = vec4(at + vector * (magnification * position.y), 1.0);
+        gl_Position = size > 0.0 ? projectionMatrix * viewMatrix * place : vec4(2.0, 2.0, 2.0, 1.0);
+      }`,
+    fragmentShader: PLAIN,
+  });
+  const base = new BufferGeometry();
+  base.setAttribute("position", new Float32BufferAttribute([0, 0, 0, 0, 1, 0], 3));
+  return new Instances(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, base, "lines");
+}
+
+/** Outlines of ellipsoids, from their half axes (mm, before magnification): one square each. */
+export function ellipsoids(capacity: number, uniforms: Uniforms): Instances<"at" | "a" | "b" | "c" | "tint"> {
+  const material = new ShaderMaterial({
+    uniforms,
+    // an ellipsoid with axes A is seen as the ellipse of S = M Mᵀ, M = A in the picture plane; S = L Lᵀ
+    vertexShader: /* glsl */ `
       attribute vec3 at; attribute vec3 a; attribute vec3 b; attribute vec3 c; attribute vec3 tint;
       uniform float magnification;
-      varying vec3 shade; varying float rim;
+      varying vec3 shade; varying vec2 within;
       void main() {
-        vec3 place = at + (a * position.x + b * position.y + c * position.z) * magnification;
-        vec3 n = a * (position.x / max(dot(a, a), 1e-18)) + b * (position.y / max(dot(b, b), 1e-18))
-          + c * (position.z / max(dot(c, c), 1e-18));
-        vec4 seen = viewMatrix * vec4(place, 1.0);
-        vec3 inView = normalize((viewMatrix * vec4(normalize(n), 0.0)).xyz);
-        rim = 1.0 - abs(dot(inView, normalize(-seen.xyz)));
+        vec4 seen = viewMatrix * vec4(at, 1.0);
+        mat3 turned = mat3(viewMatrix);
+        vec2 p = (turned * a).xy, q = (turned * b).xy, r = (turned * c).xy;
+        float xx = p.x * p.x + q.x * q.x + r.x * r.x;
+        float xy = p.x * p.y + q.x * q.y + r.x * r.y;
+        float yy = p.y * p.y + q.y * q.y + r.y * r.y;
+        float l = sqrt(max(xx, 1e-18));
+        float m = xy / l;
+        float n = sqrt(max(yy - m * m, 1e-18));
+        within = position.xy * 2.0;
+        seen.xy += magnification * vec2(l * within.x, m * within.x + n * within.y);
         shade = tint;
         gl_Position = projectionMatrix * seen;
       }`,
     fragmentShader: /* glsl */ `
-      varying vec3 shade; varying float rim;
-      void main() { gl_FragColor = vec4(shade, 0.13 + 0.5 * rim * rim); }`,
+      varying vec3 shade; varying vec2 within;
+      void main() {
+        float beyond = dot(within, within);
+        if (beyond > 1.0) discard;
+        gl_FragColor = vec4(shade, 0.14 + 0.4 * beyond * beyond * beyond);
+      }`,
     transparent: true,
     depthWrite: false,
   });
-  return new Instances(ball(detail), material, { at: 3, a: 3, b: 3, c: 3, tint: 3 }, capacity);
+  return new Instances(material, { at: 3, a: 3, b: 3, c: 3, tint: 3 }, capacity, new PlaneGeometry(1, 1));
 }
 
 /** Half axes of the ellipsoid of a covariance (xx xy xz yy yz zz), for a coverage factor k. */

@@ -18,7 +18,7 @@ import { isDark, rgb, type Rgb } from "./colours";
 import { button, fill, h, unique } from "./dom";
 import { length, quantity, significant } from "./numbers";
 import { describe, painter, type Painter } from "./paint";
-import { arrows, ellipsoids, halfAxes, spheres, tubes, type Instances } from "./shaders";
+import { arrows, dots, ellipsoids, halfAxes, lines, spheres, tubes, type Instances } from "./shaders";
 import { after, isShown, on, pointsOf, scene, select, store } from "./store";
 import type { Pose, Scene, Vector } from "./types";
 import { t } from "./words";
@@ -27,7 +27,7 @@ import { t } from "./words";
 const CHAINS = 400;
 /** Ellipsoids that are drawn at once. */
 const ELLIPSOIDS = 1500;
-/** Points from which arrows and points are drawn with fewer faces. */
+/** Points from which arrows are lines. */
 const MANY = 2500;
 /** Distance (px) within which a pointer hits a point. */
 const NEAR = 16;
@@ -104,7 +104,9 @@ export class Space {
   private readonly magnification: IUniform<number> = { value: 1 };
   private drawn: Scene | undefined;
   private parts: { dispose(): void }[] = [];
-  private points: Instances<"at" | "tint" | "size"> | null = null;
+  private readonly pixels: IUniform<number> = { value: 1 };
+  private readonly away: IUniform<number> = { value: 1 };
+  private points: Instances<"position" | "tint" | "size"> | null = null;
   private arrowsAfter: Instances<"at" | "vector" | "tint" | "size"> | null = null;
   private arrowsBefore: Instances<"at" | "vector" | "tint" | "size"> | null = null;
   private hulls: Instances<"at" | "a" | "b" | "c" | "tint"> | null = null;
@@ -130,7 +132,7 @@ export class Space {
   private slow = 0;
   /** Time (ms) of the last picture while turning. */
   private taken = 0;
-  /** Ellipsoids are left out while turning, since pictures take too long. */
+  /** Ellipsoids, and lines of thousands of points, are left out while turning, since pictures take too long. */
   private isSparse = false;
   private frames = 0;
   private hoverAsked = false;
@@ -321,7 +323,7 @@ export class Space {
     if (shown.instrument) this.addInstrument(shown.instrument);
     this.addChains(shown, colours);
     const count = shown.points.length;
-    const many = count > MANY;
+    const pointers = count > MANY ? lines : arrows;
     const keep = <N extends string>(part: Instances<N>): Instances<N> => {
       this.parts.push(part);
       this.world.add(part.mesh);
@@ -330,19 +332,20 @@ export class Space {
     const uniforms = { unit: this.unit, magnification: this.magnification };
     const segments = Math.max(1, ...shown.poses.map(pose => pose.strokes.reduce((n, s) => n + s.points.length, 0)));
     this.pipes = keep(tubes(segments));
-    this.knees = keep(spheres(segments, 1, { value: 1 }));
-    this.points = keep(spheres(count, count > 60 ? 0 : 1, this.unit));
-    this.arrowsBefore = keep(arrows(count, many ? 3 : 5, uniforms));
-    this.arrowsAfter = keep(arrows(count, many ? 3 : 6, uniforms));
-    this.hulls = keep(ellipsoids(Math.min(count, ELLIPSOIDS), count > 60 ? 1 : 2, uniforms));
+    this.knees = keep(spheres(segments));
+    this.points = keep(dots(count, { ratio: this.pixels, distance: this.away }));
+    this.arrowsBefore = keep(pointers(count, uniforms));
+    this.arrowsAfter = keep(pointers(count, uniforms));
+    this.hulls = keep(ellipsoids(Math.min(count, ELLIPSOIDS), uniforms));
     this.hulls.mesh.renderOrder = 2;
     shown.points.forEach((point, i) => {
-      for (const part of [this.points, this.arrowsBefore, this.arrowsAfter]) part?.array("at").set(point.measured, 3 * i);
+      this.points?.array("position").set(point.measured, 3 * i);
+      for (const part of [this.arrowsBefore, this.arrowsAfter]) part?.array("at").set(point.measured, 3 * i);
     });
-    for (const part of [this.points, this.arrowsBefore, this.arrowsAfter]) {
-      part?.changed("at");
-      if (part) part.count = count;
-    }
+    this.points.changed("position");
+    this.arrowsBefore.changed("at");
+    this.arrowsAfter.changed("at");
+    this.points.count = this.arrowsBefore.count = this.arrowsAfter.count = count;
     this.restyle();
     this.showSelection();
     // a scene that grows keeps the view
@@ -494,8 +497,6 @@ export class Space {
     this.points.changed("tint");
     this.arrowsAfter.changed("tint", "vector", "size");
     this.arrowsBefore.changed("tint", "vector", "size");
-    this.arrowsAfter.mesh.visible = store.view.after;
-    this.arrowsBefore.mesh.visible = store.view.before;
     if (this.chains) this.chains.visible = store.view.chains;
     this.showSizes();
     this.showHulls(paint);
@@ -514,7 +515,7 @@ export class Space {
     const many = shown.points.length > MANY;
     shown.points.forEach((point, i) => {
       const isChosen = i === store.point || (store.point < 0 && point.pose === store.pose);
-      size[i] = !isShown(point) ? 0 : i === store.point ? 7.5 : point.pose === store.pose ? 5.5 : many ? 2.2 : 2.8;
+      size[i] = !isShown(point) ? 0 : i === store.point ? 7.5 : point.pose === store.pose ? 5.5 : many ? 2.2 : 3;
       tint.set(isChosen ? chosen : (paint.colour(i) ?? quiet), 3 * i);
     });
     this.points.changed("size", "tint");
@@ -718,9 +719,15 @@ export class Space {
     const fine = this.software ? Math.max(1.5, Math.min(2, devicePixelRatio)) : Math.min(2, devicePixelRatio);
     const ratio = this.moving ? this.ratio : fine;
     if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
-    if (this.hulls) this.hulls.mesh.visible = !(this.moving && this.isSparse) && this.hulls.count > 0;
+    const isSparse = this.moving && this.isSparse;
+    if (this.hulls) this.hulls.mesh.visible = !isSparse && this.hulls.count > 0;
+    const isMany = (this.drawn?.points.length ?? 0) > MANY;
+    if (this.arrowsAfter) this.arrowsAfter.mesh.visible = store.view.after && !(isSparse && isMany);
+    if (this.arrowsBefore) this.arrowsBefore.mesh.visible = store.view.before && !(isSparse && isMany);
     const [width, height] = [this.stage.clientWidth, this.stage.clientHeight];
     const distance = this.camera.position.distanceTo(this.controls?.target ?? this.centre);
+    this.pixels.value = ratio;
+    this.away.value = distance;
     // one unit is about one pixel at the distance of the target
     this.unit.value = (2 * distance * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(1, height);
     renderer.render(this.world as Object3D as World, this.camera);

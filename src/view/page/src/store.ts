@@ -90,8 +90,34 @@ export function selectPose(id: string): void {
   if (at >= 0) select(at);
 }
 
+/** The magnification was chosen by hand, and stays. */
+let isMagnified = false;
+
+/** Magnification at which the arrows that are shown can be seen beside the robot. */
+export function magnify(): void {
+  const shown = scene();
+  if (!shown || isMagnified) return;
+  const isBefore = store.view.before || !shown.points.some(point => point.after);
+  const ends = shown.poses.slice(0, 200).flatMap(pose => pose.strokes.flatMap(stroke => stroke.points));
+  const sizes = [0, 1, 2].map(i => {
+    const values = ends.map(end => end[i]);
+    return Math.max(...values) - Math.min(...values);
+  });
+  const longest = shown.points.reduce((most, point) => {
+    const um = isBefore ? point.magnitude_before_um : point.magnitude_after_um;
+    return point.used && um !== undefined ? Math.max(most, um) : most;
+  }, 0);
+  const wanted = (0.07 * Math.hypot(...sizes) * 1000) / longest;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const rounded = power * ([5, 2].find(n => wanted / power >= n) ?? 1);
+  const isFound = Number.isFinite(rounded) && rounded > 0 && ends.length > 1;
+  store.view.magnification = isFound ? Math.min(1e5, Math.max(1, rounded)) : shown.magnification || 100;
+}
+
 export function change(view: Partial<View>): void {
+  if (view.magnification !== undefined) isMagnified = true;
   Object.assign(store.view, view);
+  if (view.before !== undefined || view.after !== undefined) magnify();
   tell("view");
 }
 
