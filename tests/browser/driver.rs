@@ -4,11 +4,14 @@ use serde_json::{Value, json};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::os::unix::process::CommandExt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 /// A browser that hangs is ended after this many seconds, and the test fails.
 const PATIENCE_S: u32 = 1500;
+/// A page that does not do what is waited for in this time fails the test.
+const WAIT: Duration = Duration::from_secs(180);
 
 /// One page in one browser.
 pub struct Browser {
@@ -30,8 +33,17 @@ impl Browser {
         Command::new("chromium").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok()
     }
 
-    /// A browser without a page.
+    /// A browser without a page, which draws nothing in three dimensions.
     pub fn start() -> Self {
+        Self::start_with("--disable-gpu")
+    }
+
+    /// A browser that draws in three dimensions by the processor.
+    pub fn start_with_space() -> Self {
+        Self::start_with("--use-angle=swiftshader --enable-unsafe-swiftshader")
+    }
+
+    fn start_with(drawing: &str) -> Self {
         let profile = tempfile::tempdir().unwrap();
         let pipe = |name: &str| {
             let path = profile.path().join(name);
@@ -40,7 +52,7 @@ impl Browser {
         };
         let (to, from) = (pipe("to"), pipe("from"));
         let script = format!(
-            "exec timeout {PATIENCE_S} chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
+            "exec timeout {PATIENCE_S} chromium --headless --no-sandbox {drawing} --disable-quic --no-first-run \
              --disable-background-networking --disable-component-update --disable-sync --remote-debugging-pipe \
              --user-data-dir=\"$2\" about:blank 3<\"$0\" 4>\"$1\""
         );
@@ -80,8 +92,12 @@ impl Browser {
 
     /// Opens a file and waits until it is loaded.
     pub fn open(&mut self, page: &Path) {
+        self.open_address(&format!("file://{}", page.display()));
+    }
+
+    /// Opens an address and waits until the page is loaded.
+    pub fn open_address(&mut self, address: &str) {
         self.requests.clear();
-        let address = format!("file://{}", page.display());
         let navigated = self.call("Page.navigate", json!({ "url": address }));
         assert!(navigated.get("errorText").is_none(), "{address}: {navigated}");
         let loader = navigated["loaderId"].clone();
@@ -100,6 +116,22 @@ impl Browser {
     pub fn media(&mut self, media: &str) {
         self.call("Emulation.setEmulatedMedia", json!({ "media": media }));
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))");
+    }
+
+    /// Waits until an expression is true in the page.
+    pub fn wait(&mut self, expression: &str) {
+        let begun = Instant::now();
+        while self.evaluate(&format!("Boolean({expression})")) != true {
+            assert!(begun.elapsed() < WAIT, "never true: {expression}");
+            std::thread::sleep(Duration::from_millis(100));
+        }
+    }
+
+    /// Chooses files as a person does in the dialog of a file button.
+    pub fn choose_files(&mut self, input: &str, files: &[PathBuf]) {
+        let document = self.call("DOM.getDocument", json!({}))["root"]["nodeId"].clone();
+        let found = self.call("DOM.querySelector", json!({ "nodeId": document, "selector": input }));
+        self.call("DOM.setFileInputFiles", json!({ "nodeId": found["nodeId"], "files": files }));
     }
 
     /// What an expression comes to in the page.

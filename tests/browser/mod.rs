@@ -3,6 +3,7 @@
 mod driver;
 mod pages;
 mod samples;
+mod view;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

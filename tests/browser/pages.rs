@@ -64,7 +64,7 @@ pub fn all() -> Pages {
 }
 
 /// Runs a campaign, whatever its limits come to.
-fn run(scratch: &crate::support::scratch::Scratch) {
+pub fn run(scratch: &crate::support::scratch::Scratch) {
     let output = Command::new(crate::support::program()).arg("run").arg(scratch.path()).output().unwrap();
     assert!(output.status.code() < Some(2), "{}", String::from_utf8_lossy(&output.stderr));
 }
@@ -75,7 +75,7 @@ fn etalon(arguments: &[&std::ffi::OsStr]) {
 }
 
 /// Names wherever a campaign has names: script, formula, right to left, 200 letters without a gap.
-fn make_hostile(scratch: &crate::support::scratch::Scratch) {
+pub fn make_hostile(scratch: &crate::support::scratch::Scratch) {
     let script = "<script>owned=1</script><img src=x onerror=owned=1>\"'&amp;";
     let hebrew = "\u{202e}\u{5e8}\u{5d5}\u{5d1}\u{5d5}\u{5d8} =HYPERLINK(\"http://x.invalid\";\"y\")";
     let long = "n".repeat(200);

@@ -17,7 +17,10 @@ const FIRST = 4;
 let proposal: Proposal | null = null;
 let given: Answers = {};
 let problems: Message[] = [];
+/** Texts that are typed but not sent, by question. */
+const drafts = new Map<string, string>();
 let isReading = false;
+let asking = 0;
 let take: (state: State) => void = () => {};
 let done: () => void = () => {};
 
@@ -25,8 +28,10 @@ const refused = (error: unknown): Message[] =>
   error instanceof Refused ? error.messages : [{ id: "request", severity: "error", text: `${t("failed")} ${String(error)}` }];
 
 let draw: () => void = () => {};
+let reading = 0;
 
 async function guard(work: () => Promise<void>): Promise<void> {
+  reading += 1;
   isReading = true;
   problems = [];
   draw();
@@ -35,7 +40,8 @@ async function guard(work: () => Promise<void>): Promise<void> {
   } catch (error) {
     problems = refused(error);
   }
-  isReading = false;
+  reading -= 1;
+  isReading = reading > 0;
   draw();
 }
 
@@ -44,7 +50,11 @@ async function propose(): Promise<void> {
     proposal = null;
     return;
   }
-  proposal = await api.propose(given);
+  const mine = ++asking;
+  const answered = await api.propose(given);
+  // a later answer has its own proposal
+  if (mine !== asking) return;
+  proposal = answered;
   if (proposal.robot && !given.robot) given = { ...given, robot: proposal.robot };
 }
 
@@ -66,7 +76,9 @@ export function receive(files: Iterable<File>): Promise<void> {
 }
 
 function answer(id: string, value: string): void {
-  given = id === ROBOT ? { ...given, robot: value } : { ...given, answers: { ...given.answers, [id]: value } };
+  drafts.set(id, value);
+  const typed = Object.fromEntries([...drafts].filter(([key, text]) => key !== ROBOT && text));
+  given = { robot: id === ROBOT ? value : given.robot, answers: { ...given.answers, ...typed } };
   void guard(propose);
 }
 
@@ -196,7 +208,8 @@ function question(q: Proposal["questions"][number]): HTMLElement {
   for (const option of list.slice(options.length)) others.append(h("option", { value: option.value }, option.label));
   others.addEventListener("change", () => others.value && answer(q.id, others.value));
   const input = h("input", { id: `q-${q.id}`, "aria-label": q.text, "data-key": `q${q.id}` });
-  if (chosen !== undefined) input.value = chosen;
+  input.value = drafts.get(q.id) ?? chosen ?? "";
+  input.addEventListener("input", () => drafts.set(q.id, input.value.trim()));
   const send = (event: Event) => {
     event.preventDefault();
     if (input.value.trim()) answer(q.id, input.value.trim());
@@ -204,7 +217,7 @@ function question(q: Proposal["questions"][number]): HTMLElement {
   return h(
     "fieldset",
     { class: "question" },
-    h("legend", {}, q.text),
+    h("legend", {}, chosen !== undefined && "✓ ", q.text),
     q.doubt && h("p", { class: "note" }, prose(q.doubt)),
     options.length
       ? h("p", { class: "options" }, ...options, list.length > options.length && others)
