@@ -3,7 +3,7 @@
 import { api } from "./api";
 import { fill, h, prose, redraw } from "./dom";
 import { bytes, fixed, length, micrometres, quantity, significant, stated, time } from "./numbers";
-import { messages } from "./parts";
+import { messages, region, scroller } from "./parts";
 import { after, on, pointsOf, scene, select, store, worst } from "./store";
 import type { Parameter, Scene, Status } from "./types";
 import { named, t } from "./words";
@@ -97,9 +97,8 @@ export function parameters(): HTMLElement {
     "div",
     { class: "panel" },
     h("p", { class: "filter" }, h("label", { for: "parameter-filter" }, t("searchParameter")), filter),
-    h(
-      "div",
-      { class: "scroll", tabindex: 0, role: "region", "aria-label": t("parametersTab") },
+    scroller(
+      region(t("parametersTab")),
       h(
         "table",
         {},
@@ -176,9 +175,8 @@ export function selected(leaveOut: ((pose: string) => void) | null): HTMLElement
 function pointsTable(): HTMLElement {
   const shown = scene();
   const heads = [t("target"), t("before"), `${t("after")} ± U`, "x", "y", "z"];
-  return h(
-    "div",
-    { class: "scroll", tabindex: 0, role: "region", "aria-label": `${t("pose")} ${shown?.poses[store.pose]?.id ?? ""}: ${t("errorsTab")}` },
+  return scroller(
+    region(`${t("pose")} ${shown?.poses[store.pose]?.id ?? ""}: ${t("errorsTab")}`),
     h(
       "table",
       { class: "targets" },

@@ -1,6 +1,6 @@
 // Parts that several panels show: messages, a difference of text, progress.
 
-import { h, prose } from "./dom";
+import { fill, h, prose } from "./dom";
 import { selectPose } from "./store";
 import type { Message, Severity } from "./types";
 import { named, t } from "./words";
@@ -56,6 +56,20 @@ export function difference(text: string, label: string): HTMLElement {
     ...lines.map(line => h("code", { class: kind(line) }, `${line}\n`)),
   );
 }
+
+/** A region that scrolls sideways, and says so if it does. */
+export function scroller(region: HTMLElement, ...children: HTMLElement[]): HTMLElement {
+  const note = h("p", { class: "sideways", hidden: true }, t("sideways"));
+  fill(region, ...children);
+  const look = () => (note.hidden = region.clientWidth === 0 || region.scrollWidth <= region.clientWidth + 1);
+  const observer = new ResizeObserver(look);
+  [region, ...children].forEach(node => observer.observe(node));
+  return h("div", { class: "scroller" }, note, region);
+}
+
+/** Region of a table. */
+export const region = (label: string, kind = ""): HTMLElement =>
+  h("div", { class: `scroll ${kind}`, tabindex: 0, role: "region", "aria-label": label });
 
 /** A switch that is on or off. */
 export function check(label: string, on: boolean, onchange: (on: boolean) => void, key?: string): HTMLElement {

@@ -3,7 +3,7 @@
 import { api, Refused, type Answers } from "./api";
 import { button, fill, h, prose, redraw } from "./dom";
 import { bytes } from "./numbers";
-import { difference, message, messages } from "./parts";
+import { difference, message, messages, region, scroller } from "./parts";
 import { on, store } from "./store";
 import type { Message, Proposal, State } from "./types";
 import { t } from "./words";
@@ -233,9 +233,8 @@ function fileTable(file: Proposal["files"][number]): HTMLElement {
     { class: "first-rows" },
     h("h2", {}, title),
     isTable &&
-      h(
-        "div",
-        { class: "scroll", tabindex: 0, role: "region", "aria-label": title },
+      scroller(
+        region(title),
         h(
           "table",
           {},

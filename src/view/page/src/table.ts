@@ -2,6 +2,7 @@
 
 import { h, fill, redraw } from "./dom";
 import { micrometres } from "./numbers";
+import { region, scroller } from "./parts";
 import { after, isShown, on, scene, select, store } from "./store";
 import type { Point, Scene } from "./types";
 import { named, t } from "./words";
@@ -65,12 +66,12 @@ export class ErrorTable {
   private readonly body = h("tbody");
   private readonly caption = h("caption");
   private readonly table = h("table", { class: "errors" }, this.caption, this.head, this.body);
-  private readonly scroll = h("div", { class: "scroll rows", tabindex: 0, role: "region", "aria-label": t("errorsTab") }, this.table);
+  private readonly scroll = region(t("errorsTab"), "rows");
   private order: number[] = [];
   private sort = { key: "pose", down: false };
 
   constructor() {
-    this.root = h("div", { class: "errors-tab" }, this.scroll);
+    this.root = h("div", { class: "errors-tab" }, scroller(this.scroll, this.table));
     this.scroll.addEventListener("scroll", () => this.draw(), { passive: true });
     this.scroll.addEventListener("keydown", event => this.key(event));
     new ResizeObserver(() => this.draw()).observe(this.scroll);

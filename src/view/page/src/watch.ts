@@ -2,7 +2,7 @@
 
 import { fill, h, say } from "./dom";
 import { length, quantity, significant } from "./numbers";
-import { message } from "./parts";
+import { message, region, scroller } from "./parts";
 import { on, scene, selectPose, store } from "./store";
 import type { Watch } from "./types";
 import { t } from "./words";
@@ -110,9 +110,8 @@ function uncertainties(watch: Watch): (Node | null)[] {
   if (!watch.parameters?.length) return [];
   return [
     h("h3", {}, t("uColumn")),
-    h(
-      "div",
-      { class: "scroll", tabindex: 0, role: "region", "aria-label": t("parametersTab") },
+    scroller(
+      region(t("uColumn")),
       h(
         "table",
         {},

@@ -164,6 +164,7 @@ const WORDS = {
   selected: ["Selected pose", "Gewählte Pose", "Pose choisie"],
   set: ["Set", "Satz", "Jeu"],
   shownPoints: ["{shown} of {count} points", "{shown} von {count} Punkten", "{shown} points sur {count}"],
+  sideways: ["Wider than the window: scroll sideways.", "Breiter als das Fenster: seitwärts scrollen.", "Plus large que la fenêtre : faire défiler latéralement."],
   side: ["Side", "Seite", "Côté"],
   skip: ["To the results", "Zu den Ergebnissen", "Vers les résultats"],
   space: ["Robot in three dimensions", "Roboter in drei Dimensionen", "Robot en trois dimensions"],
