@@ -5,7 +5,9 @@
 //! robot. A parameter of a common joint is therefore one parameter.
 
 use super::serial::{Serial, WithParameters};
-use super::{Circumstance, Definition, FreeBase, JointRange, Loads, OptionalParameter, Parametrised, Robot, State};
+use super::{
+    Circumstance, Definition, FreeBase, JointRange, Loads, OptionalParameter, Outline, Parametrised, Robot, State,
+};
 use etalon_base::catalogue::Phrase;
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::sketch::Sketch;
@@ -127,6 +129,17 @@ impl Robot for Branches {
     }
     fn sketches(&self) -> Vec<Sketch> {
         self.present().flat_map(|arm| arm.sketches()).collect()
+    }
+    fn outline(&self, parameters: &[f64], joints: &[f64]) -> Outline {
+        let loads = self.loads_at(&self.nominal(), joints);
+        let mut all = Outline::default();
+        for (branch, arm) in self.arms.iter().enumerate() {
+            let lines = arm.outline_under(parameters, self.branch_state(branch, State { joints, loads: &loads })).lines;
+            // the common joints are in each branch
+            let new: Vec<_> = lines.into_iter().filter(|line| !all.lines.contains(line)).collect();
+            all.lines.extend(new);
+        }
+        all
     }
     fn optional_parameters(&self) -> Vec<OptionalParameter> {
         let mut all: Vec<OptionalParameter> = Vec::new();

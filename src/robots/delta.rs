@@ -12,7 +12,7 @@ use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, Legs, Parallel, Rod};
 use super::prexyt::travel_mm;
 use super::{At, FaultKind, Faults, Key, Model, Quantity, REACH, Robot, meaning, root, wrong_targets};
-use etalon_base::pose::{Pose, cross, dot, minus, norm};
+use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
 use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
 use std::f64::consts::FRAC_PI_2;
@@ -199,6 +199,10 @@ impl Legs for Rotary {
         on_platform(&rod, platform, sketch);
     }
 
+    fn limb(&self, leg: usize, p: &[f64], _q: f64) -> Vec<Vector> {
+        vec![self.motor(leg, p).translation_mm]
+    }
+
     /// Joint value at which the elbow, one of two, is a rod's length away from the joint on the
     /// platform.
     fn joint_at<T: Scalar>(&self, leg: usize, p: &[T], platform: &Pose<T>, branch: T) -> T {
@@ -259,6 +263,10 @@ impl Legs for Linear {
         sketch.angle("tower_rx_1", &tower.turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
         sketch.angle("tower_ry_1", &tower.turn_z(-FRAC_PI_2).turn_y(-FRAC_PI_2), 1.1 * size, -0.3);
         on_platform(&rod, platform, sketch);
+    }
+
+    fn limb(&self, leg: usize, p: &[f64], _q: f64) -> Vec<Vector> {
+        vec![self.tower(leg, p).translation_mm]
     }
 
     /// Joint value at which the carriage, above the platform, is a rod's length away from the joint

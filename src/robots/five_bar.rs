@@ -7,8 +7,8 @@
 
 use super::keys::{Description, Reader};
 use super::{
-    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, Parametrised, PlanarPose, Quantity,
-    Robot, Role, State,
+    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Outline, Parameter, Parametrised, PlanarPose,
+    Quantity, Robot, Role, State,
 };
 use super::{REACH, in_plane, in_space, meaning, root};
 use etalon_base::catalogue::Phrase;
@@ -549,6 +549,22 @@ impl Robot for FiveBar {
         sketch.add(Length, "y_o", &[[0.0, -p[10], 0.0], [0.0; 3]]);
         sketch.add(Axis, "phi", &[[0.0; 3], [0.3 * size, 0.0, 0.0]]);
         vec![sketch]
+    }
+    fn outline(&self, p: &[f64], joints: &[f64]) -> Outline {
+        let assembly = joints.get(2).copied().unwrap_or(1.0);
+        let at = FiveBar::direct(self, p, [joints[0], joints[1]], assembly);
+        let [a1, a2] = [-0.5, 0.5].map(|share| [share * p[4], 0.0, 0.0]);
+        let [b1, b2, c, e] = [at.b1, at.b2, at.c, at.e].map(|[x, y]| [x, y, 0.0]);
+        let mut outline = Outline::default();
+        outline.link("base", &[a1, a2]);
+        outline.link(&self.joints()[0].name, &[a1, b1]);
+        outline.link(&self.joints()[1].name, &[a2, b2]);
+        outline.link("distal 1", &[b1, c]);
+        outline.link("distal 2", &[c, b2, e, c]);
+        match self.base_in_world(p) {
+            Some(base) => outline.moved(&base),
+            None => Outline::default(),
+        }
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         WithParameters::new(parameters).positions(State { joints, loads: &[] }, out);

@@ -18,6 +18,7 @@ mod five_bar;
 mod hexapod;
 mod inverse;
 mod keys;
+mod outline;
 mod parallel;
 mod prexyt;
 mod reference;
@@ -31,6 +32,7 @@ pub use definition::{Circumstance, Definition, Effect, Joint, Parameter, Quantit
 pub use fault::{At, Fault, FaultKind, Faults, JointFault, TreeFault};
 pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, SingularityDistance, WORKING_MODES};
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
+pub use outline::{Outline, OutlineLine};
 pub use prexyt::Prexyt;
 pub use reference::{ReferencePose, reference_pose, reference_poses};
 pub use serial::Serial;
@@ -274,6 +276,11 @@ pub trait Robot: Send + Sync {
     /// Drawings of the model with its parameters, from its nominal geometry.
     fn sketches(&self) -> Vec<Sketch> {
         Vec::new()
+    }
+
+    /// The robot as lines in the world at joint values; empty if the joint values admit no pose.
+    fn outline(&self, _parameters: &[f64], _joints: &[f64]) -> Outline {
+        Outline::default()
     }
 
     /// Hint at measurements that make these parameters separately identifiable, if the model knows

@@ -7,8 +7,8 @@
 //! first, then those of each leg.
 
 use super::{
-    Definition, FreeBase, Joint, JointRange, Kinematics, Parameter, Quantity, Robot, Role, base_and_targets, base_pose,
-    limit_violation, meaning, normal_equations, pose_outputs, square,
+    Definition, FreeBase, Joint, JointRange, Kinematics, Outline, Parameter, Quantity, Robot, Role, base_and_targets,
+    base_pose, limit_violation, meaning, normal_equations, pose_outputs, square,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::expression::{Formula, Recorded};
@@ -98,6 +98,11 @@ pub(super) trait Legs: Clone + Debug + Send + Sync {
 
     /// Adds the parameters of the first leg to a drawing of the platform.
     fn sketch(&self, p: &[f64], q: f64, platform: &Pose, sketch: &mut Sketch);
+
+    /// Points of a leg in the base before its rod, at the leg's own parameters and joint value.
+    fn limb(&self, _leg: usize, _p: &[f64], _q: f64) -> Vec<Vector> {
+        Vec::new()
+    }
 
     /// Joint value of a leg at a pose of the platform, on branch 1 or, for legs with two branches,
     /// −1; NaN if the leg does not reach.
@@ -310,6 +315,24 @@ impl<L: Legs> Robot for Parallel<L> {
         sketch.frame("base", &Pose::identity(), 0.14 * size);
         sketch.frame("platform", &platform, 0.1 * size);
         vec![sketch]
+    }
+    fn outline(&self, parameters: &[f64], joints: &[f64]) -> Outline {
+        let Some(platform) = self.place(parameters, joints) else { return Outline::default() };
+        let values = self.values(parameters);
+        let (mut outline, mut feet, mut ends) = (Outline::default(), Vec::new(), Vec::new());
+        for (leg, rod) in values.rods(joints).iter().enumerate() {
+            let name = &self.joints()[leg].name;
+            let mut limb = self.legs.limb(leg, values.leg_parameters(leg), joints[leg]);
+            limb.push(rod.base_mm);
+            let end = platform.apply(rod.platform_mm);
+            outline.link(name, &limb);
+            outline.link(name, &[rod.base_mm, end]);
+            feet.extend(limb.first());
+            ends.push(end);
+        }
+        outline.link("base", &[&feet[..], &feet[..1]].concat());
+        outline.link("platform", &[&ends[..], &ends[..1]].concat());
+        outline.moved(&base_pose(parameters))
     }
     /// Writes NaN if the legs do not meet the platform.
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {

@@ -6,7 +6,7 @@
 
 use super::keys::{Description, Reader};
 use super::{
-    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Parameter, PlanarPose, Platform, Quantity,
+    Definition, Faults, Joint, JointRange, Key, Kinematics, Model, Outline, Parameter, PlanarPose, Platform, Quantity,
     RailTable, Robot, Role,
 };
 use super::{REACH, in_plane, in_space, meaning};
@@ -317,6 +317,27 @@ impl Robot for Prexyt {
         sketch.add(Length, "x_o", &[world.translation_mm, [0.0, -0.2 * s, 0.0]]);
         sketch.add(Length, "y_o", &[[0.0, -0.2 * s, 0.0], [0.0; 3]]);
         vec![sketch]
+    }
+    /// Rails are drawn to the largest travel, without a stated travel to the carriages.
+    fn outline(&self, p: &[f64], joints: &[f64]) -> Outline {
+        let pose = self.direct(p, joints);
+        let [[x2, y2], [x3, y3]] = self.revolutes(p, joints);
+        let c = [pose.x_mm, pose.y_mm, 0.0];
+        let travel = |i: usize| self.travel_mm.map_or(0.0, |travel| travel[i]).max(1.1 * joints[i]).max(0.5 * p[3]);
+        let on_third = |along: f64| [p[3] - along * p[0].sin() - p[4] * p[0].tan(), along * p[0].cos() + p[4], 0.0];
+        let guide = |y: f64| [c[0] + (y - c[1]) * p[1].tan(), y, 0.0];
+        let mut outline = Outline::default();
+        outline.link("base", &[[0.0; 3], [p[3].max(1.1 * guide(0.0)[0]), 0.0, 0.0]]);
+        outline.link("base", &[[0.0; 3], [0.0, travel(1), 0.0]]);
+        outline.link("base", &[on_third(0.0), on_third(travel(2))]);
+        outline.link("rho1", &[guide(0.0), guide(1.1 * c[1].max(travel(1)))]);
+        outline.link("platform", &[[x2, y2, 0.0], [x3, y3, 0.0]]);
+        let base = Pose { translation_mm: [p[8], p[9], 0.0], ..Pose::identity() };
+        let mut outline = outline.moved(&base);
+        let [k, l] = self.balls(p, joints).map(|[x, y]| [x, y, 0.0]);
+        let c = base.apply(c);
+        outline.link("platform", &[c, k, l, c]);
+        outline
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.balls(parameters, joints).as_flattened());

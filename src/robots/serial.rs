@@ -8,7 +8,8 @@ use super::chain::{self, Coefficient, Element, Motion, Prepared, TURNED_MM, Term
 use super::tables::{AxisLine, error_axes, link_frames};
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
-    OptionalParameter, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, meaning, pose_outputs,
+    OptionalParameter, Outline, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, meaning,
+    pose_outputs,
 };
 use super::{limit_violation, normal_equations, square};
 use etalon_base::catalogue::Phrase;
@@ -1106,6 +1107,27 @@ impl Serial {
         sketch
     }
 
+    /// The arm as lines in the world, under these loads. A rail belongs to the part in front of it.
+    pub(super) fn outline_under(&self, parameters: &[f64], state: State) -> Outline {
+        let base = chain::end(&self.elements[..self.based], parameters, state);
+        let (mut outline, mut pose, mut body) = (Outline::default(), Pose::identity(), "base");
+        for (i, element) in self.elements.iter().enumerate().skip(self.based) {
+            let next = element.advance(pose, parameters, state);
+            if norm(minus(next.translation_mm, pose.translation_mm)) > SHORTEST_MM {
+                outline.link(body, &[pose.translation_mm, next.translation_mm]);
+            }
+            let moved = self.axes.iter().find(|axis| axis.element == i);
+            body = moved.map_or(body, |axis| &self.joints()[axis.drive.joint].name);
+            pose = next;
+        }
+        let size = outline.extent_mm();
+        for (axis, frame) in self.axes.iter().zip(self.frames(parameters, state).0) {
+            let ends = [-0.04, 0.06].map(|share| frame.shift(2, share * size).translation_mm);
+            outline.axis(&self.joints()[axis.drive.joint].name, &ends);
+        }
+        outline.moved(&base)
+    }
+
     /// Direct kinematics: pose of the flange in the world.
     pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
         chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) })
@@ -1190,6 +1212,9 @@ impl Robot for Serial {
         let mut all = vec![self.drawn()];
         all.extend(self.link.clone());
         all
+    }
+    fn outline(&self, parameters: &[f64], joints: &[f64]) -> Outline {
+        self.outline_under(parameters, State { joints, loads: &self.loads_at(joints) })
     }
     fn remedy(&self, parameters: &[usize]) -> Option<Phrase> {
         let all = || parameters.iter().map(|&i| &self.parameters()[i]);
