@@ -1,7 +1,7 @@
 //! Command `etalon formats`.
 
-use super::init::refusal_of_lines;
 use super::{Output, Verdict};
+use crate::tasks::start::refusal_of_lines;
 use etalon_base::phrase;
 use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};

@@ -1,21 +1,12 @@
 //! Command `etalon init`.
 
-mod branches;
-mod from;
-mod robot_toml;
-mod tool_link;
-mod trial;
-
-pub(super) use trial::refusal_of_lines;
-
 use super::{Output, Verdict, shell_word};
 use crate::tasks::known_robots::known_robot;
-use crate::tasks::urdf_text;
+use crate::tasks::start::{
+    DescribedRobot, NamedRobot, RobotFiles, described, described_by, next_step, own_robot_files, robot_path, start,
+};
 use etalon_base::files;
-use etalon_base::message::Problems;
-use etalon_base::{error, phrase};
-use etalon_campaign::read_urdf;
-use etalon_robots::{Joint, Quantity, TreeChain};
+use etalon_base::phrase;
 use std::path::{Path, PathBuf};
 
 /// Write a commented campaign to start from.
@@ -49,8 +40,6 @@ pub struct Init {
 
 const CAMPAIGN: &str = include_str!("init/campaign.toml");
 const ROBOT: &str = include_str!("init/robot.toml");
-/// Line of a proposed campaign that its folder names.
-const UNTITLED: &str = "name = \"First campaign\"";
 const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
@@ -61,14 +50,16 @@ const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nob
 impl Init {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         if !self.from.is_empty() {
-            let files = self.described_by(from::campaign(&self.from, self.robot_files()?)?);
+            let robot = NamedRobot { urdf: self.urdf.as_deref(), name: self.robot.as_deref() };
+            let started = start(&self.from, robot)?;
+            let files = described_by(&self.folder, [started.written, started.copied].concat());
             out.print_written(files::write_new(&self.folder, &files)?, self.json)?;
             let (_, text) = &files[0];
             if !self.json {
                 let robot =
                     files.iter().find(|(name, _)| name == "robot.toml").map_or(&[][..], |(_, text)| text.as_slice());
                 let [text, robot] = [text.as_slice(), robot].map(String::from_utf8_lossy);
-                out.next_step(self.json, trial::next(&self.folder, &text, &robot));
+                out.next_step(self.json, next_step(&self.folder, &text, &robot));
             }
             return Ok(Verdict::Met);
         }
@@ -86,30 +77,10 @@ impl Init {
         self.write(&texts, out)
     }
 
-    /// Adds the schemas that the first lines name; a campaign is named after its folder.
-    fn described_by(&self, mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Vec<u8>)> {
-        let schemas = etalon_campaign::schemas();
-        let folder = std::path::absolute(&self.folder).unwrap_or_default();
-        let folder = folder.file_name().map(|name| toml::Value::from(&*name.to_string_lossy()).to_string());
-        for (name, text) in &mut files {
-            if !schemas.iter().any(|(of, _)| of == name) {
-                continue;
-            }
-            let own = String::from_utf8_lossy(text);
-            let titled = match &folder {
-                Some(folder) if name == "campaign.toml" => own.replacen(UNTITLED, &format!("name = {folder}"), 1),
-                _ => own.into_owned(),
-            };
-            *text = format!("#:schema ./{}\n{titled}", schema_file(name)).into_bytes();
-        }
-        files.extend(schemas.iter().map(|(name, text)| (schema_file(name), text.clone().into_bytes())));
-        files
-    }
-
     /// Writes the files, and says what comes next.
     fn write(&self, texts: &[(&str, Vec<u8>)], out: &Output) -> anyhow::Result<Verdict> {
         let texts = texts.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
-        let all = self.described_by(texts);
+        let all = described_by(&self.folder, texts);
         out.print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {
@@ -122,34 +93,9 @@ impl Init {
         Ok(Verdict::Met)
     }
 
-    /// The robot of a campaign from files.
-    fn robot_files(&self) -> anyhow::Result<from::RobotFiles> {
-        if let Some(path) = &self.urdf {
-            let described = tool_link::described(path, &self.from)?;
-            let Described { name, robot, text, joints, targets } = described;
-            let files = vec![("robot.toml".to_owned(), robot), (name, text)];
-            let controllers = "[\"json\", \"urdf\"]";
-            let path = path.with_file_name("robot.toml");
-            return Ok(from::RobotFiles { files, path, joints, targets, controllers, own: None });
-        }
-        let Some(name) = &self.robot else {
-            return Err(Problems::from(error!("from-needs-robot")).into());
-        };
-        if let Some(path) = robot_toml::path(name) {
-            return robot_toml::robot_files(&path);
-        }
-        let robot = known_robot(name)?;
-        let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
-        let (joints, targets) = (robot.joints(), robot.targets.clone());
-        // the format of its calibration for ROS
-        let controllers = if name.starts_with("ur") { "[\"json\", \"universal-robots\"]" } else { "[\"json\"]" };
-        let path = "robot.toml".into();
-        Ok(from::RobotFiles { files, path, joints, targets, controllers, own: None })
-    }
-
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path, out: &Output) -> anyhow::Result<Verdict> {
-        let Described { name, robot, text, joints, .. } = described(path)?;
+        let DescribedRobot { name, robot, text, joints, .. } = described(path)?;
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
@@ -165,7 +111,7 @@ impl Init {
     }
 
     /// A campaign for a robot of the user's robot.toml.
-    fn with_robot_file(&self, robot: from::RobotFiles, out: &Output) -> anyhow::Result<Verdict> {
+    fn with_robot_file(&self, robot: RobotFiles, out: &Output) -> anyhow::Result<Verdict> {
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
             format!("{} = {}\n", toml::Value::from(key.as_str()), toml::Value::from(joint))
@@ -180,8 +126,8 @@ impl Init {
 
     /// Creates a campaign for a robot of the built-in table.
     fn known(&self, name: &str, out: &Output) -> anyhow::Result<Verdict> {
-        if let Some(path) = robot_toml::path(name) {
-            return self.with_robot_file(robot_toml::robot_files(&path)?, out);
+        if let Some(path) = robot_path(name) {
+            return self.with_robot_file(own_robot_files(&path)?, out);
         }
         let robot = known_robot(name)?;
         let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
@@ -192,41 +138,6 @@ impl Init {
             [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
         self.write(&texts, out)
     }
-}
-
-/// A robot that a URDF describes.
-struct Described {
-    /// Name of the file.
-    name: String,
-    /// robot.toml.
-    robot: Vec<u8>,
-    /// The file.
-    text: Vec<u8>,
-    /// Keys of its joints, with their units.
-    joints: Vec<String>,
-    /// Targets of its branches.
-    targets: Vec<String>,
-}
-
-/// Path of the schema of an input file in the folder of a campaign, for editors.
-fn schema_file(name: &str) -> String {
-    format!("schemas/{name}.schema.json")
-}
-
-/// The chain of a URDF file with the most moving joints.
-fn described(path: &Path) -> anyhow::Result<Described> {
-    let (chain, text) = read_urdf(path)?;
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let robot = urdf_text(&name, &chain);
-    let (robot, text) = (robot.into_bytes(), text.into_bytes());
-    Ok(Described { name, robot, text, joints: joint_keys(&chain), targets: Vec::new() })
-}
-
-/// Keys of the joints of a chain, with the units of a URDF.
-fn joint_keys(chain: &TreeChain) -> Vec<String> {
-    let unit = |quantity: Quantity| if quantity == Quantity::Length { "m" } else { "rad" };
-    let key = |joint: &Joint| format!("{}_{}", joint.name, unit(joint.quantity));
-    chain.joints.iter().map(key).collect()
 }
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];

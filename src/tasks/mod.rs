@@ -18,6 +18,7 @@ pub(crate) mod known_robots;
 mod model;
 mod path;
 mod plan;
+pub(crate) mod start;
 pub(crate) mod text_format;
 mod verify;
 

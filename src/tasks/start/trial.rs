@@ -1,10 +1,9 @@
 //! Trial of a proposed campaign: its open questions, and the errors that `check` would report once
 //! they are answered.
 
-use crate::cli::shell_word;
 use crate::run::walk::checked;
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
-use etalon_base::files::Stamp;
+use etalon_base::files::{Stamp, shell_word};
 use etalon_base::message::{Message, Problems, printable};
 use etalon_base::phrase;
 use etalon_campaign::Campaign;
@@ -16,12 +15,12 @@ const ANSWERS: [(&str, &str); 3] =
 /// Units that a trial of an open unit tries.
 const UNITS: [&str; 4] = ["mm", "m", "inch", "um"];
 /// Stands for the units of joints among the open keys.
-const JOINT_UNITS: &str = "UNIT";
+pub(super) const JOINT_UNITS: &str = "UNIT";
 /// Maximum number of errors that are repeated.
 const SHOWN: usize = 3;
 
 /// Returns the next step for a folder with this campaign.toml and robot.toml.
-pub(super) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
+pub(crate) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
     let mut keys: Vec<&str> = text.lines().filter_map(open).collect();
     keys.extend(robot.lines().filter_map(open));
     let is_robot_open = robot.lines().any(|line| open(line).is_some());
@@ -41,7 +40,7 @@ pub(super) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
 
 /// Returns why `check` would refuse lines for campaign.toml with this robot, once their questions
 /// are answered. Files are relative to the current folder; others are not tried.
-pub fn refusal_of_lines(robot: &Path, files: &[PathBuf], lines: &str) -> Option<String> {
+pub(crate) fn refusal_of_lines(robot: &Path, files: &[PathBuf], lines: &str) -> Option<String> {
     let below = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
     if !below(robot) || !files.iter().all(|file| below(file)) || !lines.contains("\n[join]\n") {
         return None;
@@ -63,7 +62,7 @@ fn refusal(folder: &Path, text: &str) -> Option<String> {
 }
 
 /// Key of a line that is an open question.
-fn open(line: &str) -> Option<&str> {
+pub(super) fn open(line: &str) -> Option<&str> {
     let stated = line.split(" #").next().unwrap_or(line);
     let is_open = !stated.trim_start().starts_with('#') && stated.contains("= \"?\"");
     let is_unit = !stated.trim_start().starts_with('#') && stated.contains("_UNIT =");

@@ -2,7 +2,7 @@
 //! whose kinematics the measured points fit.
 
 use super::branches::{BETTER, branches, names};
-use super::{Described, joint_keys};
+use super::{DescribedRobot, joint_keys};
 use crate::tasks::urdf_text;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::printable;
@@ -38,7 +38,7 @@ enum Choice {
 }
 
 /// Describes the robot of a URDF file by the chain that fits files of measurements.
-pub(super) fn described(path: &Path, files: &[PathBuf]) -> anyhow::Result<Described> {
+pub(super) fn described(path: &Path, files: &[PathBuf]) -> anyhow::Result<DescribedRobot> {
     let (chains, urdf) = read_urdf_chains(path)?;
     let (longest, _) = etalon_campaign::read_urdf(path)?;
     if chains.len() < 2 || chains.len() > TRIED {
@@ -48,7 +48,7 @@ pub(super) fn described(path: &Path, files: &[PathBuf]) -> anyhow::Result<Descri
     let beside = path.with_file_name("robot.toml");
     if let Some(branches) = branches(&beside, &name, &chains, files)? {
         let (robot, text) = (branches.text.into_bytes(), urdf.into_bytes());
-        return Ok(Described { name, robot, text, joints: branches.joints, targets: branches.targets });
+        return Ok(DescribedRobot { name, robot, text, joints: branches.joints, targets: branches.targets });
     }
     let evidence: Vec<Evidence> =
         chains.iter().map(|chain| evidence(&beside, &name, chain, files)).collect::<anyhow::Result<_>>()?;
@@ -60,7 +60,7 @@ pub(super) fn described(path: &Path, files: &[PathBuf]) -> anyhow::Result<Descri
         Choice::Open(fit) => (open(&name, &chains, &fit), Vec::new()),
     };
     let (robot, text) = (robot.into_bytes(), urdf.into_bytes());
-    Ok(Described { name, robot, text, joints, targets: Vec::new() })
+    Ok(DescribedRobot { name, robot, text, joints, targets: Vec::new() })
 }
 
 /// Returns robot.toml with the tool link as a question, and the links that fit.

@@ -12,7 +12,7 @@ const TARGET: &str = "target";
 
 /// Returns the robot file that an option names: a path to a file or to a folder with a robot.toml.
 /// A name without a path is the name of a known robot.
-pub(super) fn path(name: &str) -> Option<PathBuf> {
+pub(crate) fn path(name: &str) -> Option<PathBuf> {
     let path = Path::new(name);
     let is_toml = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("toml"));
     match path.is_dir() {
@@ -22,7 +22,7 @@ pub(super) fn path(name: &str) -> Option<PathBuf> {
 }
 
 /// Returns the robot file, the file that it names, and the columns of the joints.
-pub(super) fn robot_files(path: &Path) -> anyhow::Result<RobotFiles> {
+pub(crate) fn robot_files(path: &Path) -> anyhow::Result<RobotFiles> {
     let text = files::read_text(path)?;
     let robot = parse_robot(path, &text)?;
     // targets of a platform belong to its model

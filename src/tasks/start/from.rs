@@ -1,6 +1,6 @@
-//! `etalon init --from`: a whole campaign from files of measurements and logs.
+//! A whole campaign from files of measurements and logs.
 
-use etalon_base::message::Problems;
+use etalon_base::message::{Problems, Result};
 use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::FormatsDocument;
@@ -10,7 +10,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Files of a robot, and the keys of its joints with their units.
-pub(super) struct RobotFiles {
+pub(crate) struct RobotFiles {
     /// Names and contents, robot.toml first.
     pub files: Vec<(String, Vec<u8>)>,
     /// Path that stands for robot.toml: a URDF is beside it.
@@ -28,8 +28,18 @@ pub(super) struct RobotFiles {
 /// Poses from which on some are kept for the validation.
 const ENOUGH: usize = 30;
 
-/// campaign.toml, the robot's files and the files themselves.
-pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
+/// A campaign that is proposed from files.
+pub(crate) struct Started {
+    /// Reading of each file.
+    pub documents: Vec<FormatsDocument>,
+    /// campaign.toml, and the files of the robot.
+    pub written: Vec<(String, Vec<u8>)>,
+    /// The files themselves.
+    pub copied: Vec<(String, Vec<u8>)>,
+}
+
+/// Proposes a campaign from files of measurements and logs.
+pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<Started> {
     let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
     for (i, name) in names.iter().enumerate() {
         if names[..i].contains(name) {
@@ -61,12 +71,10 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<V
         let _ = writeln!(text, "\n[join]\nby = \"row\"\ntargets = {:?}", robot.targets);
     }
     text += &identification(&documents, &stated);
-    let mut all = vec![("campaign.toml".to_owned(), text.into_bytes())];
-    all.extend(robot.files);
-    for (path, name) in paths.iter().zip(names) {
-        all.push((name, files::read(path)?));
-    }
-    Ok(all)
+    let mut written = vec![("campaign.toml".to_owned(), text.into_bytes())];
+    written.extend(robot.files);
+    let copied = paths.iter().zip(names).map(|(path, name)| Ok((name, files::read(path)?)));
+    Ok(Started { documents, written, copied: copied.collect::<Result<_>>()? })
 }
 
 fn file_name(path: &Path) -> String {

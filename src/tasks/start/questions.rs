@@ -1,0 +1,139 @@
+//! Open questions of a proposed campaign, and their answers.
+
+use super::trial::{JOINT_UNITS, open};
+use std::collections::BTreeMap;
+
+/// A value that a proposal asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Question {
+    /// Section, number among the sections of this name from 1, and key: `export.1.unit`.
+    pub id: String,
+    pub section: String,
+    /// Key; `UNIT` for the unit of all joints of a log.
+    pub key: String,
+    /// File that the section names.
+    pub file: Option<String>,
+    /// Remark behind the value.
+    pub remark: Option<String>,
+}
+
+/// Walks through the lines of a campaign with their questions.
+fn walk(text: &str, mut visit: impl FnMut(&str, Option<Question>)) {
+    let (mut section, mut file) = ("campaign".to_owned(), None::<String>);
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    for line in text.lines() {
+        let stated = line.trim_start();
+        if let Some(name) = stated.strip_prefix('[').map(|rest| rest.trim_start_matches('[')) {
+            section = name.split(']').next().unwrap_or_default().trim().to_owned();
+            // a part of a log or an export, such as [log.columns], stays with its file
+            if !section.contains('.') {
+                *seen.entry(section.clone()).or_default() += 1;
+                file = None;
+            }
+        }
+        if let Some(value) = stated.strip_prefix("file = ") {
+            let value = value.split(" #").next().unwrap_or(value);
+            file = toml::from_str::<toml::Table>(&format!("file = {value}"))
+                .ok()
+                .and_then(|table| table.get("file")?.as_str().map(str::to_owned));
+        }
+        let outer = section.split('.').next().unwrap_or_default();
+        let number = seen.get(outer).copied().unwrap_or(1);
+        let question = open(line).map(|key| Question {
+            id: if key == JOINT_UNITS {
+                format!("{outer}.{number}.{key}")
+            } else {
+                format!("{section}.{number}.{key}")
+            },
+            section: section.clone(),
+            key: key.to_owned(),
+            file: file.clone(),
+            remark: line.split_once(" #").map(|(_, remark)| remark.trim().to_owned()),
+        });
+        visit(line, question);
+    }
+}
+
+/// Questions of a campaign, each once.
+pub(crate) fn open_questions(text: &str) -> Vec<Question> {
+    let mut all: Vec<Question> = Vec::new();
+    walk(text, |_, question| {
+        all.extend(question.filter(|question| all.iter().all(|other| other.id != question.id)));
+    });
+    all
+}
+
+/// The campaign with these answers, by the ids of the questions. An answer that is a number is
+/// written as one.
+pub(crate) fn answered(text: &str, answers: &BTreeMap<String, String>) -> String {
+    let mut all = String::with_capacity(text.len());
+    walk(text, |line, question| {
+        let answer = question.as_ref().and_then(|question| answers.get(&question.id)).map(|answer| answer.trim());
+        let key = question.as_ref().map_or("", |question| question.key.as_str());
+        match answer.filter(|answer| !answer.is_empty()) {
+            Some(unit) if key == JOINT_UNITS => all += &line.replace("_UNIT", &format!("_{}", plain(unit))),
+            Some(answer) => all += &line.replacen("\"?\"", &value(answer), 1),
+            None => all += line,
+        }
+        all.push('\n');
+    });
+    all
+}
+
+/// The letters of an answer that becomes a part of a key.
+fn plain(answer: &str) -> String {
+    answer.chars().filter(char::is_ascii_alphanumeric).collect()
+}
+
+/// An answer as a value of TOML.
+fn value(answer: &str) -> String {
+    match answer.replace(',', ".").parse::<f64>() {
+        Ok(number) if number.is_finite() => number.to_string(),
+        _ => toml::Value::from(answer).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROPOSED: &str = "name = \"a\"\n[instrument]\nname = \"?\"   # the name\nexpanded_uncertainty_um = \"?\"\n\n\
+                            [[export]]\nfile = \"a b.csv\"\nunit = \"?\" # mm, m\n\n[[export]]\nfile = \"c.csv\"\n\
+                            # unit = \"?\"\nunit = \"?\"\n\n[[log]]\nfile = \"log.csv\"\n[log.columns]\nq1_UNIT = \"A1\"\nq2_UNIT = \"A2\"\n";
+
+    #[test]
+    fn questions_are_named_by_their_section() {
+        let all = open_questions(PROPOSED);
+        let ids: Vec<&str> = all.iter().map(|question| question.id.as_str()).collect();
+        let expected = [
+            "instrument.1.name",
+            "instrument.1.expanded_uncertainty_um",
+            "export.1.unit",
+            "export.2.unit",
+            "log.1.UNIT",
+        ];
+        assert_eq!(ids, expected);
+        assert_eq!(all[2].file.as_deref(), Some("a b.csv"));
+        assert_eq!(all[4].file.as_deref(), Some("log.csv"));
+        assert_eq!(all[0].remark.as_deref(), Some("the name"));
+    }
+
+    #[test]
+    fn answers_are_values_and_never_lines() {
+        let answers = [
+            ("instrument.1.name", "T\"3\"\n[limits]"),
+            ("instrument.1.expanded_uncertainty_um", "12,5"),
+            ("export.2.unit", "m"),
+            ("log.1.UNIT", "deg = 3\n"),
+        ];
+        let answers = answers.map(|(id, answer)| (id.to_owned(), answer.to_owned())).into();
+        let text = answered(PROPOSED, &answers);
+        let read: toml::Table = toml::from_str(&text).unwrap();
+        assert_eq!(read["instrument"]["name"].as_str(), Some("T\"3\"\n[limits]"));
+        assert_eq!(read["instrument"]["expanded_uncertainty_um"].as_float(), Some(12.5));
+        assert_eq!(read["export"][1]["unit"].as_str(), Some("m"));
+        assert_eq!(read["log"][0]["columns"]["q2_deg3"].as_str(), Some("A2"));
+        assert!(read.get("limits").is_none());
+        assert_eq!(open_questions(&text).len(), 1, "the unit of the first export");
+    }
+}
