@@ -8,7 +8,7 @@
 //! # Where things are
 //!
 //! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`],
-//! [`tasks`] and [`cli`], which belong to the program. `docs/architecture.md` lists the crates with
+//! [`tasks`], [`session`] and [`cli`], which belong to the program. `docs/architecture.md` lists the crates with
 //! their dependencies, and follows one measured point from the export to the report. [`run::walk`]
 //! shows the order of the stages.
 //!
@@ -27,6 +27,7 @@
 //! | [`report`] | sections, charts and four renderers |
 //! | [`controllers`] | files that controllers load |
 //! | [`compare`] | several campaigns side by side |
+//! | [`view`] | the page of `etalon view`, and its server |
 //!
 //! # Conventions
 //!
@@ -57,9 +58,11 @@ pub use etalon_report as report;
 pub use etalon_robots as robots;
 pub use etalon_standards as standards;
 pub use etalon_tables as tables;
+pub use etalon_view as view;
 
 pub mod cli;
 pub mod run;
+pub mod session;
 pub mod simulate;
 pub mod stages;
 pub mod tasks;

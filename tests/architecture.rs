@@ -13,7 +13,7 @@ const IMPURE: [&str; 9] =
     ["serde", "serde_json", "schemars", "toml", "polars", "polars-io", "csv", "clap", "quick-xml"];
 
 /// Modules of the root package, from below: each may name those before it.
-const PROGRAM: [&str; 5] = ["stages", "simulate", "run", "tasks", "cli"];
+const PROGRAM: [&str; 6] = ["stages", "simulate", "run", "tasks", "session", "cli"];
 
 /// Rows of the table of crates in docs/architecture.md: name, dependencies inside the workspace, external ones.
 fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {

@@ -229,7 +229,8 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     all.sort();
     for path in all {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && name != "tests" {
+        // the page of `etalon view` has texts of its own
+        if path.is_dir() && !["tests", "page"].contains(&&*name) {
             sources(&path, found);
         } else if (name.ends_with(".rs") && name != "tests.rs") || name.ends_with(".html") {
             found.push(path);

@@ -28,7 +28,7 @@ macro_rules! files {
 pub const LANGUAGES: [&str; 3] = ["en", "fr", "de"];
 
 /// Files of the catalogue: name of the crate, and the texts in the order of [`LANGUAGES`].
-pub const FILES: [(&str, [&str; 3]); 19] = files![
+pub const FILES: [(&str, [&str; 3]); 20] = files![
     "base",
     "campaign",
     "cli",
@@ -48,6 +48,7 @@ pub const FILES: [(&str, [&str; 3]); 19] = files![
     "simulate",
     "stages",
     "standards",
+    "view",
 ];
 
 /// Named arguments of a text.

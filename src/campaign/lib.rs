@@ -1,6 +1,7 @@
 //! A campaign: one measurement session of one robot, as stated in `campaign.toml` and `robot.toml`.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+mod edit;
 mod geometric;
 mod iso9283;
 mod join;
@@ -16,6 +17,7 @@ mod toml_file;
 mod types;
 mod urdf;
 
+pub use edit::Changes;
 pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};

@@ -40,6 +40,7 @@ mod uncertainty;
 mod validate;
 mod validity;
 mod verify;
+mod view;
 
 pub use output::Answer;
 
@@ -96,6 +97,7 @@ enum Command {
     Compare(compare::Compare),
     Export(export::ExportCommand),
     Explain(explain::Explain),
+    View(view::View),
     Simulate(simulate::Simulate),
     Study(study::StudyCommand),
     Schema(schema::Schema),
@@ -203,6 +205,7 @@ fn dispatch(command: Command, out: &Output) -> anyhow::Result<Verdict> {
         Command::Compare(command) => command.run(out),
         Command::Export(command) => command.run(out),
         Command::Explain(command) => command.run(out),
+        Command::View(command) => command.run(out),
         Command::Simulate(command) => command.run(out),
         Command::Study(command) => command.run(out),
         Command::Schema(command) => command.run(out),

@@ -124,6 +124,29 @@ const CERTIFICATE: &[(&str, &str)] = &[
     ("pdf", "certificate.pdf"),
 ];
 
+/// Verdict of a run in words, as page one of its report contains it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct VerdictInWords {
+    /// Sentences.
+    pub sentences: Vec<String>,
+    /// Next steps with their reasons.
+    pub steps: Vec<String>,
+}
+
+/// Verdict of a run in the language of its report.
+pub fn verdict_in_words(results: &Results) -> VerdictInWords {
+    let verdict = sections::verdict::verdict(results, &Words::new(results.campaign.report.language));
+    let plain = |text: &str| text.replace(['\u{2068}', '\u{2069}'], "");
+    let step = |step: &model::Step| {
+        let command = step.command.as_ref().map_or_else(String::new, |command| format!(" `{command}`"));
+        plain(&format!("{} {}{command}", step.what.plain(), step.reason.plain()))
+    };
+    VerdictInWords {
+        sentences: verdict.sentences.iter().map(|sentence| plain(sentence)).collect(),
+        steps: verdict.steps.iter().map(step).collect(),
+    }
+}
+
 /// Kinds of report files, by file extension.
 pub fn kinds() -> impl Iterator<Item = &'static str> {
     FILES.iter().map(|(kind, _)| *kind)

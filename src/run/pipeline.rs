@@ -147,6 +147,14 @@ fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &
     formats.all().into_iter().filter(is_written).map(file).collect()
 }
 
+/// Writes what [`evaluate`] computed to the output folder of the campaign.
+///
+/// # Errors
+/// Fails like [`run`].
+pub fn write_evaluated(campaign: &Campaign, found: Evaluated) -> Result<Outcome> {
+    write(campaign, Wanted::Reports, Durability::Now, found, Output::new(campaign.written_output()?))
+}
+
 /// Writes every document, the report and the files for controllers.
 fn write(
     campaign: &Campaign,

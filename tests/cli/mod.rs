@@ -34,6 +34,7 @@ mod tables;
 mod talk;
 mod tracim;
 mod verdict;
+mod view;
 
 use crate::support::root;
 use crate::support::said::Says;

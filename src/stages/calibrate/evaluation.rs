@@ -94,16 +94,26 @@ impl LocatedSolution<'_> {
         Ok(open_set_up(self.robot, &sets.calibration, settings, found, bound))
     }
 
-    /// Evaluates the `errors` of a judgement. `proofs` are those of the identified effects, if the
-    /// data chose them.
-    pub fn evaluate(self, mut errors: Vec<PointError>, proofs: Option<Vec<EffectProof>>) -> Result<Evaluation> {
-        let Self { data: CampaignData { campaign, joined, .. }, robot, all, .. } = self;
-        let Solution { basis: Basis { sets, settings, systematic }, before, found } = self.solution;
+    /// Statistics of the `errors` of a judgement and of the readings that located targets, with the
+    /// verdicts on their limits; and all these errors.
+    pub fn accuracy(self, mut errors: Vec<PointError>) -> Result<(AccuracyDocument, Vec<PointError>)> {
+        let Self { data: CampaignData { campaign, .. }, robot, all, .. } = self;
+        let Solution { basis: Basis { settings, systematic, .. }, before, found } = self.solution;
         errors.extend(self.targets.errors(robot, before, &found.values, self.locations));
         let set_up = found.set_up_parameters(robot);
         let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: all, settings };
         let uncertainty = ErrorUncertainty::new(campaign, judged, systematic)?;
-        let mut accuracy = accuracy::evaluate(robot, &errors, &campaign.file.limits, uncertainty);
+        Ok((accuracy::evaluate(robot, &errors, &campaign.file.limits, uncertainty), errors))
+    }
+
+    /// Evaluates the `errors` of a judgement. `proofs` are those of the identified effects, if the
+    /// data chose them.
+    pub fn evaluate(self, errors: Vec<PointError>, proofs: Option<Vec<EffectProof>>) -> Result<Evaluation> {
+        let Self { data: CampaignData { campaign, joined, .. }, robot, all, .. } = self;
+        let Solution { basis: Basis { sets, settings, systematic }, before, found } = self.solution;
+        let (mut accuracy, mut errors) = self.accuracy(errors)?;
+        let set_up = found.set_up_parameters(robot);
+        let judged = Judged { robot, values: &found.values, set_up: &set_up, sets: all, settings };
         accuracy.placed_apart = self.locations.documents(robot);
         // targets that are located by these poses would have too small errors
         let without_located = Judged { sets, ..judged };

@@ -16,7 +16,9 @@ use crate::stages::judge::set_up::check_set_up;
 use crate::stages::remedies::remedied;
 use etalon_base::message::{Message, Result};
 use etalon_campaign::{Campaign, EffectRule, Identify, NamedEffects, OutlierRule};
-use etalon_documents::{EffectProof, FieldDocument, IdentifiedDocuments, ParametersDocument, PointError};
+use etalon_documents::{
+    AccuracyDocument, EffectProof, FieldDocument, IdentifiedDocuments, ParametersDocument, PointError,
+};
 use etalon_documents::{parameters_document, untested_mistakes, warning_messages};
 use etalon_identify::{Effects, Identification, Observation, Settings, Systematic, Warning};
 use etalon_robots::Robot;
@@ -120,9 +122,7 @@ pub fn identify_chosen(
 fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) -> Result<Identified> {
     let Selected { basis, targets, division, messages: selection } = selected;
     // from observations to a solution
-    let Proven { basis, proofs } = prove_effects(robot, data.stated, basis)?;
-    let solution = Solution::new(robot, basis)?;
-    let (solution, outliers) = exclude_outliers(robot, data.stated.outliers, solution)?;
+    let Solved { solution, outliers, proofs } = solve(robot, data.stated, basis)?;
     let logs = compare_logs(data, robot, &division, &solution)?;
     let commanded = commanded_positions(data.campaign, robot, &solution);
     let (solution, locations) = locate(robot, &targets, solution)?;
@@ -150,6 +150,57 @@ fn identify_selected(data: CampaignData, robot: &dyn Robot, selected: Selected) 
     let found = Identification { warnings, ..found };
     let again = Again { systematic, before, targets };
     Ok(Identified { documents, solution: IdentifiedSolution { sets, settings, found, again } })
+}
+
+/// Solution of the selected observations.
+struct Solved {
+    solution: Solution,
+    /// Excluded outliers.
+    outliers: Vec<Message>,
+    /// Gain of each effect, if the data chose them.
+    proofs: Option<Vec<EffectProof>>,
+}
+
+/// Selects effects, solves, and excludes outliers, as the campaign asks for it.
+fn solve(robot: &dyn Robot, stated: &Identify, basis: Basis) -> Result<Solved> {
+    let Proven { basis, proofs } = prove_effects(robot, stated, basis)?;
+    let solution = Solution::new(robot, basis)?;
+    let (solution, outliers) = exclude_outliers(robot, stated.outliers, solution)?;
+    Ok(Solved { solution, outliers, proofs })
+}
+
+/// An identification with its errors, whose result is not judged.
+#[derive(Clone, Debug)]
+pub(crate) struct Unjudged {
+    /// Parameters before and after.
+    pub solution: Solution,
+    /// All observations, with the readings of the targets of validation poses.
+    pub all: Sets,
+    /// Errors of all observations.
+    pub errors: Vec<PointError>,
+    /// Statistics of the errors, and the verdicts on their limits.
+    pub accuracy: AccuracyDocument,
+    /// Messages of the selection.
+    pub messages: Vec<Message>,
+}
+
+/// Identifies like [`identify`] as far as the errors and their limits: a part of its steps, within
+/// milliseconds.
+///
+/// # Errors
+/// Fails like [`identify`].
+pub(crate) fn identify_unjudged(data: CampaignData, robot: &mut dyn Robot) -> Result<Unjudged> {
+    let Selected { basis, targets, mut messages, .. } = select(data, robot)?;
+    let robot: &dyn Robot = robot;
+    let Solved { solution, outliers, .. } = solve(robot, data.stated, basis)?;
+    messages.extend(outliers);
+    let (solution, locations) = locate(robot, &targets, solution)?;
+    let all = targets.with_readings(&solution.basis.sets);
+    let located =
+        LocatedSolution { data, robot, solution: &solution, targets: &targets, locations: &locations, all: &all };
+    let errors = point_errors(robot, &solution.basis.sets, &solution.before, &solution.found.values);
+    let (accuracy, errors) = located.accuracy(errors)?;
+    Ok(Unjudged { solution, all, errors, accuracy, messages })
 }
 
 /// Basis of an identification with the effects that are identified.
