@@ -8,9 +8,9 @@
 //! # Where things are
 //!
 //! Each module below is a crate of the workspace, except [`stages`], [`simulate`], [`run`],
-//! [`tasks`], [`session`] and [`cli`], which belong to the program. `docs/architecture.md` lists the crates with
-//! their dependencies, and follows one measured point from the export to the report. [`run::walk`]
-//! shows the order of the stages.
+//! [`tasks`], [`session`] and [`cli`], which belong to the program. `docs/architecture.md` lists
+//! the crates with their dependencies, and follows one measured point from the export to the
+//! report. [`run::walk`] shows the order of the stages.
 //!
 //! | crate | contents |
 //! | --- | --- |

@@ -25,8 +25,8 @@ pub struct View {
     /// Port of the server; by default a free one.
     #[arg(long, default_value_t = 0, hide_default_value = true)]
     port: u16,
-    /// Follow the files of the campaign while they grow: each new pose is compared with the poses so
-    /// far.
+    /// Follow the files of the campaign while they grow: each new pose is compared with the earlier
+    /// ones.
     #[arg(long, conflicts_with = "export")]
     watch: bool,
     /// Poses in the order of measurement, for `--watch`: a table with pose and joints, as `etalon

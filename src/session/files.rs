@@ -88,3 +88,19 @@ pub(super) fn listed(folder: &Path, campaign: Option<&Campaign>, dropped: &Dropp
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_stores_a_bounded_number_of_files() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut dropped = Dropped((0..MOST_FILES).map(|i| (i.to_string(), 0)).collect());
+        let refused = dropped.add(folder.path(), "one-more.csv", b"1").unwrap_err();
+        assert!(refused.0[0].is("view-folder-full", &[("files", &MOST_FILES)]), "{refused:?}");
+        let mut dropped = Dropped([("large.csv".to_owned(), MOST_MIB << 20)].into());
+        assert!(dropped.add(folder.path(), "one-more.csv", b"1").is_err());
+        assert_eq!(folder.path().read_dir().unwrap().count(), 0);
+    }
+}

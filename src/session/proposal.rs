@@ -7,7 +7,7 @@ use crate::tasks::start::{NamedRobot, Question as Open, Started, answered, descr
 use etalon_base::catalogue::Phrase;
 use etalon_base::error;
 use etalon_base::files::{read, write_new};
-use etalon_base::message::{Message, Problems, Result};
+use etalon_base::message::{Problems, Result};
 use etalon_base::phrase;
 use etalon_documents::FormatsDocument;
 use etalon_formats::propose_files;
@@ -81,7 +81,7 @@ impl Chosen {
         let name = if urdf.is_some() { None } else { Some(own.as_deref().unwrap_or(&self.name)) };
         start(measured, NamedRobot { urdf, name }).map_err(|error| match error.downcast::<Problems>() {
             Ok(problems) => problems,
-            Err(error) => Message::error(format!("{error:#}")).into(),
+            Err(error) => error!("proposal-not-toml", name = &self.name, error = format!("{error:#}")).into(),
         })
     }
 }
@@ -91,7 +91,7 @@ struct Drafted {
     started: Started,
     /// campaign.toml and robot.toml as proposed.
     texts: [String; 2],
-    /// The same with the answers.
+    /// Both texts with the answers.
     answered: [String; 2],
 }
 

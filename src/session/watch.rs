@@ -186,6 +186,7 @@ impl Comparison<'_> {
             (None, Some(Latest { pose, error_um: Some(error_um), expected_um: Some(expected_um), .. }), _) => {
                 phrase!("watch-agrees", pose, error_um, expected_um).text(language)
             }
+            _ if Prediction::new(robot, found).is_none() => phrase!("watch-few", received).text(language),
             _ => phrase!("watch-first", received).text(language),
         };
         Watch {

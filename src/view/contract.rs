@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub enum Severity {
     /// Nothing can be computed before it is mended.
     Error,
-    /// It affects the result.
+    /// Effect on the result.
     Warning,
     /// Stated for completeness.
     Info,
@@ -271,11 +271,11 @@ pub struct Instrument {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum PoseSet {
-    /// It identifies the parameters.
+    /// Identification of the parameters.
     Calibration,
-    /// It validates them.
+    /// Validation of the parameters.
     Validation,
-    /// It is excluded, or in no set.
+    /// Excluded, or in no set.
     LeftOut,
 }
 

@@ -15,7 +15,7 @@ use std::net::TcpStream;
 /// Longest name of a file (bytes).
 const LONGEST_NAME: usize = 200;
 
-/// Names of devices of Windows: a file of such a name is none there, with any extension.
+/// Names of devices of Windows: with any extension, they name no file there.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "com", "lpt"];
 
 /// `true` if a name is that of a file in a folder on every system.

@@ -318,6 +318,24 @@ fn a_port_that_is_in_use_and_an_empty_folder_are_reported() {
     assert!(!folder.path().join("page.html").exists());
 }
 
+#[test]
+fn without_a_browser_the_address_is_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = Command::new(crate::support::program())
+        .arg("view")
+        .env("PATH", "")
+        .current_dir(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let lines = BufReader::new(child.stderr.take().unwrap()).lines().map_while(Result::ok);
+    let found = lines.take(20).any(|line| line.contains("[view-browser-not-opened]"));
+    let _ = child.kill();
+    let _ = child.wait();
+    assert!(found);
+}
+
 /// `true` if all numbers of a document are there: what is not finite is written as null.
 fn is_whole(value: &Value) -> bool {
     match value {
