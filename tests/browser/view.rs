@@ -243,36 +243,45 @@ fn a_pose_is_left_out_and_written_with_its_reason() {
     assert!(text() != before && text().contains("reflector touched"), "{}", text());
 }
 
+/// Poses that are there when the measurement is first looked at.
+const BEGUN: usize = 20;
+
 #[test]
-fn a_measurement_is_followed_pose_by_pose() {
+fn forty_poses_are_followed_while_they_arrive() {
     if !Browser::is_there() {
         crate::support::skipped("chromium");
         return;
     }
     let scratch = copy_sample("hexapod");
+    scratch.replace("campaign.toml", "calibration = \"1-40\"", "calibration = \"all\"");
+    scratch.replace("campaign.toml", "validation = \"41-60\"\n", "");
     let [points, log] = ["exports/poses.txt", "encoders.csv"].map(|file| scratch.path().join(file));
     let whole = [&points, &log].map(|file| std::fs::read_to_string(file).unwrap());
-    let lines = whole.each_ref().map(|text| text.lines().collect::<Vec<_>>());
-    // the heading of the log is there when the instrument begins
-    std::fs::write(&points, "").unwrap();
-    std::fs::write(&log, format!("{}\n", lines[1][0])).unwrap();
+    let [measured, logged] = whole.each_ref().map(|text| text.lines().collect::<Vec<_>>());
+    let write = |file: &Path, lines: &[&str]| std::fs::write(file, lines.join("\n") + "\n").unwrap();
+    write(&points, &measured[..3 * BEGUN]);
+    write(&log, &logged[..=BEGUN]);
     let served = Served::start(&["--watch"], &scratch.path());
     let mut browser = Browser::start();
     browser.size(1280, 800);
     browser.open_address(&served.address);
-    browser.wait("document.querySelector('.band:not([hidden]) .spoken')");
+    let received = |count: usize| format!("document.querySelector('.watch h3')?.textContent.includes(': {count}')");
+    browser.wait(&received(BEGUN));
     let height = "parseFloat(getComputedStyle(document.querySelector('.spoken')).fontSize)";
     assert!(browser.evaluate(height).as_f64().unwrap() > 60.0, "readable from three metres");
     let append = |file: &Path, line: &str| {
         let mut file = std::fs::File::options().append(true).open(file).unwrap();
         writeln!(file, "{line}").unwrap();
     };
-    for pose in 0..40 {
-        append(&log, lines[1][1 + pose]);
+    for pose in BEGUN..BEGUN + 40 {
+        append(&log, logged[1 + pose]);
         for target in 0..3 {
-            append(&points, lines[0][3 * pose + target]);
+            append(&points, measured[3 * pose + target]);
         }
-        browser.wait(&format!("document.querySelector('.watch h3')?.textContent.includes(': {}')", pose + 1));
+        browser.wait(&received(pose + 1));
     }
+    // the newest pose is selected, and the line speaks of it
+    browser.wait("document.querySelector('.selected h2')?.firstChild.textContent === 'Pose 60'");
+    assert_ne!(browser.evaluate("document.querySelector('.spoken').textContent"), "");
     browser.wait("document.querySelectorAll('.watch tbody tr').length > 0");
 }
