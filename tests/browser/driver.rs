@@ -33,7 +33,7 @@ impl Browser {
         Command::new("chromium").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok()
     }
 
-    /// A browser without a page, which draws nothing in three dimensions.
+    /// A browser without a page.
     pub fn start() -> Self {
         Self::start_with("--disable-gpu")
     }

@@ -30,6 +30,8 @@ export function band(): HTMLElement {
     root.hidden = !watch && !state?.watching;
     root.dataset.tone = watch?.tone ?? "wait";
     say(sign, SIGNS[watch?.tone ?? "wait"]);
+    // a sentence is smaller than a word, and still has letters of 15 mm
+    root.classList.toggle("long", (watch?.line ?? t("waiting")).length > 26);
     say(line, watch?.line ?? t("waiting"));
     say(next, watch?.next ? `${t("nextPose")}: ${t("pose")} ${watch.next.pose}` : "");
   };
