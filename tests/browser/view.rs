@@ -20,13 +20,11 @@ impl Served {
         let mut command = Command::new(crate::support::program());
         command.args(["view", "--no-open"]).args(arguments).arg(folder);
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::null()).stdin(Stdio::null()).spawn().unwrap();
-        let lines = BufReader::new(child.stdout.take().unwrap()).lines().map(Result::unwrap);
-        let address = lines
-            .filter_map(|line| {
-                line.split_whitespace().find(|word| word.starts_with("http://127.0.0.1:")).map(str::to_owned)
-            })
-            .next()
-            .expect("an address");
+        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines().map(Result::unwrap);
+        let address = lines.find_map(|line| {
+            line.split_whitespace().find(|word| word.starts_with("http://127.0.0.1:")).map(str::to_owned)
+        });
+        let address = address.expect("an address");
         Self { child, address }
     }
 }
