@@ -9,6 +9,7 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+use unicode_normalization::{IsNormalized, UnicodeNormalization, is_nfc_quick};
 
 /// Largest input that is read as a whole (bytes).
 pub const LARGEST: u64 = 2 << 30;
@@ -78,7 +79,16 @@ pub fn read_statement(path: &Path) -> Result<(String, Stamp)> {
 pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
     let text = String::from_utf8(bytes)
         .map_err(|e| error!("not-utf8", file = path.display().to_string(), byte = e.utf8_error().valid_up_to()))?;
-    Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
+    Ok(one_form(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text)))
+}
+
+/// Text in one Unicode form (NFC): a letter and its accent as two characters become one, so that
+/// names compare equal however a program wrote them.
+pub fn one_form(text: String) -> String {
+    match text.is_ascii() || is_nfc_quick(text.chars()) == IsNormalized::Yes {
+        true => text,
+        false => text.nfc().collect(),
+    }
 }
 
 /// Identification of the contents of a file.

@@ -17,11 +17,11 @@ pub struct Join {
     /// Targets that become observations; all targets of the robot if absent.
     #[schemars(with = "Option<Vec<String>>")]
     pub targets: Option<Vec<Spanned<String>>>,
-    /// Time of the measurement minus time of the log, for a join by time; with `standstills` it is
-    /// determined from the log.
+    /// Time of the measurement minus time of the log, for a join by time. `standstills` determines
+    /// it from the standstills of the log, `motion` from the speeds of a motion that both recorded.
     pub clock_offset_s: Option<ClockOffset>,
-    /// With `standstills` the rate of the clocks is determined with the offset, within 100 ppm, for
-    /// clocks that drift apart.
+    /// With the word of `clock_offset_s`, the rate of the clocks is determined with the offset,
+    /// within 100 ppm, for clocks that drift apart.
     pub clock_rate: Option<ClockRate>,
     /// Largest difference of the times, for a join by time.
     pub tolerance_s: Option<f64>,
@@ -43,7 +43,7 @@ impl JsonSchema for ClockOffset {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "type": "number" }, { "const": "standstills" }] })
+        json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["standstills", "motion"] }] })
     }
 }
 
@@ -53,6 +53,8 @@ impl JsonSchema for ClockOffset {
 pub enum ClockRate {
     /// Determined from the standstills of the log, if no offset alone fits.
     Standstills,
+    /// Determined from the speeds of a motion, if it is significant.
+    Motion,
 }
 
 /// Offset of two clocks.
@@ -62,6 +64,8 @@ pub enum ClockOffset {
     Stated(f64),
     /// Determined from the standstills of the log; every point was measured during one.
     Standstills,
+    /// Determined from the speeds of a motion that measurement and log recorded.
+    Motion,
 }
 
 impl<'de> Deserialize<'de> for ClockOffset {
@@ -70,7 +74,7 @@ impl<'de> Deserialize<'de> for ClockOffset {
         impl Visitor<'_> for Offset {
             type Value = ClockOffset;
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a number of seconds, or \"standstills\"")
+                f.write_str("a number of seconds, or \"standstills\", \"motion\"")
             }
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<ClockOffset, E> {
                 Ok(ClockOffset::Stated(value))
@@ -81,6 +85,7 @@ impl<'de> Deserialize<'de> for ClockOffset {
             fn visit_str<E: de::Error>(self, text: &str) -> Result<ClockOffset, E> {
                 match text {
                     "standstills" => Ok(ClockOffset::Standstills),
+                    "motion" => Ok(ClockOffset::Motion),
                     _ => Err(E::invalid_value(de::Unexpected::Str(text), &self)),
                 }
             }
@@ -94,7 +99,7 @@ impl Join {
     pub fn stated_offset_s(&self) -> Option<f64> {
         match self.clock_offset_s? {
             ClockOffset::Stated(offset_s) => Some(offset_s),
-            ClockOffset::Standstills => None,
+            ClockOffset::Standstills | ClockOffset::Motion => None,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Paths in a campaign: inside its folder, or below a named environment variable.
 
 use etalon_base::error;
+use etalon_base::files::one_form;
 use etalon_base::message::Message;
 use std::path::{Component, Path, PathBuf};
 
@@ -36,12 +37,37 @@ pub(super) fn rooted(folder: &Path, file: &str) -> Result<(PathBuf, PathBuf), Me
         return Err(error!("path-outside", file));
     }
     let path = root.join(rest);
+    let path = other_form(&path).unwrap_or(path);
     Ok((root, path))
+}
+
+/// Existing file whose name is the same in another Unicode form, for a name that no file has.
+fn other_form(path: &Path) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str().filter(|name| !name.is_ascii())?;
+    if path.exists() {
+        return None;
+    }
+    let in_one_form = |name: &str| one_form(name.to_owned());
+    let files = std::fs::read_dir(path.parent()?).ok()?.flatten();
+    let same =
+        |file: &std::fs::DirEntry| file.file_name().to_str().is_some_and(|n| in_one_form(n) == in_one_form(name));
+    files.into_iter().find(same).map(|file| file.path())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_file_is_found_by_its_name_in_another_unicode_form() {
+        let folder = tempfile::tempdir().unwrap();
+        let [composed, decomposed] = ["Pr\u{fc}f.csv", "Pru\u{308}f.csv"];
+        std::fs::write(folder.path().join(decomposed), "1 2 3\n").unwrap();
+        assert!(resolve(folder.path(), composed).unwrap().exists());
+        std::fs::write(folder.path().join(composed), "4 5 6\n").unwrap();
+        let found = resolve(folder.path(), composed).unwrap();
+        assert_eq!(std::fs::read_to_string(found).unwrap(), "4 5 6\n");
+    }
 
     #[test]
     fn paths_stay_inside() {

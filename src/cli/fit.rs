@@ -31,7 +31,7 @@ pub struct FitCommand {
     /// Files with points.
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// Format of the files as in campaigns: by name (inspec, geopak_gws, ply, polyworks_report
+    /// Format of the files as in campaigns: by name (inspec, geopak_gws, ply, stl, polyworks_report
     /// ...), or as a table of keys ('{ delimiter = ";", columns = ["label", "x", "y", "z"] }').
     #[arg(long, value_name = "FORMAT", conflicts_with_all = ["columns", "angle_unit"])]
     format: Option<String>,
@@ -220,11 +220,13 @@ impl FitCommand {
 
     /// Labels and points of all files (mm).
     fn read(&self, texts: &[(String, String)], out: &Output) -> Result<Vec<(String, Vector)>, Problems> {
-        let (unit, format) = (self.text.unit()?, self.format()?);
+        let format = self.format()?;
         let mut all = Vec::new();
         for (file, text) in texts {
+            let unit = self.text.unit(&format, text).map_err(|problems| problems.at(&Place::file(file)))?;
             let (points, refused) = etalon_formats::points_and_refused(file, text, &format, unit)?;
-            refused.iter().for_each(|message| out.say_message(message));
+            let warnings = format.caution().map(|warning| warning.at(Place::file(file)));
+            warnings.iter().chain(&refused).for_each(|message| out.say_message(message));
             all.extend(points);
         }
         Ok(all)
@@ -232,11 +234,11 @@ impl FitCommand {
 
     /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
-        let is_plain = self.text.is_of_plain_text() && self.text.stated_unit()?.is_some();
-        if self.by_label || self.all_features() || !is_plain {
+        let is_plain = self.text.is_of_plain_text();
+        let Some(unit) = self.text.stated_unit()?.filter(|_| is_plain && !self.by_label && !self.all_features()) else {
             return Ok(None);
-        }
-        let (unit, format) = (self.text.unit()?, self.format()?);
+        };
+        let format = self.format()?;
         let mut all = PackedPoints::default();
         for path in self.files.iter() {
             match etalon_formats::packed_points(path, &format, unit) {

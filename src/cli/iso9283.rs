@@ -58,7 +58,7 @@ enum Test {
     /// Recorded motion: standstills, stabilisation, and with --path the characteristics of a path.
     Path {
         /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text with
-        /// stated --columns and --unit.
+        /// stated --columns, and with --unit if the file does not state its unit.
         stream: PathBuf,
         /// Commanded poses at the standstills.
         #[arg(long, value_name = "FILE")]

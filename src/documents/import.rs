@@ -19,12 +19,13 @@ pub struct ImportDocument {
     pub sources: Vec<Source>,
     /// Findings of the blunder rules, and other messages.
     pub messages: Vec<Message>,
-    /// Rows without a partner in the join of points and logs, or with more than one.
+    /// Rows without a partner in the join of points and logs, or with more than one, and points
+    /// that no target, feature or frame uses.
     #[serde(default)]
     pub unmatched: Vec<Unmatched>,
 }
 
-/// A row without a partner in the join, or with more than one.
+/// A row without a partner in the join, or with more than one; or a point that nothing uses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Unmatched {
@@ -32,15 +33,15 @@ pub struct Unmatched {
     pub file: String,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Join key of the row in words: pose and cycle, row, or time.
+    /// Join key of the row in words: pose and cycle, row, or time; the label of a point.
     pub key: String,
-    /// Table without a partner, or number of partners.
+    /// Reason: the table without a partner, the number of partners, or that nothing uses the point.
     #[serde(flatten, with = "UnmatchedReason")]
     pub reason: Worded,
 }
 
 worded! {
-    /// Table without a partner, or number of partners.
+    /// Reason: the table without a partner, the number of partners, or that nothing uses the point.
     text UnmatchedReason: reason, reason_phrase
 }
 

@@ -1,7 +1,7 @@
 //! Input files: their bytes, and their text. A file without lines is rejected before it is read to
 //! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
 
-use super::exports::Format;
+use super::exports::{Format, binary_format};
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{magic, ros_bag, workbook};
@@ -10,7 +10,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Result as Read, nearest};
 use etalon_base::{error, files, phrase};
 use etalon_tables::{Decimal, Encoding};
-use std::io::{self, Read as _};
+use std::io::{self, Read as _, Seek as _, SeekFrom};
 use std::path::Path;
 
 /// Text of an input file and its bytes; if it cannot be read, the message points at the campaign.
@@ -38,14 +38,24 @@ pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format
         None if arrays.is_some() => return Err(arrays_not_text(path, &bytes).into()),
         None if ros_bag::is_recording(&bytes) => Err(topic_not_stated(&bytes)),
         None if workbook::is_workbook(&bytes) => Err(sheet_not_stated(&bytes)),
+        None if bytes.contains(&0) && binary_format(&bytes).is_some() => {
+            return Err(binary_not_text(path, &bytes).into());
+        }
         None => decode(bytes, encoding.or(format.dialect.form.encoding)),
     };
-    Ok(text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?)
+    let text = text.map_err(|message| message.within(phrase!("in-file", file = path.display().to_string())))?;
+    Ok(files::one_form(text))
 }
 
 /// Error about a file of arrays where a text is expected.
 fn arrays_not_text(path: &Path, bytes: &[u8]) -> Message {
     let kind = magic::arrays(bytes).unwrap_or_default();
+    error!("file-not-text", file = path.display().to_string(), kind)
+}
+
+/// Error about a binary file of points where a text is expected.
+fn binary_not_text(path: &Path, bytes: &[u8]) -> Message {
+    let kind = binary_format(bytes).unwrap_or_default();
     error!("file-not-text", file = path.display().to_string(), kind)
 }
 
@@ -91,6 +101,40 @@ pub fn read_bytes(path: &Path) -> Read<Vec<u8>> {
     let file = file.map_err(|e| error!("cannot-read-file", file = shown, reason = e.to_string()))?;
     Ok(bounded(file.take(files::LARGEST + 1), &shown)?)
 }
+
+/// Maximum number of bytes of a text that a proposal reads.
+const LONGEST_PROPOSED: u64 = if cfg!(test) { 64 << 10 } else { 16 << 20 };
+
+/// Bytes of a file for a proposal, and `true` if only its first lines: of a text that is longer
+/// than a proposal reads, and its last line where this is no row of numbers.
+pub(crate) fn read_start(path: &Path) -> Read<(Vec<u8>, bool)> {
+    if !std::fs::metadata(path).is_ok_and(|of| of.is_file() && of.len() > LONGEST_PROPOSED) {
+        return read_bytes(path).map(|bytes| (bytes, false));
+    }
+    let shown = path.display().to_string();
+    let failed = |e: io::Error| error!("cannot-read-file", file = shown, reason = e.to_string());
+    let mut file = files::open(path).map_err(failed)?;
+    let mut bytes = bounded(file.by_ref().take(LONGEST_PROPOSED), &shown)?;
+    let end = bytes.iter().rposition(|byte| *byte == b'\n');
+    // characters of two bytes, and documents, are read as a whole
+    let (Some(end), false) = (end, is_document(&bytes) || bytes[..4096.min(bytes.len())].contains(&0)) else {
+        return read_bytes(path).map(|bytes| (bytes, false));
+    };
+    bytes.truncate(end + 1);
+    file.seek(SeekFrom::End(-(TAIL as i64))).map_err(failed)?;
+    let mut tail = Vec::new();
+    file.take(TAIL as u64).read_to_end(&mut tail).map_err(failed)?;
+    let mut lines = tail.split(|byte| *byte == b'\n').rev();
+    let last = lines.find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    if !last.iter().any(u8::is_ascii_digit) {
+        bytes.extend(last);
+        bytes.push(b'\n');
+    }
+    Ok((bytes, true))
+}
+
+/// Number of bytes in which the last line of a text is looked for.
+const TAIL: usize = 4096;
 
 /// Hint for a missing file: the existing file with a similar name, or a way to create the file.
 fn find_or_create(folder: &Path, wrong: &str) -> Phrase {
@@ -164,45 +208,32 @@ fn bounded(mut from: impl io::Read, file: &str) -> Result<Vec<u8>, Message> {
     }
 }
 
-/// XML, a zip archive, a recording, arrays, or PLY, which may be binary.
+/// XML, a zip archive, a recording, arrays, or a format whose files may be binary.
 fn is_document(bytes: &[u8]) -> bool {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     text.starts_with(b"<")
         || bytes.starts_with(b"PK\x03\x04")
-        || bytes.starts_with(b"ply")
+        || binary_format(bytes).is_some()
         || ros_bag::is_recording(bytes)
         || magic::arrays(bytes).is_some()
 }
 
 /// First bytes of kinds of files without text, and the kind.
-const KINDS: [(&[u8], &str); 7] = [
+const KINDS: [(&[u8], &str); 6] = [
     (b"MATLAB 7.3 MAT-file", "matlab-hdf5"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),
     (b"%PDF", "pdf"),
     (b"#ROSBAG V2.0", "rosbag1"),
-    (b"ASTM-E57", "e57"),
 ];
 
 /// Rejects a kind of file without text.
 fn refuse(bytes: &[u8], file: &str) -> Result<(), Message> {
     match KINDS.into_iter().find(|(start, _)| bytes.starts_with(start)) {
         Some((_, kind)) => Err(error!("file-not-text", file, kind)),
-        None if !is_document(bytes) && is_binary_stl(bytes) => Err(error!("file-not-text", file, kind = "stl")),
         None => Ok(()),
     }
-}
-
-/// `true` for the beginning of a binary STL file: a header of 80 bytes, a count, and triangles of
-/// 50 bytes whose last two are zero.
-fn is_binary_stl(bytes: &[u8]) -> bool {
-    let count = bytes.get(80..84).and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
-    let triangles = bytes.get(84..).unwrap_or_default().chunks_exact(50);
-    let whole = triangles.len().min(100);
-    count.is_some_and(|count| count > 0 && whole > 0 && count as usize >= whole)
-        && bytes[..84].contains(&0)
-        && triangles.take(100).all(|triangle| triangle[48..] == [0, 0])
 }
 
 fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
@@ -464,11 +495,39 @@ mod tests {
         let mut bytes = vec![b' '; 80];
         bytes.extend(2u32.to_le_bytes());
         for triangle in 0..2 {
-            (0..12).for_each(|k| bytes.extend((0.5 * (triangle + k) as f32).to_le_bytes()));
+            let normal = [0.0f32, 0.0, 1.0];
+            let corners = (0..9).map(|k| 0.5 * (triangle + k) as f32);
+            normal.into_iter().chain(corners).for_each(|value| bytes.extend(value.to_le_bytes()));
             bytes.extend([0, 0]);
         }
-        assert!(refuse(&bytes, "f").unwrap_err().is("file-not-text", &[("kind", &"stl")]));
-        assert!(refuse(" ".repeat(200).as_bytes(), "f").is_ok());
+        let text = |bytes: &[u8]| into_text(Path::new("f"), bytes.to_vec(), None, &Format::default());
+        assert!(text(&bytes).unwrap_err().0[0].is("file-not-text", &[("kind", &"stl")]));
+        assert!(text(" ".repeat(200).as_bytes()).is_ok());
+        let named = into_text(Path::new("f"), bytes, None, &Format::named("stl").unwrap());
+        assert_eq!(named.unwrap().chars().count(), 184);
+    }
+
+    #[test]
+    fn the_first_lines_of_a_long_text_and_a_mark_at_its_end_are_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("long.txt");
+        let row = |i: usize| format!("{i};{i}.25;{i}.5\n");
+        for (last, read_too) in [("END\n", true), ("1;2.25;3.5\n", false)] {
+            let text: String = (0..10_000).map(row).collect::<String>() + last;
+            std::fs::write(&path, &text).unwrap();
+            let (bytes, is_cut) = read_start(&path).unwrap();
+            let read = String::from_utf8(bytes).unwrap();
+            assert!(is_cut && read.len() < 70_000, "{}", read.len());
+            assert_eq!(read.ends_with("END\n"), read_too);
+            let rows = read.lines().filter(|line| *line != "END");
+            assert!(rows.enumerate().all(|(i, line)| line == row(i).trim_end()));
+        }
+        std::fs::write(&path, "1 2 3\n").unwrap();
+        assert_eq!(read_start(&path).unwrap(), (b"1 2 3\n".to_vec(), false));
+        let wide: Vec<u8> =
+            (0..10_000).map(row).collect::<String>().encode_utf16().flat_map(u16::to_le_bytes).collect();
+        std::fs::write(&path, &wide).unwrap();
+        assert_eq!(read_start(&path).unwrap(), (wide, false));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use etalon_base::date::{date, date_text};
 use etalon_base::message::{Message, Problems};
 use etalon_base::{error, phrase};
-use etalon_campaign::{Campaign, ClockOffset, Join, JoinBy, PLAUSIBLE_EXPANDED_UM};
+use etalon_campaign::{Campaign, ClockOffset, ClockRate, Join, JoinBy, PLAUSIBLE_EXPANDED_UM};
 use etalon_documents::{LimitQuantity, ResidualKind};
 use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
@@ -181,7 +181,12 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
         };
         problems.0.push(message.at(campaign.key_place(&["join", "by"])));
     }
-    if join.clock_rate.is_some() && by_time && !estimated {
+    let agrees = match join.clock_rate {
+        None => true,
+        Some(ClockRate::Standstills) => estimated,
+        Some(ClockRate::Motion) => join.clock_offset_s == Some(ClockOffset::Motion),
+    };
+    if by_time && !agrees {
         problems.0.push(error!("clock-rate-without-offset").at(campaign.key_place(&["join", "clock_rate"])));
     }
     let rate = ("clock_rate", join.clock_rate.is_some());

@@ -220,7 +220,7 @@ impl Walk {
         if let Some(joined) = &mut self.joined {
             let document = &mut self.inputs.gathered.document;
             document.messages.append(&mut joined.messages);
-            document.unmatched = std::mem::take(&mut joined.unmatched);
+            document.unmatched.append(&mut joined.unmatched);
         }
         // identify: observations become parameters, and errors before and after
         let (Mode::Run, Some(robot)) = (self.mode, &mut self.robot) else { return Ok(()) };

@@ -100,8 +100,8 @@ impl Head {
     /// whose fields are separated by `blanks`, a unit in brackets belongs to the name before it.
     pub(crate) fn new(above: &[Row], columns: usize, blanks: bool) -> Self {
         let mut head = Self { units: vec![None; columns], ..Self::default() };
-        // the number of rows that follow
-        let is_count = |row: &&Row| filled_width(row) == 1 && row.field(0).bytes().all(|b| b.is_ascii_digit());
+        // the number of rows that follow, and rows of delimiters alone
+        let is_count = |row: &&Row| filled_width(row) < 2 && row.field(0).bytes().all(|b| b.is_ascii_digit());
         let mut rows = above.iter().rev().take(MOST_ROWS).skip_while(is_count).peekable();
         let Some(mut last) = rows.next() else { return head };
         if let Some(units) = units_row(last, columns)
@@ -116,6 +116,12 @@ impl Head {
             .filter(|row| is_worded(row) && (!blanks || row.fields.len() == columns))
             .map(|row| spread(row, columns))
             .collect();
+        // a column that the last row leaves empty is named by the row above it
+        for (name, (cell, _)) in names.iter_mut().zip(groups.iter().take(1).flatten()).filter(|(_, cell)| cell.1) {
+            if name.is_empty() {
+                *name = cell.clone();
+            }
+        }
         // numbers of serial kind name a group worse than words
         groups
             .sort_by_key(|group| group.iter().filter(|(cell, _)| cell.contains(|c: char| c.is_ascii_digit())).count());

@@ -17,8 +17,8 @@ use std::path::Path;
 #[derive(Clone, Debug, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct StreamOptions {
-    /// Format of the recording, e.g. spatialanalyzer; replaces --columns, but needs --unit and
-    /// --rate-hz.
+    /// Format of the recording, e.g. spatialanalyzer; replaces --columns, but needs --rate-hz, and
+    /// --unit if the file does not state its unit.
     #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
     pub format: Option<String>,
     /// Reading of the tables.
@@ -171,8 +171,8 @@ impl StreamOptions {
         };
         let recorded = match stated {
             Some(format) => {
-                let unit = self.text.unit()?;
                 let text = self.text.text(table, &format)?;
+                let unit = self.text.unit(&format, &text)?;
                 let points = |file: &str, text: &str| etalon_formats::recorded_points(file, text, &format, unit);
                 TableFile::new(Path::new(&table.name()), text, points)?
             }

@@ -177,7 +177,8 @@ impl RowForm {
 #[derive(Clone, Debug, Default, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct TextFormat {
-    /// Length unit of the files: `mm`, `m`, `um` or `inch`; never guessed (QIF states its own).
+    /// Length unit of the files: `mm`, `m`, `um` or `inch`; needed for a file that does not state
+    /// its unit, and never guessed.
     #[arg(long)]
     unit: Option<String>,
     /// Contents of the columns from the left, e.g. label,x,y,z; `-` for an unused column.
@@ -218,9 +219,10 @@ impl TextFormat {
         self.unit.as_deref().map(|name| word("--unit", name)).transpose()
     }
 
-    /// Mandatory unit.
-    pub(crate) fn unit(&self) -> Result<Unit, Problems> {
-        self.stated_unit()?.ok_or_else(|| error!("option-unit-missing").into())
+    /// Unit of a text in a format: as stated, or as the text states it.
+    pub(crate) fn unit(&self, format: &Format, text: &str) -> Result<Unit, Problems> {
+        let unit = self.stated_unit()?.or_else(|| format.stated_unit(text));
+        unit.ok_or_else(|| error!("option-unit-missing").into())
     }
 
     /// Options of the tables beside a recording.

@@ -289,3 +289,50 @@ fn a_rate_of_the_clocks_needs_their_offset_from_standstills() {
     let problems = run(&timed("by = \"row\"\nclock_rate = \"standstills\"", 0.0, None, false)).unwrap_err();
     assert!(problems.0.iter().any(|m| m.is("key-of-other-join", &[("key", &"clock_rate")])), "{problems}");
 }
+
+/// A robot that never stands still: the log at 50 Hz, and the points of an instrument at 10 Hz on a clock with this offset and rate.
+fn moving(offset_s: f64, rate: f64, join: &str) -> Scratch {
+    let scratch = timed(join, 0.0, None, false);
+    let campaign = Campaign::read(&scratch.path()).unwrap();
+    let robot = campaign.build_robot().unwrap();
+    let truth = etalon::simulate::Truth::read(&scratch.path().join("truth.toml")).unwrap();
+    let value = |p: &etalon::robots::Parameter| p.quantity.inward(truth.parameters[&p.name]);
+    let values: Vec<f64> = robot.parameters().iter().map(value).collect();
+    let joints = |t: f64| {
+        let swing = 40.0 * (0.21 * t + (0.05 * t).sin()).sin();
+        [80.0 + swing, 85.0 + swing + 15.0 * (0.53 * t).sin(), 90.0 + 25.0 * (0.37 * t).cos()]
+    };
+    let mut log = String::from("t,RP1,RP2,RP3\n");
+    for i in 0..6000 {
+        let t = 0.02 * f64::from(i);
+        let [a, b, c] = joints(t);
+        log += &format!("{t:.4},{a},{b},{c}\n");
+    }
+    let mut export = String::new();
+    for i in 0..1000 {
+        let t = 10.0 + 0.1 * f64::from(i);
+        for k in 0..2 {
+            let p = robot.position(&values, &joints(t), k);
+            let measured = t + offset_s + rate * (t - 60.0);
+            export += &format!("{};{measured:.6};{};{};0\n", robot.targets()[k], p[0], p[1]);
+        }
+    }
+    std::fs::write(scratch.path().join("exports/poses.txt"), export).unwrap();
+    std::fs::write(scratch.path().join("encoders.csv"), log).unwrap();
+    scratch
+}
+
+#[test]
+fn clocks_are_compared_by_a_motion_without_standstills() {
+    let offset = "by = \"time\"\nclock_offset_s = \"motion\"\ntolerance_s = 0.02\ninterpolate = true";
+    let outcome = run(&moving(512.25, 0.0, offset)).unwrap_or_else(|e| panic!("{e}"));
+    let said = outcome.results.messages().find(|m| m.is("clock-from-motion", &[("log", &"log")]));
+    let said = said.unwrap_or_else(|| panic!("{:?}", outcome.results.import.messages)).to_string();
+    assert!(said.contains("offset 512.25"), "{said}");
+    // nominal parameters: 0.1 mm, and with another offset 20 mm for each second
+    let errors = &outcome.results.identified.as_ref().unwrap().accuracy.sets[1].errors[0];
+    assert!(errors.before.max < 0.15, "{errors:?}");
+    let stated = format!("{offset}\nclock_rate = \"standstills\"");
+    let problems = run(&moving(0.0, 0.0, &stated)).unwrap_err();
+    assert!(problems.0.iter().any(|m| m.is("clock-rate-without-offset", &[])), "{problems}");
+}

@@ -31,7 +31,7 @@ macro_rules! one_target {
     };
 }
 
-pub const CASES: [Case; 16] = [
+pub const CASES: [Case; 19] = [
     ("PolyWorks report", labelled!("polyworks_report", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
     (
         "PolyWorks report, decimal comma",
@@ -55,5 +55,8 @@ pub const CASES: [Case; 16] = [
     ("PC-DMIS xyz, one target a file", one_target!("pcdmis_xyz", "inch"), 25.4, false, BY_ROW, 1.0, "by = \"row\""),
     ("PC-DMIS report", labelled!("pcdmis_report", "inch"), 25.4, true, LOG, 1.0, BY_POSE),
     ("PTX, one target a file", one_target!("ptx", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
+    ("FANUC LS", labelled!("fanuc_ls", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
+    ("ABB RAPID", labelled!("abb_rapid", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
+    ("PCD, one target a file", one_target!("pcd", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
     ("PLY, one target a file", one_target!("ply", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
 ];

@@ -802,3 +802,58 @@ fn points_without_a_pose_are_stationary_and_the_world_is_optional() {
     assert!(omitted.len() < answered.len());
     assert_eq!(frames(answered), frames(omitted));
 }
+
+/// Lines that are proposed for files beside the log of a sample of a parallel robot.
+fn proposed(at: &Path, sample: &str, files: &[(&str, String)]) -> String {
+    let mut paths: Vec<std::path::PathBuf> = files.iter().map(|(name, _)| at.join(name)).collect();
+    paths.iter().zip(files).for_each(|(path, (_, text))| std::fs::write(path, text).unwrap());
+    paths.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample).join("encoders.csv"));
+    etalon::formats::propose_files(&paths, None).unwrap().toml
+}
+
+/// Balls on the floor do not become targets of a parallel robot: as the samples have them, each measured once, with names that could
+/// be poses, in a file of their own or among the points of the platform.
+#[test]
+fn balls_on_the_floor_of_a_parallel_robot_are_no_targets() {
+    let scratch = tempfile::tempdir().unwrap();
+    let read = |sample: &str, file: &str| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(sample).join("exports").join(file);
+        std::fs::read_to_string(path).unwrap()
+    };
+    for (sample, targets) in [
+        ("hexapod", "targets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]"),
+        ("delta", "targets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]"),
+        ("prexyt-cmm", "targets = [\"K\", \"L\"]"),
+    ] {
+        let files = ["world.txt", "poses.txt"].map(|file| (file, read(sample, file)));
+        let text = proposed(scratch.path(), sample, &files);
+        assert!(text.contains(targets) && text.contains("by = [\"pose\", \"cycle\"]"), "{sample}: {text}");
+        assert!(text.contains("# stationary points: the labels name no pose"), "{sample}: {text}");
+    }
+    let poses = read("hexapod", "poses.txt");
+    let once: String = ["floor_1", "floor_2", "floor_3"]
+        .iter()
+        .map(|name| read("hexapod", "world.txt").lines().find(|line| line.starts_with(name)).unwrap().to_owned() + "\n")
+        .collect();
+    for (floor, poses) in [
+        (once.clone(), poses.clone()),
+        (once.replace("floor_", "B"), poses.clone()),
+        (once.replace("floor_", ""), poses.clone()),
+    ] {
+        for apart in [true, false] {
+            let files = match apart {
+                true => vec![("floor.txt", floor.clone()), ("platform.txt", poses.clone())],
+                // numbers without a name among other labels are names of nothing
+                false if floor.starts_with('1') => continue,
+                false => vec![("all.txt", floor.clone() + &poses)],
+            };
+            let text = proposed(scratch.path(), "hexapod", &files);
+            let lines: String =
+                text.lines().filter(|line| !line.starts_with('#')).map(|line| line.to_owned() + "\n").collect();
+            assert!(lines.contains("targets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]"), "{apart} {floor}: {text}");
+            assert!(lines.contains("by = [\"pose\""), "{apart} {floor}: {text}");
+            let said = if apart { "are taken for points that do not move" } else { "stationary points" };
+            assert!(text.contains(said), "{apart} {floor}: {text}");
+        }
+    }
+}

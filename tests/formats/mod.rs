@@ -3,6 +3,7 @@
 mod alike;
 mod commanded;
 mod conventions;
+mod drawn;
 mod init;
 mod public;
 pub(crate) mod recordings;

@@ -365,6 +365,38 @@ const DIMENSION: &str = "DIM LOC1= LOCATION OF SPHERE SPH1  UNITS=MM\nAX NOMINAL
     X 1.5 0.2 0.2 1.4 -0.1 0.0\nY 2.5 0.2 0.2 2.4 -0.1 0.0\nZ 3.5 0.2 0.2 3.4 -0.1 0.0\n";
 const SCAN: &str = "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n10 20 30 1\n1 2 3 0.5\n4 5 6 0.5\n";
 
+const MESH: &str = "solid m\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1.5 0 0\n   vertex 0 2.5 0\n  endloop\n endfacet\n\
+    endsolid m\n";
+const CLOUD: &str = "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n1.5 2.5 3.5\nnan nan nan\n";
+const PROGRAM: &str = "/PROG A\n/POS\nP[1]{\n   GP1:\n\tUF : 0, UT : 1,\n\tX = 1.5 mm,\tY = 2.5 mm,\tZ = 3.5 mm,\n\tW = 0.0 deg,\tP = 0.0 deg,\
+    \tR = 0.0 deg\n};\n/END\n";
+const MODULE: &str =
+    "MODULE A\nCONST robtarget p1:=[[1.5,2.5,3.5],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nENDMODULE\n";
+
+/// A triangle of binary STL; one character for each byte.
+fn mesh() -> String {
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(1u32.to_le_bytes());
+    [0.0f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.5, 0.0, 0.0, 0.0, 2.5, 0.0].iter().for_each(|v| bytes.extend(v.to_le_bytes()));
+    bytes.extend([0, 0]);
+    bytes.into_iter().map(char::from).collect()
+}
+
+/// One frame of one marker of C3D; one character for each byte.
+fn motion() -> String {
+    let mut bytes = vec![0u8; 1024];
+    for (at, byte) in [(0, 2), (1, 0x50), (2, 1), (6, 1), (8, 1), (16, 3), (514, 1), (515, 84)] {
+        bytes[at] = byte;
+    }
+    bytes[12..16].copy_from_slice(&(-1.0f32).to_le_bytes());
+    bytes[20..24].copy_from_slice(&100.0f32.to_le_bytes());
+    let labels = b"\x06\x01LABELS\x0b\x00\xff\x02\x04\x01ball\x00\x00\x00";
+    bytes[516..525].copy_from_slice(b"\x05\xffPOINT\x03\x00");
+    bytes[526..526 + labels.len()].copy_from_slice(labels);
+    [1.5f32, 2.5, 3.5, 0.0].iter().for_each(|v| bytes.extend(v.to_le_bytes()));
+    bytes.into_iter().map(char::from).collect()
+}
+
 /// A sound file of each format.
 pub fn samples() -> Vec<(&'static str, String)> {
     let project = "# === PolyWorks|Inspector project description file ===\nBEGIN OBJECT 0\nCLASS\t=\tPrimitive\nTYPE\t=\tPoint\n\
@@ -388,6 +420,12 @@ pub fn samples() -> Vec<(&'static str, String)> {
         ("ply", PLY.to_owned()),
         ("ply", binary(false, true)),
         ("ply", binary(true, false)),
+        ("stl", MESH.to_owned()),
+        ("stl", mesh()),
+        ("pcd", CLOUD.to_owned()),
+        ("c3d", motion()),
+        ("fanuc_ls", PROGRAM.to_owned()),
+        ("abb_rapid", MODULE.to_owned()),
     ];
     all.into_iter().collect()
 }
@@ -399,7 +437,8 @@ fn every_sample_is_sound_and_every_reader_has_one() {
         assert!(!mm(name, text).is_empty(), "{name}");
     }
     // tables and QIF have files of tests of their own
-    let elsewhere = ["polyworks", "qif", "spatialanalyzer", "xyz", "xyzijk", "name-xyz-csv", "tracker-semicolon"];
+    let elsewhere =
+        ["polyworks", "qif", "e57", "spatialanalyzer", "xyz", "xyzijk", "name-xyz-csv", "tracker-semicolon"];
     let mut names = Format::names().filter(|name| {
         !elsewhere.contains(name) && !["leica-at960", "leica-emscon", "leica_gsi", "sdss-plate"].contains(name)
     });

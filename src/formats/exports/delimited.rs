@@ -25,6 +25,10 @@ impl ExportFormat for Delimited {
         About { by_rows: true, ..About::default() }
     }
 
+    fn unit(&self, text: &str, dialect: &Dialect) -> Option<Unit> {
+        stated_unit(text, dialect)
+    }
+
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
         point_rows(text.file, text.whole, dialect, unit)
     }
@@ -75,6 +79,10 @@ impl ExportFormat for NamedDialect {
 
     fn dialect(&self) -> Dialect {
         (self.dialect)()
+    }
+
+    fn unit(&self, text: &str, dialect: &Dialect) -> Option<Unit> {
+        self.recognise(text).and_then(|found| Unit::named(found.unit?)).or_else(|| stated_unit(text, dialect))
     }
 
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
@@ -235,26 +243,73 @@ struct Above<'a> {
     roles: &'a [ColumnRole],
 }
 
+/// Statement of a unit of lengths: the unit, its words, and their place.
+struct StatedLength {
+    unit: &'static str,
+    how: String,
+    place: Place,
+}
+
+impl Above<'_> {
+    /// Units in the headings of lengths.
+    fn in_headings(&self, dialect: &Dialect) -> Vec<StatedLength> {
+        let of_topic = dialect.form.is_topic().then_some(Unit::Metre);
+        let place = || self.header.map_or(Place::file(self.file), |row| row.place(self.file));
+        let lengths = self.header.iter().flat_map(|row| self.roles.iter().zip(&row.fields));
+        let lengths = lengths.filter(|(role, _)| is_length(role));
+        let stated = |(_, name): (&ColumnRole, &Cow<str>)| {
+            let unit = of_topic.or_else(|| Unit::from_heading(name))?.name();
+            Some(StatedLength { unit, how: name.to_string(), place: place() })
+        };
+        lengths.filter_map(stated).collect()
+    }
+
+    /// Units in a row of units, or in words above the data.
+    fn in_words(&self, dialect: &Dialect) -> Vec<StatedLength> {
+        let is_of_length = |at: usize| self.roles.get(at).is_some_and(is_length);
+        let place = |line: usize| Place::line(self.file, line, self.text.lines().nth(line - 1).unwrap_or_default());
+        let stated = stated_units(self.text, &dialect.form, self.start, &is_of_length);
+        stated.into_iter().map(|of| StatedLength { unit: of.unit, how: of.how, place: place(of.line) }).collect()
+    }
+}
+
+/// `true` for a column of lengths.
+fn is_length(role: &ColumnRole) -> bool {
+    role.is_coordinate() && !role.is_angle()
+}
+
 /// Error if the file states another unit of lengths than the campaign: in a heading of a length, in
 /// a row of units, or in words above the data.
 fn other_unit(above: &Above, dialect: &Dialect, unit: Unit) -> Option<Message> {
-    let Above { file, text, start, header, roles } = above;
-    let is_length = |role: &ColumnRole| role.is_coordinate() && !role.is_angle();
-    let of_topic = dialect.form.is_topic().then_some(Unit::Metre);
-    let mut lengths = header.iter().flat_map(|row| roles.iter().zip(&row.fields)).filter(|(r, _)| is_length(r));
-    let of_heading = lengths.find_map(|(_, name)| {
-        let of_heading = of_topic.or_else(|| Unit::from_heading(name)).filter(|said| *said != unit)?;
-        Some((name.to_string(), of_heading.name()))
+    let differs = |stated: &StatedLength| stated.unit != unit.name();
+    let in_heading = above.in_headings(dialect).into_iter().find(differs);
+    let found = in_heading.or_else(|| {
+        // of different statements one may be of other columns
+        let stated = above.in_words(dialect);
+        if stated.iter().all(differs) { stated.into_iter().next() } else { None }
     });
-    if let (Some((how, of_file)), Some(header)) = (of_heading, header) {
-        return Some(error!("unit-differs", of_file, how, stated = unit.name()).at(header.place(file)));
+    found.map(|StatedLength { unit: of_file, how, place }| {
+        error!("unit-differs", of_file, how, stated = unit.name()).at(place)
+    })
+}
+
+/// Unit of lengths that a text states: in the headings of lengths, or else above the data; `None`
+/// for different statements.
+fn stated_unit(text: &str, dialect: &Dialect) -> Option<Unit> {
+    if !dialect.check().is_empty() {
+        return None;
     }
-    let stated = stated_units(text, &dialect.form, *start, &|at| roles.get(at).is_some_and(is_length));
-    // of different statements one may be of other columns
-    let first = stated.first().filter(|_| stated.iter().all(|stated| stated.unit != unit.name()))?;
-    let line = text.lines().nth(first.line - 1).unwrap_or_default();
-    let message = error!("unit-differs", of_file = first.unit, how = first.how, stated = unit.name());
-    Some(message.at(Place::line(*file, first.line, line)))
+    let mut rows = each_row("", text, &dialect.form).flatten();
+    let header = header(&mut rows, &dialect.header()).ok()?;
+    let first = rows.next()?;
+    let Resolved { roles, .. } = resolved("", header.as_ref(), dialect, Some(&first)).ok()?;
+    let above = Above { file: "", text, start: first.line, header: header.as_ref(), roles: &roles };
+    let mut stated = above.in_headings(dialect);
+    if stated.is_empty() {
+        stated = above.in_words(dialect);
+    }
+    let unit = stated.first()?.unit;
+    stated.iter().all(|of| of.unit == unit).then(|| Unit::named(unit)).flatten()
 }
 
 /// Error if the last row of a header of a stated number of rows has numbers in all columns of

@@ -3,15 +3,20 @@
 //! A file that states its unit must state the unit of the campaign; a file without a unit is read
 //! in the unit of the campaign.
 
+mod abb_rapid;
 mod aqdef;
+mod c3d;
 mod calypso;
 pub(crate) mod delimited;
 pub mod dmis;
+mod e57;
+mod fanuc_ls;
 mod geopak_gws;
 mod inspec;
 mod leica_at960;
 mod leica_emscon;
 mod leica_gsi;
+mod pcd;
 mod pcdmis_report;
 mod pcdmis_xyz;
 mod pivot;
@@ -24,6 +29,7 @@ pub mod qif;
 mod sdss_plate;
 mod spatialanalyzer;
 mod stamps;
+mod stl;
 mod vda_fs;
 
 pub(crate) use stamps::seconds as stamp_seconds;
@@ -44,7 +50,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 /// Every named format. To add one: its file, and its line here.
-const FORMATS: [&dyn ExportFormat; 24] = [
+const FORMATS: [&dyn ExportFormat; 30] = [
     &polyworks::Polyworks,
     &qif::Qif,
     &spatialanalyzer::SpatialAnalyzer,
@@ -61,6 +67,12 @@ const FORMATS: [&dyn ExportFormat; 24] = [
     &vda_fs::VdaFs,
     &ply::Ply,
     &ptx::Ptx,
+    &stl::Stl,
+    &pcd::Pcd,
+    &e57::E57,
+    &c3d::C3d,
+    &fanuc_ls::FanucLs,
+    &abb_rapid::AbbRapid,
     &delimited::XYZ,
     &delimited::XYZIJK,
     &delimited::NAME_XYZ,
@@ -78,6 +90,16 @@ pub(crate) trait ExportFormat: Sync {
 
     /// Evidence that a text is in this format.
     fn recognise(&self, _text: &str) -> Option<Recognised> {
+        None
+    }
+
+    /// Unit of lengths that a text states.
+    fn unit(&self, text: &str, _dialect: &Dialect) -> Option<Unit> {
+        self.recognise(text).and_then(|found| Unit::named(found.unit?))
+    }
+
+    /// Warning about the points of such files, if they are not measured ones.
+    fn caution(&self) -> Option<Message> {
         None
     }
 
@@ -149,6 +171,16 @@ impl Recognised {
     }
 }
 
+/// Number of bytes that show the binary format of a file.
+const START: usize = 8192;
+
+/// Name of the format of a file with this beginning, if its files may be binary.
+pub(crate) fn binary_format(bytes: &[u8]) -> Option<&'static str> {
+    let start: String = bytes.iter().take(START).map(|byte| char::from(*byte)).collect();
+    let binary = FORMATS.iter().filter(|format| format.about().binary);
+    binary.filter(|format| format.recognise(&start).is_some()).map(|format| format.about().name).next()
+}
+
 /// First characters of a text, where a document states its kind.
 pub(crate) fn head(text: &str) -> &str {
     let end = text.char_indices().nth(4000).map_or(text.len(), |(i, _)| i);
@@ -202,6 +234,16 @@ impl Format {
             dialect.form.decimal = Some(decimal);
         }
         (decimal == Decimal::Point || kind.about().decimal_comma).then(|| Self { kind, dialect: Box::new(dialect) })
+    }
+
+    /// Unit of lengths that a text in this format states.
+    pub fn stated_unit(&self, text: &str) -> Option<Unit> {
+        self.kind.unit(text, &self.dialect)
+    }
+
+    /// Warning about the points of files of the format, if they are not measured ones.
+    pub fn caution(&self) -> Option<Message> {
+        self.kind.caution()
     }
 
     /// Names of all formats.
@@ -422,6 +464,16 @@ pub(crate) struct Text<'a> {
 impl<'a> Text<'a> {
     fn new(file: &'a str, whole: &'a SharedText, by_rows: bool) -> Self {
         Self { file, whole, lines: if by_rows { Vec::new() } else { whole.lines().collect() } }
+    }
+
+    /// Bytes of a binary file, whose text has one character for each byte; `None` for other text.
+    fn bytes(&self) -> Option<Vec<u8>> {
+        self.whole.chars().map(|c| u8::try_from(u32::from(c)).ok()).collect()
+    }
+
+    /// Bytes at the beginning of the text of a binary file; `None` for other text.
+    fn start_bytes(text: &str) -> Option<Vec<u8>> {
+        text.chars().take(START).map(|c| u8::try_from(u32::from(c)).ok()).collect()
     }
 
     /// A line, from 1.

@@ -37,7 +37,7 @@ impl ExportFormat for Ply {
 /// The vertices. The text of a binary file has one character for each byte.
 fn rows(text: &Text, unit: Unit) -> (Vec<Point>, Problems) {
     let (mut points, mut problems) = (Vec::new(), Problems::default());
-    let Some(bytes) = text.whole.chars().map(|c| u8::try_from(u32::from(c)).ok()).collect::<Option<Vec<u8>>>() else {
+    let Some(bytes) = text.bytes() else {
         problems.0.push(no_ply().at(Place::file(text.file)));
         return (points, problems);
     };

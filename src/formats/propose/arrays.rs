@@ -1,7 +1,9 @@
 //! Proposal for a file of arrays of NumPy or MATLAB: an export of an array of three columns,
 //! otherwise a log.
 
+use super::meaning::Interpretation;
 use super::several::{POSE_LINE, TARGET_LINE};
+use super::table::{Column, MOST_ROWS, Table};
 use super::with_remarks;
 use crate::dialect::quoted;
 use crate::logs::{ArrayParts, LogKind};
@@ -38,23 +40,24 @@ pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Resul
         ["t", "time", "times", "timestamp", "stamp", "tout"].contains(&name.as_str())
     };
     let time = arrays.iter().filter(beside).find(is_time);
+    let times = time.map(|time| format!("time_s = {}, ", quoted(&time.name))).unwrap_or_default();
+    if let Some(columns) = columns_of_poses(bytes, format, widest) {
+        document.kind = "export".to_owned();
+        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = widest.parts.len()));
+        document.doubt(phrase!("doubt-quaternion-order"));
+        document.ask(phrase!("ask-unit"));
+        let lines = export_lines(file, widest, &times, &columns);
+        document.toml = with_remarks(&document, &lines);
+        return Ok(document);
+    }
     if let [x, y, z] = &widest.parts[..] {
         // three columns: coordinates rather than joints
         document.kind = "export".to_owned();
         document.doubt(phrase!("doubt-array-columns", array = widest.name, count = 3));
         document.ask(phrase!("ask-unit"));
         document.ask(phrase!("ask-order-of-columns"));
-        let times = time.map(|time| format!("time_s = {}, ", quoted(&time.name))).unwrap_or_default();
-        let lines = format!(
-            "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {times}x = {}, y = {}, z = {} }} }}\n\
-             unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n{TARGET_LINE}{}",
-            quoted(file),
-            quoted(&widest.name),
-            quoted(x),
-            quoted(y),
-            quoted(z),
-            if times.is_empty() { POSE_LINE } else { "" }
-        );
+        let columns = format!("x = {}, y = {}, z = {}", quoted(x), quoted(y), quoted(z));
+        let lines = export_lines(file, widest, &times, &columns);
         document.toml = with_remarks(&document, &lines);
         return Ok(document);
     }
@@ -86,4 +89,65 @@ pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Resul
     );
     document.toml = with_remarks(&document, &lines);
     Ok(document)
+}
+
+/// Lines of an export of an array, with its column of times and those of its points.
+fn export_lines(file: &str, array: &ArrayParts, times: &str, columns: &str) -> String {
+    format!(
+        "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {times}{columns} }} }}\n\
+         unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n{TARGET_LINE}{}",
+        quoted(file),
+        quoted(&array.name),
+        if times.is_empty() { POSE_LINE } else { "" }
+    )
+}
+
+/// Columns of positions and quaternions of an array, if its values are such: four of its seven
+/// parts have the norm 1 in all rows.
+fn columns_of_poses(bytes: &[u8], format: LogKind, array: &ArrayParts) -> Option<String> {
+    let parts: Vec<&str> = array.parts.iter().map(String::as_str).collect();
+    let text = format.table(bytes, &parts)?.ok()?;
+    let mut columns = vec![Column::default(); parts.len()];
+    let rows = text.lines().skip(1).take(MOST_ROWS);
+    for (cells, column) in rows.flat_map(|line| line.split('\t').zip(0..)) {
+        columns.get_mut::<usize>(column)?.values.push(cells.trim().parse().unwrap_or(f64::NAN));
+    }
+    let table = Table { rows: columns.first()?.values.len(), width: columns.len(), columns, sampled: false };
+    let found = Interpretation::new(&table);
+    let quaternion = found.quaternion_columns();
+    let [Some(x), Some(y), Some(z)] = found.points.first()?.columns else { return None };
+    let named = ["x", "y", "z", "qw", "qx", "qy", "qz"].into_iter().zip([x, y, z].into_iter().chain(quaternion));
+    let columns: Vec<String> = named.map(|(name, at)| format!("{name} = {}", quoted(parts[at]))).collect();
+    (columns.len() == 7).then(|| columns.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of an array with seven parts (NEP 1).
+    fn npy(values: &[f64]) -> Vec<u8> {
+        let shape = format!("({}, 7)", values.len() / 7);
+        let mut head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+        head += &" ".repeat(63 - (10 + head.len()) % 64);
+        head.push('\n');
+        let data: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
+        [crate::magic::NUMPY, b"\x01\x00", &(head.len() as u16).to_le_bytes(), head.as_bytes(), &data].concat()
+    }
+
+    #[test]
+    fn an_array_of_positions_and_quaternions_is_an_export() {
+        let row = |i: usize| {
+            let (t, half) = (i as f64, 0.05 * i as f64);
+            [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
+        };
+        let values: Vec<f64> = (0..20).flat_map(row).collect();
+        let format = LogKind::from_array_file(&npy(&values)).unwrap();
+        let document = propose_arrays("p.npy", &npy(&values), format).unwrap();
+        assert_eq!(document.kind, "export", "{}", document.toml);
+        assert!(document.toml.contains("x = ") && document.toml.contains("qw = "), "{}", document.toml);
+        let joints: Vec<f64> = values.iter().map(|v| 1.3 * v).collect();
+        let document = propose_arrays("p.npy", &npy(&joints), format).unwrap();
+        assert_eq!(document.kind, "log", "{}", document.toml);
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::headings::{Word, stands_for};
 use super::meaning::{Evidence, Interpretation, Meaning, PointSet};
-use super::table::{Column, Table};
+use super::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 
@@ -26,6 +26,12 @@ struct Set {
     points: PointSet,
     kind: Kind,
 }
+
+/// Minimum count of numbers without headings that are points of three numbers each: fewer numbers
+/// may be the joints and the points of a robot.
+const FEWEST_OF_POINTS: usize = 30;
+/// Maximum count of numbers of a row that may be a table of one row.
+const MOST_IN_ROW: usize = 16;
 
 /// Words of positions that name no body.
 const NEUTRAL: [&str; 20] = [
@@ -126,27 +132,6 @@ fn survey_axes(table: &Table) -> [Option<usize>; 3] {
     };
     let found = NAMES.map(named);
     if found[0].is_some() && found[1].is_some() { found } else { [None; 3] }
-}
-
-/// Returns the axis that a heading names, and its other words.
-fn heading_axis(column: &Column) -> Option<(usize, String)> {
-    const BEFORE: [&str; 10] = ["", "p", "pos", "t", "tcp", "pt", "c", "coord", "trans", "loc"];
-    let words = &column.heading.words;
-    let axis = |word: &str| {
-        let last = word.chars().last()?;
-        let at = ['x', 'y', 'z'].iter().position(|c| *c == last)?;
-        let before = &word[..word.len() - 1];
-        BEFORE.contains(&before).then(|| (at, before.to_owned()))
-    };
-    let places: Vec<usize> = (0..words.len()).filter(|i| axis(&words[*i]).is_some()).collect();
-    let exact = places.iter().copied().find(|i| words[*i].len() == 1);
-    let at = exact.or(places.first().copied())?;
-    let (axis, before) = axis(&words[at])?;
-    let mut rest = column.heading.without(at);
-    if !before.is_empty() {
-        rest.insert(0, before);
-    }
-    Some((axis, rest.join(" ")))
 }
 
 /// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`),
@@ -460,9 +445,13 @@ impl Interpretation {
             set(self, i, meaning, why);
         }
         let mut rest = numeric;
+        if table.rows == 1 && rest.len() > MOST_IN_ROW {
+            return self.doubt(phrase!("doubt-one-row", count = rest.len()));
+        }
         if self.matrices_by_position(table, &rest) {
             return;
         }
+        self.constants_in_front(table, &mut rest);
         // a running number or a time in front
         let before = rest.len() % 3 == 1 && rest.len() > 3 || rest.len() == 8 || rest.len() == 5;
         let first = rest.first().map(|i| &table.columns[*i]);
@@ -487,6 +476,33 @@ impl Interpretation {
             rest.remove(0);
         }
         self.by_count(table, &rest);
+    }
+
+    /// Takes running numbers and constants in front of many numbers for what they are.
+    fn constants_in_front(&mut self, table: &Table, rest: &mut Vec<usize>) {
+        while let Some(at) = rest.first().copied().filter(|_| rest.len() > FEWEST_OF_POINTS) {
+            let column = &table.columns[at];
+            match () {
+                () if column.is_counter() => self.take(at, Meaning::Count, phrase!("why-counts")),
+                () if column.is_whole() && column.is_constant() => {
+                    self.take(at, Meaning::Count, phrase!("why-constant"));
+                }
+                () => return,
+            }
+            rest.remove(0);
+        }
+    }
+
+    /// Takes many numbers for the points of a row, three numbers each, as a question.
+    fn points_in_row(&mut self, rest: &[usize]) {
+        for (number, at) in rest.chunks_exact(3).enumerate() {
+            at.iter()
+                .enumerate()
+                .for_each(|(axis, at)| self.take(*at, Meaning::Point(number, axis), phrase!("why-place")));
+            let columns = [Some(at[0]), Some(at[1]), Some(at[2])];
+            self.points.push(PointSet { tag: (number + 1).to_string(), columns });
+        }
+        self.ask(phrase!("ask-points-in-row", count = rest.len() / 3, numbers = rest.len()));
     }
 
     /// Interprets the numbers of a row by their count and values.
@@ -527,6 +543,7 @@ impl Interpretation {
                 self.doubt_until(Evidence::JointOrder, phrase!("doubt-joints-without-headings", count = rest.len()));
             }
             [_, _] | [_, _, _] => self.point_at(rest),
+            [..] if rest.len() >= FEWEST_OF_POINTS && rest.len().is_multiple_of(3) => self.points_in_row(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 if rest.len().is_multiple_of(3) {

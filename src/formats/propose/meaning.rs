@@ -2,10 +2,11 @@
 //! between columns.
 
 use super::headings::{Heading, Word, stands_for};
-use super::table::{Column, Table};
+use super::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_tables::guess::Guess;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -400,16 +401,15 @@ impl Interpretation {
         ];
         let mut tags: Vec<String> = Vec::new();
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        let joined = |i: usize| component_last(&table.columns[i].heading.words);
         for form in FORMS {
             for i in &free {
-                let joined = table.columns[*i].heading.joined();
+                let joined = joined(*i);
                 let tag = joined.strip_suffix(form[0]).map(str::to_owned);
                 tags.extend(tag.filter(|tag| tag.is_empty() || tag.ends_with(' ')));
             }
             for tag in &tags {
-                let column = |name: &str| {
-                    free.iter().copied().find(|i| table.columns[*i].heading.joined() == format!("{tag}{name}"))
-                };
+                let column = |name: &str| free.iter().copied().find(|i| joined(*i) == format!("{tag}{name}"));
                 let Some(all) = form.iter().map(|name| column(name)).collect::<Option<Vec<usize>>>() else { continue };
                 let Ok(all) = <[usize; 4]>::try_from(all) else { continue };
                 let unit = table.are_unit(all);
@@ -479,6 +479,18 @@ impl Interpretation {
     }
 }
 
+/// Returns the words of a heading with the component of a quaternion last: `1 qx` for `qx1`.
+fn component_last(words: &[String]) -> String {
+    match words {
+        [before @ .., component, number]
+            if ["qw", "qx", "qy", "qz"].contains(&component.as_str()) && number.parse::<usize>().is_ok() =>
+        {
+            [before, &[number.clone(), component.clone()]].concat().join(" ")
+        }
+        _ => words.join(" "),
+    }
+}
+
 /// Minimum number of rows in which four numbers of length 1 are no chance.
 const FEWEST_ROWS: usize = 3;
 /// Largest magnitude of a column that holds no component: three others of length 1 are a direction.
@@ -533,6 +545,18 @@ fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     is_joint.then(|| (tag.join(" "), number))
 }
 
+/// Returns the names of the parts of an arm whose coordinates the table has: three headings differ
+/// in x, y and z alone, and no word names a joint.
+fn measured_parts(table: &Table) -> BTreeSet<String> {
+    let mut axes: BTreeMap<String, [bool; 3]> = BTreeMap::new();
+    for column in table.columns.iter().filter(|column| !column.heading.has(Word::Joint)) {
+        if let Some((axis, tag)) = heading_axis(column) {
+            axes.entry(tag).or_default()[axis] = true;
+        }
+    }
+    axes.into_iter().filter(|(tag, has)| !tag.is_empty() && *has == [true; 3]).map(|(tag, _)| tag).collect()
+}
+
 /// `true` for words of velocities, forces and currents that are longer than a letter.
 fn is_motion(word: &str) -> bool {
     word.len() > 1 && stands_for(word, Word::Motion)
@@ -541,8 +565,11 @@ fn is_motion(word: &str) -> bool {
 impl Interpretation {
     /// Finds columns of joints.
     fn joints(&mut self, table: &Table) {
+        let parts = measured_parts(table);
+        let is_measured = |column: &Column| heading_axis(column).is_some_and(|(_, tag)| parts.contains(&tag));
         let mut joints: Vec<(usize, String, Option<usize>)> = self
             .free(table)
+            .filter(|(_, column)| !is_measured(column))
             .filter_map(|(i, column)| joint_name(&column.heading).map(|(tag, number)| (i, tag, number)))
             .collect();
         let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
@@ -585,15 +612,24 @@ impl Interpretation {
     }
 
     /// Keeps one family of numbered joints if several have the same numbers: the measured family,
-    /// or the first.
+    /// or the first. Families with other numbers are parts of one chain: a torso and an arm.
     fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
         let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
         tags.dedup();
-        let numbers =
-            |tag: &String| joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<Vec<_>>();
+        let numbers = |tag: &String| {
+            joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<BTreeSet<usize>>()
+        };
+        let state = |tag: &String| {
+            let is_state = |word: &str| stands_for(word, Word::Measured) || stands_for(word, Word::Commanded);
+            tag.split(' ').any(|word| word.len() > 1 && is_state(word))
+        };
         let again = tags.iter().enumerate().any(|(k, tag)| {
             let own = numbers(tag);
-            own.len() > 1 && tags[..k].iter().any(|other| numbers(other).iter().filter(|n| own.contains(n)).count() > 1)
+            let is_same = |other: &String| match state(tag) || state(other) {
+                true => numbers(other).intersection(&own).count() > 1,
+                false => numbers(other) == own,
+            };
+            own.len() > 1 && tags[..k].iter().any(is_same)
         });
         if !again {
             return;
@@ -640,8 +676,9 @@ impl Interpretation {
 
     /// Finds three columns of a rotation vector or of angles.
     fn rotations(&mut self, table: &Table) {
-        const FORMS: [[&str; 3]; 12] = [
+        const FORMS: [[&str; 3]; 13] = [
             ["rx", "ry", "rz"],
+            ["phix", "phiy", "phiz"],
             ["roll", "pitch", "yaw"],
             ["yaw", "pitch", "roll"],
             ["alpha", "beta", "gamma"],
@@ -676,6 +713,9 @@ impl Interpretation {
         let at = |name: &str| {
             let fits = |(i, column): &(usize, &Column)| {
                 let words = column.heading.joined();
+                // the number of the only point: `phix1` beside `x1`
+                let number = self.points.first().filter(|_| self.points.len() == 1).map(|point| point.tag.as_str());
+                let words = number.and_then(|tag| words.strip_suffix(tag)).map_or(&*words, str::trim_end);
                 let stated = |(first, last): (&str, &str)| first == name && state(last) || last == name && state(first);
                 let alone = words == name
                     || name.len() > 1 && words.ends_with(&format!(" {name}"))

@@ -24,8 +24,8 @@ pub use several::{FilesProposal, label_form, propose_files};
 pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
-use super::exports::{Format, Recognised, head, recognise};
-use super::input::{decode, guessed_encoding, read_bytes};
+use super::exports::{Format, Recognised, binary_format, head, recognise};
+use super::input::{decode, guessed_encoding, read_start};
 use super::logs::LogKind;
 use super::workbook::Workbook;
 use super::{Point, ros_bag, workbook};
@@ -49,7 +49,9 @@ use table::{Column, Table};
 fn without_points(text: &str) -> Option<(&'static str, f64)> {
     let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
     let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
+    let is_diadem = head(text).lines().any(|line| line.trim() == "#BEGINCHANNELHEADER");
     match (is_xml(text), roughness) {
+        _ if is_diadem => Some(("diadem", 1.0)),
         (_, true) => Some(("roughness", 1.0)),
         (true, _) if certificate => Some(("certificate", 0.9)),
         (true, _) => Some(("xml", 0.1)),
@@ -109,7 +111,7 @@ fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
 
 fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Correct>) -> Result<FormatsDocument> {
     let name = path.display().to_string();
-    let bytes = read_bytes(path)?;
+    let (bytes, is_cut) = read_start(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
     if bytes.is_empty() {
         return Err(here(error!("file-empty")).into());
@@ -123,7 +125,10 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     if workbook::is_workbook(&bytes) {
         return propose_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
     }
-    let (text, encoding) = decoded(bytes).map_err(here)?;
+    let (text, encoding) = match binary_format(&bytes) {
+        Some(_) => (bytes.iter().map(|byte| char::from(*byte)).collect(), None),
+        None => decoded(bytes).map_err(here)?,
+    };
     let other = match known(&text) {
         Some(Known::Points(..)) => None,
         Some(Known::Other(kind)) => Some(kind),
@@ -135,6 +140,11 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     let mut document = propose_in(&name, &text, None, correct);
     if document.readings.is_empty() && document.format.is_none() {
         return Err(here(error!("no-rows-of-numbers", file = "text")).into());
+    }
+    if is_cut && !document.reasons.iter().any(|reason| reason.phrase().is_some_and(|of| of.id == "because-sampled")) {
+        document.because(phrase!("because-sampled", rows = document.rows));
+        let reason = document.reasons.last().map_or("", Worded::english);
+        document.toml = document.toml.replacen('\n', &format!("\n# because {reason}\n"), 1);
     }
     if let Some(encoding) = encoding {
         let line = format!("encoding = {:?}\n", encoding.name());
@@ -201,6 +211,8 @@ fn propose_known_format(
     document.format = Some(format.to_owned());
     document.kind = "export".to_owned();
     document.because(phrase!("because-it-is", what));
+    let caution = Format::named(format).and_then(|format| format.caution());
+    caution.into_iter().for_each(|warning| document.doubt(warning.phrase()));
     let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
     let points = read.map(|(format, unit)| format.read(file, &text.into(), unit).0).unwrap_or_default();
     document.rows = points.len();

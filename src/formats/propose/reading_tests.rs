@@ -295,3 +295,109 @@ fn northing_and_easting_are_y_and_x_and_the_elevation_beside_them_is_a_height() 
         holds(&document, "columns = [\"label\", \"y\", \"x\", \"z\", \"-\"]");
     }
 }
+
+/// Headings of a tracker with a letter behind the component for each of its tools, and a tool that
+/// it does not see in the first rows.
+#[test]
+fn a_letter_behind_the_components_names_the_tool() {
+    let head = "Sample:,ms,Xa,Ya,Za,qoa,qxa,qya,qza,Xb,Yb,Zb,qob,qxb,qyb,qzb\n";
+    let turned = |row: usize| {
+        let half = 0.05 * row as f64;
+        [half.cos(), 0.0, half.sin(), 0.0]
+    };
+    let text = table(head, 16, |i| {
+        let [b, moved] = [xyz(i), xyz(i + 3)].map(|point| [&point[..], &turned(i)].concat());
+        let a = if i < 2 { vec![0.0; 7] } else { moved };
+        format!("{},{},{},{}", i + 1, 40 * i, cells(&a, ","), cells(&b, ","))
+    });
+    let document = propose("ndi.csv", &text);
+    assert_eq!(document.toml.matches("\n[[export]]\n").count(), 2, "{}", document.toml);
+    for (target, columns) in [
+        ("body_a", "x = \"Xa\", y = \"Ya\", z = \"Za\", qw = \"qoa\", qx = \"qxa\""),
+        ("body_b", "x = \"Xb\", y = \"Yb\", z = \"Zb\", qw = \"qob\", qx = \"qxb\""),
+    ] {
+        holds(&document, &format!("target = \"{target}\""));
+        holds(&document, columns);
+    }
+    // one letter alone names nothing
+    let text = table("Xa,Ya,Za\n", 16, |i| cells(&xyz(i), ","));
+    assert!(!propose("a.csv", &text).toml.contains("body_a"));
+}
+
+#[test]
+fn coordinates_of_a_part_of_an_arm_are_no_joints() {
+    for head in [
+        "Frame,Elbow X,Elbow Y,Elbow Z,Right Wrist X,Right Wrist Y,Right Wrist Z\n",
+        "Frame,,,Elbow,,,Right Wrist,,\n,Elbow X,Elbow Y,Elbow Z,Right Wrist X,Right Wrist Y,Right Wrist Z\n",
+    ] {
+        let text = table(head, 16, |i| format!("{i},{},{}", cells(&xyz(i), ","), cells(&xyz(i + 5), ",")));
+        let document = propose("m.csv", &text);
+        assert!(!document.toml.contains("joints ="), "{}", document.toml);
+        assert_eq!(document.toml.matches("\n[[export]]\n").count(), 2, "{}", document.toml);
+        holds(&document, "target = \"right_wrist\"");
+    }
+    // a word of joints makes them joints
+    let text = table("Wrist joint X,Wrist joint Y,Wrist joint Z\n", 16, |i| cells(&xyz(i), ","));
+    assert!(propose("m.csv", &text).toml.contains("[log]"));
+}
+
+#[test]
+fn joints_of_two_parts_are_one_chain() {
+    let head = "x1,y1,z1,torso_1_joint,torso_2_joint,arm_1_joint,arm_2_joint,arm_3_joint\n";
+    let angles = |i: usize| (0..5).map(|k| (0.3 * (i + k) as f64).sin()).collect::<Vec<f64>>();
+    let text = table(head, 16, |i| format!("{},{}", cells(&xyz(i), ","), cells(&angles(i), ",")));
+    let document = propose("t.csv", &text);
+    holds(&document, "q2_UNIT = \"torso_2_joint\", q3_UNIT = \"arm_1_joint\"");
+    holds(&document, "q5_UNIT = \"arm_3_joint\"");
+    assert!(said(&document, "doubt-two-families").is_empty(), "{}", document.toml);
+    // the same numbers twice: commanded and measured
+    let head = "actual_q_1,actual_q_2,actual_q_3,target_q_1,target_q_2\n";
+    let text = table(head, 16, |i| cells(&angles(i), ","));
+    assert!(!propose("t.csv", &text).toml.contains("q4_UNIT"));
+}
+
+#[test]
+fn angles_with_the_number_of_the_point_are_its_orientation() {
+    let head = "x1,y1,z1,phix1,phiy1,phiz1,q_1,q_2,q_3\n";
+    let angles = |i: usize| (0..6).map(|k| (0.3 * (i + 2 * k) as f64).sin()).collect::<Vec<f64>>();
+    let text = table(head, 16, |i| format!("{},{}", cells(&xyz(i), ","), cells(&angles(i), ",")));
+    let document = propose("m.csv", &text);
+    holds(&document, "a_UNIT = \"phix1\", b_UNIT = \"phiy1\", c_UNIT = \"phiz1\"");
+    assert_eq!(said(&document, "ask-rotation").len(), 1, "{}", document.toml);
+}
+
+#[test]
+fn many_numbers_without_headings_are_points_of_a_row_as_a_question() {
+    let row = |i: usize| {
+        let points: Vec<f64> = (0..12).flat_map(|k| xyz(i + 3 * k)).collect();
+        format!("{},0,{}", i + 1, cells(&points, ","))
+    };
+    let document = propose("m.csv", &table("", 16, row));
+    assert_eq!(document.toml.matches("\n[[export]]\n").count(), 12, "{}", document.toml);
+    holds(&document, "columns = { x = 3, y = 4, z = 5 }");
+    holds(&document, "target = \"marker_12\"");
+    let asked = said(&document, "ask-points-in-row");
+    assert_eq!(asked, [phrase!("ask-points-in-row", count = 12, numbers = 36)], "{}", document.toml);
+    // one row alone shows nothing
+    let document = propose("m.csv", &(cells(&[1.5; 435], ", ") + "\n"));
+    assert!(!document.toml.contains("[[export]]"), "{}", document.toml);
+    assert_eq!(said(&document, "doubt-one-row"), [phrase!("doubt-one-row", count = 435)]);
+}
+
+/// A file of markers that a spreadsheet has saved: its empty row has a comma for each column.
+#[test]
+fn a_row_of_delimiters_below_the_headings_hides_nothing() {
+    let head = "PathFileType,4,(X/Y/Z),a.trc,,,,\n\
+        DataRate,CameraRate,NumFrames,NumMarkers,Units,OrigDataRate,,\n\
+        100,100,16,2,mm,100,,\n\
+        Frame#,Time,ASIS1,,,STER1,,\n\
+        ,,X1,Y1,Z1,X2,Y2,Z2\n\
+        ,,,,,,,\n";
+    let text = table(head, 16, |i| {
+        format!("{},{:.2},{},{}", i + 1, 0.01 * i as f64, cells(&xyz(i), ","), cells(&xyz(i + 5), ","))
+    });
+    let document = propose("a.trc", &text);
+    holds(&document, "columns = { x = 3, y = 4, z = 5, time_s = 2 }");
+    holds(&document, "target = \"STER1\"");
+    holds(&document, "unit = \"mm\"                # the file states it");
+}

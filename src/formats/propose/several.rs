@@ -13,6 +13,7 @@ use crate::input::read_bytes;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
+use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_documents::FormatsJoin;
 use etalon_robots::Robot;
@@ -37,8 +38,11 @@ const NUMBER: &str = "{pose}";
 const ALONE: &str = "{target}";
 /// Remark on an export of points that do not move with the robot.
 const STATIONARY_LINE: &str = "# stationary points: the labels name no pose, and no row of the log belongs to them\n";
-/// Maximum number of targets that labels name without a pose.
+/// Maximum number of targets that labels name without a pose, and of stationary points.
 const MOST_TARGETS: usize = 12;
+/// Points that do not move with the robot have fewer names that could be poses than this part of
+/// the poses of the others.
+const FEWER: usize = 5;
 /// Line of a proposal for labels.
 const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
@@ -86,6 +90,8 @@ pub(super) struct Keys {
     times: Option<Vec<f64>>,
     /// Form of the labels, and the targets that the labels name.
     form: Option<(&'static str, Vec<String>)>,
+    /// Labels of stationary points among the labels of targets.
+    still: Vec<String>,
 }
 
 /// Join of an export with a log.
@@ -120,6 +126,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         }
         found.push((at, keys, join));
     }
+    leave_stationary(&mut parts, &mut found)?;
     let is_joined = found.iter().any(|(.., join)| join.is_some());
     let mut joined: Vec<(usize, Join)> = Vec::new();
     let mut stationary: Vec<String> = Vec::new();
@@ -130,7 +137,10 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
                 *toml = toml.replace(LABEL_LINE, STATIONARY_LINE);
                 stationary.extend(names.iter().cloned());
             }
-            _ => name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets),
+            _ => {
+                stationary.extend(keys.still.iter().cloned());
+                name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
+            }
         }
         joined.extend(join.map(|join| (at, join)));
     }
@@ -181,6 +191,31 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     }
     let still = parts.iter().filter_map(Part::motion).flat_map(|motion| motion.still()).collect();
     Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
+}
+
+/// Takes the join from exports of a few points whose names could be poses, if another export has
+/// many more poses of other targets: balls on the floor, or on the base of a parallel robot.
+fn leave_stationary(parts: &mut [Part], found: &mut [(usize, Keys, Option<Join>)]) -> Result<()> {
+    let by_pose = |join: &Option<Join>| join.as_ref().is_some_and(|join| join.by != "time");
+    let joined = found.iter().filter(|(.., join)| by_pose(join));
+    let Some((at_most, most, moving)) = joined
+        .map(|(at, keys, _)| (*at, keys.pose_count(), keys.targets().to_vec()))
+        .max_by_key(|(_, count, _)| *count)
+    else {
+        return Ok(());
+    };
+    for (at, keys, join) in found.iter_mut().filter(|(at, _, join)| *at != at_most && by_pose(join)) {
+        let few = keys.pose_count() * FEWER <= most && keys.rows <= 3 * MOST_TARGETS && !moving.is_empty();
+        let own = keys.targets().iter().all(|target| !moving.contains(target));
+        if !few || !own || keys.labels.is_none() && !parts[*at].name_by_count()? {
+            continue;
+        }
+        (*keys, *join) = (Keys::new(&parts[*at]), None);
+        let names: BTreeSet<String> = keys.labels.iter().flatten().cloned().collect();
+        parts[*at].doubt(phrase!("doubt-stationary-points", count = names.len(), poses = most));
+        keys.form = Some((ALONE, names.into_iter().collect()));
+    }
+    Ok(())
 }
 
 /// Settles the unit of a clock that no heading states by the duration of another file whose times
@@ -455,9 +490,12 @@ pub(super) fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, l
                 return None; // a key of the log names one row
             }
         }
+        // a stationary point has no key
+        let moves = |key: &&String| !key.trim_start_matches('\u{1}').is_empty();
         let pairs: Vec<(usize, usize)> =
             mine.iter().enumerate().filter_map(|(i, key)| Some((i, *at.get(key.as_str())?))).collect();
-        Some(Join { by, keys: mine.len(), matching: pairs.len(), pairs, form: None, names_poses: false })
+        let keys = mine.iter().filter(moves).count();
+        Some(Join { by, keys, matching: pairs.len(), pairs, form: None, names_poses: false })
     };
     // labels of the log that name poses
     let by_name = |mine: &Option<Vec<String>>, form: Option<String>| {
@@ -468,7 +506,7 @@ pub(super) fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, l
     let of_form = |(form, targets): &(&str, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
     let several_targets = keys.form.as_ref().is_some_and(of_form);
     let named = keys.poses.clone().filter(|_| !keys.by_row);
-    let row = (keys.rows == of_log.rows).then(|| Join {
+    let row = (keys.rows == of_log.rows && keys.still.is_empty()).then(|| Join {
         by: "row",
         keys: keys.rows,
         matching: keys.rows,
@@ -553,7 +591,12 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
         let form = form.filter(|_| of_join.is_none());
         let stated = of_join.or(form.map(|(form, _)| *form));
         let mut line = stated
-            .map(|form| format!("label = {}   # all {} labels have this form\n", quoted(form), keys.rows))
+            .map(|form| match keys.still.len() {
+                0 => format!("label = {}   # all {} labels have this form\n", quoted(form), keys.rows),
+                still => {
+                    format!("label = {}   # the form of all labels but {still}: stationary points\n", quoted(form))
+                }
+            })
             .unwrap_or_default();
         if by_row && stated.is_none_or(|form| !form.contains("{pose}")) {
             line += POSE_LINE;
@@ -705,6 +748,17 @@ impl Part {
         phrase!("file-is", file, kind, rows, coordinates, joints, times).to_string()
     }
 
+    /// Names the points by the running number in front of them; `false` for points without one.
+    fn name_by_count(&mut self) -> Result<bool> {
+        let counted = self.read.as_ref().and_then(|(_, found)| found.first(Meaning::Count));
+        let Some(at) = counted else { return Ok(false) };
+        self.again(&mut |_, found| {
+            found.take(at, Meaning::Label, phrase!("why-names-of-points"));
+            Remarks::default()
+        })?;
+        Ok(true)
+    }
+
     /// Returns the target of each row: of its column, or of its label.
     pub fn targets(&self) -> Option<Vec<String>> {
         let (table, found) = self.read.as_ref()?;
@@ -712,10 +766,10 @@ impl Part {
             return Some(texts(&table.columns[at]));
         }
         let labels = texts(&table.columns[found.first(Meaning::Label)?]);
-        let (form, _) = label_form(&labels)?;
+        let Labels { form, .. } = Labels::new(&labels)?;
         let pattern = Pattern::parse(form).ok()?;
-        let target = |label: &String| Some(pattern.read(label, |_| false)?.target.unwrap_or_default());
-        labels.iter().map(target).collect()
+        let target = |label: &String| pattern.read(label, |_| false).and_then(|named| named.target).unwrap_or_default();
+        Some(labels.iter().map(target).collect())
     }
 }
 
@@ -732,11 +786,22 @@ impl Keys {
             let rows: BTreeSet<(&String, &String)> = targets.iter().zip(labels).collect();
             (are_numbers(labels) && rows.len() == labels.len()).then(|| (NUMBER, Vec::new()))
         };
-        let form = labels.as_ref().and_then(|labels| of_targets(labels).or_else(|| label_form(labels)));
+        let mut still = Vec::new();
+        let form = labels.as_ref().and_then(|labels| {
+            of_targets(labels).or_else(|| {
+                let found = Labels::new(labels)?;
+                still = found.still;
+                Some((found.form, found.targets))
+            })
+        });
         let pattern = form.as_ref().and_then(|(form, _)| Pattern::parse(form).ok());
         let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| -> Option<Vec<String>> {
             let pattern = pattern.as_ref()?;
-            labels.as_ref()?.iter().map(|label| of(pattern.read(label, |_| false)?)).collect()
+            let key = |label: &String| match still.contains(label) {
+                true => Some(String::new()),
+                false => of(pattern.read(label, |_| false)?),
+            };
+            labels.as_ref()?.iter().map(key).collect()
         };
         let is_log = part.document.kind == "log";
         // a log states poses in a column
@@ -749,7 +814,17 @@ impl Keys {
         let cycles = column(Meaning::Cycle).or_else(|| of_labels(&|named| Some(named.cycle?.to_string())));
         let ordered = |at: &usize| table.columns[*at].is_ordered();
         let times = found.first(Meaning::Time).filter(ordered).map(|at| table.columns[at].values.clone());
-        Self { rows: table.rows, poses, by_row, cycles, labels, times, form }
+        Self { rows: table.rows, poses, by_row, cycles, labels, times, form, still }
+    }
+
+    /// Number of poses that the rows name.
+    fn pose_count(&self) -> usize {
+        self.poses.iter().flatten().filter(|pose| !pose.is_empty()).collect::<BTreeSet<&String>>().len()
+    }
+
+    /// Targets that the labels name.
+    fn targets(&self) -> &[String] {
+        self.form.as_ref().map_or(&[], |(_, targets)| targets)
     }
 
     /// Names of points that were measured several times, if the labels name no pose.
@@ -764,6 +839,51 @@ fn texts(column: &Column) -> Vec<String> {
     match column.is_numeric() {
         true => column.values.iter().map(f64::to_string).collect(),
         false => column.cells.iter().map(|cell| cell.trim().to_owned()).collect(),
+    }
+}
+
+/// Form of labels, the targets that they name, and the labels of stationary points among them.
+struct Labels {
+    form: &'static str,
+    targets: Vec<String>,
+    still: Vec<String>,
+}
+
+impl Labels {
+    /// Finds the form of all labels, or of all but those of a few points; a target that few poses
+    /// name is stationary.
+    fn new(labels: &[String]) -> Option<Self> {
+        if let Some((form, targets)) = label_form(labels) {
+            return Some(Self::with_form(labels, form, targets));
+        }
+        LABELS.iter().filter(|form| form.contains("{pose}")).find_map(|form| {
+            let pattern = Pattern::parse(form).ok()?;
+            let (of_form, others): (Vec<String>, Vec<String>) =
+                labels.iter().cloned().partition(|label| pattern.read(label, |_| false).is_some());
+            let still: BTreeSet<String> = others.into_iter().collect();
+            let (found, targets) =
+                label_form(&of_form).filter(|_| of_form.len() * FEWER > labels.len() * (FEWER - 1))?;
+            (found == *form && still.len() <= MOST_TARGETS).then(|| {
+                let all = Self::with_form(&of_form, form, targets);
+                Self { still: still.into_iter().chain(all.still).collect(), ..all }
+            })
+        })
+    }
+
+    fn with_form(labels: &[String], form: &'static str, targets: Vec<String>) -> Self {
+        let mut poses: BTreeMap<String, BTreeSet<PoseName>> = BTreeMap::new();
+        let pattern = Pattern::parse(form).ok();
+        let read = |label: &String| pattern.as_ref().and_then(|pattern| pattern.read(label, |_| false));
+        for named in labels.iter().filter_map(read) {
+            poses.entry(named.target.unwrap_or_default()).or_default().extend(named.pose);
+        }
+        let most = poses.values().map(BTreeSet::len).max().unwrap_or(0);
+        let is_still = |target: &String| poses.get(target).is_some_and(|of| !of.is_empty() && of.len() * FEWER <= most);
+        let (at_rest, targets): (Vec<String>, Vec<String>) = targets.into_iter().partition(is_still);
+        let of_rest =
+            |label: &&String| read(label).and_then(|named| named.target).is_some_and(|t| at_rest.contains(&t));
+        let still: BTreeSet<String> = labels.iter().filter(of_rest).cloned().collect();
+        Self { form, targets, still: still.into_iter().collect() }
     }
 }
 

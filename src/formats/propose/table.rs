@@ -79,6 +79,7 @@ impl Table {
             }
         }
         columns.iter_mut().for_each(Column::decide_grad);
+        name_lettered_bodies(&mut columns);
         Self { columns, rows, sampled, width }
     }
 
@@ -96,10 +97,12 @@ impl Table {
         (0..self.rows).map(get).filter(|values| values.iter().all(|v| v.is_finite()))
     }
 
-    /// `true` if these columns are unit vectors in all rows.
+    /// `true` if these columns are unit vectors in all rows; four zeros are a body that the
+    /// instrument did not see.
     pub fn are_unit<const N: usize>(&self, at: [usize; N]) -> bool {
         let mut any = false;
-        self.finite_rows(at).all(|values| {
+        let seen = |values: &[f64; N]| N != 4 || values.iter().any(|v| *v != 0.0);
+        self.finite_rows(at).filter(seen).all(|values| {
             any = true;
             (values.iter().map(|v| v * v).sum::<f64>().sqrt() - 1.0).abs() < UNIT
         }) && any
@@ -115,6 +118,50 @@ impl Table {
             (0..3).all(|i| (i..3).all(|j| (dot(row(i), row(j)) - f64::from(u8::from(i == j))).abs() < 2.0 * UNIT))
         }) && any
     }
+}
+
+/// Names the bodies of headings that end in a letter for each body: `Xa`, `Ya`, `Za`, `q0a` .. and
+/// `Xb`, `Yb`, `Zb` .. become `body_a x` and so on. One letter alone names nothing.
+fn name_lettered_bodies(columns: &mut [Column]) {
+    let joined: Vec<String> = columns.iter().map(|column| column.heading.joined().replace(' ', "")).collect();
+    let has = |axis: char, letter: char| joined.iter().any(|name| *name == format!("{axis}{letter}"));
+    let letters: Vec<char> =
+        ('a'..='w').filter(|letter| ['x', 'y', 'z'].iter().all(|axis| has(*axis, *letter))).collect();
+    if letters.len() < 2 {
+        return;
+    }
+    for (column, name) in columns.iter_mut().zip(&joined) {
+        let Some((letter, part)) = letters.iter().find_map(|letter| Some((letter, name.strip_suffix(*letter)?))) else {
+            continue;
+        };
+        let part = match part {
+            "q0" | "qo" | "qw" => "qw",
+            "x" | "y" | "z" | "qx" | "qy" | "qz" => part,
+            _ => continue,
+        };
+        column.heading.words = vec![format!("body_{letter}"), part.to_owned()];
+    }
+}
+
+/// Returns the axis that a heading names, and its other words.
+pub(super) fn heading_axis(column: &Column) -> Option<(usize, String)> {
+    const BEFORE: [&str; 10] = ["", "p", "pos", "t", "tcp", "pt", "c", "coord", "trans", "loc"];
+    let words = &column.heading.words;
+    let axis = |word: &str| {
+        let last = word.chars().last()?;
+        let at = ['x', 'y', 'z'].iter().position(|c| *c == last)?;
+        let before = &word[..word.len() - 1];
+        BEFORE.contains(&before).then(|| (at, before.to_owned()))
+    };
+    let places: Vec<usize> = (0..words.len()).filter(|i| axis(&words[*i]).is_some()).collect();
+    let exact = places.iter().copied().find(|i| words[*i].len() == 1);
+    let at = exact.or(places.first().copied())?;
+    let (axis, before) = axis(&words[at])?;
+    let mut rest = column.heading.without(at);
+    if !before.is_empty() {
+        rest.insert(0, before);
+    }
+    Some((axis, rest.join(" ")))
 }
 
 /// Columns that are headed by the joints of a robot, in its order; `None` if one is missing.

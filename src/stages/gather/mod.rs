@@ -121,7 +121,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     problems.0.extend(other_spelling(&columns.points, &logs));
     problems.0.extend(blunders::check(campaign).0);
     problems.0.extend(mislabelling::check(campaign).0);
-    let mut messages = if campaign.unread.is_empty() { columns.unused_labels(campaign) } else { Vec::new() };
+    let (mut messages, unmatched) = columns.unused_labels(campaign);
     messages.extend(said);
     messages.extend(left_out);
     messages.append(&mut columns.remarks);
@@ -142,7 +142,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         campaign: campaign.file.name.clone(),
         sources,
         messages: Problems(messages).grouped().0,
-        unmatched: Vec::new(),
+        unmatched,
     };
     let PointColumns { points, stationed, has_rows_without_pose, refused_targets, .. } = columns;
     (Gathered { points, stationed, logs, observations, has_rows_without_pose, refused_targets, document }, problems)

@@ -6,7 +6,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, JoinBy};
-use etalon_documents::{Refused, Source};
+use etalon_documents::{Refused, Source, Unmatched};
 use etalon_formats::{Export, LabelNames, LabelPattern as Pattern, Names, Point, SharedText};
 use indexmap::IndexMap;
 use std::collections::BTreeSet;
@@ -43,6 +43,7 @@ impl PointColumns {
             problems.0.push(error!("export-empty", file));
         }
         problems = problems.at(&campaign.place(&export.file));
+        self.remarks.extend(export.format.caution().map(|warning| warning.at(campaign.place(&export.file))));
         self.remarks.extend(super::rounding::coarse(campaign, export, &rows));
         self.remarks.extend(resolution::replace_export_zeros(campaign, export, &mut rows));
         problems.0.extend(self.add(campaign, export, rows, source).0);
@@ -150,8 +151,12 @@ impl PointColumns {
         errors
     }
 
-    /// Warnings about labels that name no target and are not used by a feature or frame.
-    pub fn unused_labels(&self, campaign: &Campaign) -> Vec<Message> {
+    /// Warnings about labels that name no target and are not used by a feature or frame, with these
+    /// points.
+    pub fn unused_labels(&self, campaign: &Campaign) -> (Vec<Message>, Vec<Unmatched>) {
+        if !campaign.unread.is_empty() {
+            return (Vec::new(), Vec::new());
+        }
         let used = used_labels(campaign);
         let geometric = campaign.file.geometric.iter().flat_map(|g| g.patterns());
         let visits = campaign.file.repeatability.iter().flat_map(|r| r.patterns());
@@ -162,11 +167,20 @@ impl PointColumns {
         let has_form = |p: &Point| forms.iter().any(|f| f.read(&p.label, |_| false).is_some());
         let idle = |p: &&Point| p.target.is_none() && !is_used(p) && !has_form(p);
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
-        let Some(first) = idle.first() else { return Vec::new() };
+        let Some(first) = idle.first() else { return (Vec::new(), Vec::new()) };
         let message = warning!("labels-unused", count = idle.len(), label = &*first.label);
-        vec![message.at(first.place())]
+        let unused = |p: &&Point| Unmatched {
+            file: p.export.to_string(),
+            line: p.line as usize,
+            key: p.label.to_string(),
+            reason: phrase!("label-names-nothing").into(),
+        };
+        (vec![message.at(first.place())], idle.iter().take(MOST_LISTED).map(unused).collect())
     }
 }
+
+/// Maximum number of unused readings that are listed; a scan has millions.
+const MOST_LISTED: usize = 10_000;
 
 /// Returns a warning if the origin is a row of an export once: a lost target, or a measured point
 /// that is the origin of the frame.

@@ -5,6 +5,7 @@ mod by_key;
 mod by_label;
 mod by_time;
 pub mod clock;
+mod clock_motion;
 mod observations;
 mod unmatched;
 
@@ -17,6 +18,7 @@ use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
 use clock::Clock;
+use clock_motion::{Speeds, offset_by_motion};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
@@ -136,14 +138,15 @@ fn join(campaign: &Campaign, imported: &Gathered, frames: &FramesDocument, robot
     for log in &imported.logs {
         check_stated(log, robot)?;
         let log = &*with_directions(log, robot)?;
+        let recorded = Recorded { log, robot };
         let joined = match definition.by {
             JoinBy::Label => by_label(campaign, &imported.points, frames, log, robot).map(|(rows, more)| {
                 remarks.extend(more);
                 rows
             }),
             JoinBy::Row => equal_counts(campaign, imported, targets.iter().map(|t| t.point), log)
-                .and_then(|()| with_log(campaign, definition, &targets, log, &mut remarks)),
-            _ => with_log(campaign, definition, &targets, log, &mut remarks),
+                .and_then(|()| with_log(campaign, definition, &targets, &recorded, &mut remarks)),
+            _ => with_log(campaign, definition, &targets, &recorded, &mut remarks),
         };
         let joined = joined.map(|rows| leave_out_unknown(rows, log, &mut remarks));
         let moved_out = joined.as_ref().ok().and_then(|rows| out_of_plane(rows, robot));
@@ -183,20 +186,30 @@ fn export_numbered_by_row<'a>(campaign: &'a Campaign, targets: &[Target]) -> Opt
     })
 }
 
+/// A log, and the robot whose joints it recorded.
+struct Recorded<'a> {
+    log: &'a JointLog,
+    robot: &'a dyn Robot,
+}
+
 /// Joins targets in the world with one log, by the key that the campaign states.
 fn with_log(
     campaign: &Campaign,
     join: &Join,
     targets: &[Target],
-    log: &JointLog,
+    recorded: &Recorded,
     remarks: &mut Remarks,
 ) -> Result<Vec<Row>> {
+    let log = recorded.log;
     let joined = match join.by {
         JoinBy::PoseAndCycle => by_key(targets, log, &["pose", "cycle"], remarks)?,
         JoinBy::Pose => by_key(targets, log, &["pose"], remarks)?,
         JoinBy::Row => by_key(targets, log, &["row"], remarks)?,
         JoinBy::Time => {
-            let clock = clock(campaign, join, targets, log, remarks)?;
+            let clock = match join.clock_offset_s {
+                Some(ClockOffset::Motion) => clock_by_motion(campaign, join, targets, recorded, remarks)?,
+                _ => clock(campaign, join, targets, log, remarks)?,
+            };
             let tolerance_s = join.tolerance_s.unwrap_or(0.0);
             by_time(targets, log, Clocks { clock, tolerance_s, interpolate: join.interpolate }, remarks)?
         }
@@ -265,6 +278,53 @@ fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, r
     );
     remarks.messages.push(message.at(place()));
     Ok(Clock::with_offset(found.offset_s))
+}
+
+/// The clocks from the speeds of a motion, with a remark.
+fn clock_by_motion(
+    campaign: &Campaign,
+    join: &Join,
+    targets: &[Target],
+    recorded: &Recorded,
+    remarks: &mut Remarks,
+) -> Result<Clock> {
+    let Recorded { log, robot } = recorded;
+    let place = || campaign.key_place(&["join", "clock_offset_s"]);
+    let columns: Option<Vec<(usize, Quantity)>> = robot
+        .joints()
+        .iter()
+        .map(|joint| Some((log.joints.iter().position(|name| *name == joint.column())?, joint.quantity)))
+        .collect();
+    let rows: Vec<(f64, Vec<f64>)> = columns.map_or(Vec::new(), |columns| {
+        let joints = |row: &LogRow| columns.iter().map(|(k, quantity)| quantity.inward(row.joints[*k])).collect();
+        log.rows.iter().filter_map(|row| Some((row.time_s?, joints(row)))).collect()
+    });
+    let (logged_s, nominal): (Vec<f64>, _) = (rows.iter().map(|(time_s, _)| *time_s).collect(), robot.nominal());
+    let (mut measured, mut logged) = (Vec::new(), Vec::new());
+    for index in 0..robot.targets().len() {
+        let mut points: Vec<(f64, Vector)> =
+            targets.iter().filter(|t| t.index == index).filter_map(|t| Some((t.point.time_s?, t.world_mm))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (times, positions): (Vec<f64>, Vec<Vector>) = points.into_iter().unzip();
+        measured.push(Speeds::new(&times, &positions));
+        let way: Vec<Vector> = rows.iter().map(|(_, joints)| robot.position(&nominal, joints, index)).collect();
+        logged.push(Speeds::new(&logged_s, &way));
+    }
+    let rate = join.clock_rate == Some(ClockRate::Motion);
+    let found = offset_by_motion(&measured, &logged, rate).map_err(|m| m.at(place()))?;
+    let clock = found.clock;
+    let message = warning!(
+        "clock-from-motion",
+        log = log.name,
+        offset_s = clock.offset_s,
+        u_s = found.offset_uncertainty_s,
+        reference_s = clock.reference_s,
+        rate_ppm = 1e6 * clock.rate,
+        u_ppm = 1e6 * if rate { found.rate_uncertainty } else { 0.0 },
+        correlation = found.correlation
+    );
+    remarks.messages.push(message.at(place()));
+    Ok(clock)
 }
 
 /// The smallest time difference between a point and a row of the log, with the campaign's clock

@@ -39,6 +39,9 @@ file-not-text = `{ $file }` ist { $kind ->
         [xls] eine alte Excel-Mappe (.xls)
         [rosbag1] eine Aufzeichnung von ROS 1 (.bag)
         [stl] eine binäre STL-Datei
+        [ply] eine binäre PLY-Datei
+        [pcd] eine binäre PCD-Datei
+        [c3d] eine C3D-Datei
         [e57] eine E57-Datei
        *[pdf] ein PDF-Dokument
     }
@@ -51,10 +54,19 @@ file-not-text = `{ $file }` ist { $kind ->
         [gzip] die Datei entpacken
         [xls] sie als .xlsx oder als Text speichern
         [rosbag1] sie umwandeln: `rosbags-convert --src DATEI --dst ORDNER --dst-storage mcap`; dann die .mcap-Datei und `topic` angeben
-        [stl] die Punkte als PLY oder als Text exportieren
-        [e57] die Punkte als PLY oder als Text exportieren
+        [stl] ihr Format angeben: `format = "{ $kind }"` oder `--format { $kind }`
+        [ply] ihr Format angeben: `format = "{ $kind }"` oder `--format { $kind }`
+        [pcd] ihr Format angeben: `format = "{ $kind }"` oder `--format { $kind }`
+        [c3d] ihr Format angeben: `format = "{ $kind }"` oder `--format { $kind }`
+        [e57] ihr Format angeben: `format = "{ $kind }"` oder `--format { $kind }`
        *[pdf] die Punkte als Text exportieren
     }
+
+vertices-of-mesh = die Punkte sind Eckpunkte eines Netzes, keine gemessenen Punkte
+    .hint = die gemessenen Punkte als PLY oder als Text exportieren
+
+positions-of-program = die Positionen eines Roboterprogramms sind Sollwerte, keine Messwerte
+    .hint = sie als Soll-Posen verwenden
 
 encoding-differs = die Datei beginnt mit der Byte-Reihenfolge-Marke (BOM) von { $of_file }; die Kampagne gibt { $stated } an
     .hint = `encoding` entfernen: die Marke der Datei gibt die Kodierung an

@@ -188,8 +188,8 @@ input-changed = `{ $file }` hat sich während des Laufs geändert
 identify-missing = die Kampagne hat keinen Abschnitt [identify], der die Posen zur Beurteilung der Parameter nennt
     .hint = `calibration` und `validation` in [identify] angeben
 
-clock-rate-without-offset = `clock_rate = "standstills"` braucht `clock_offset_s = "standstills"`
-    .hint = `clock_offset_s = "standstills"` angeben oder `clock_rate` weglassen
+clock-rate-without-offset = `clock_rate` braucht `clock_offset_s` mit demselben Wort: `standstills` oder `motion`
+    .hint = `clock_offset_s` mit demselben Wort angeben oder `clock_rate` weglassen
 
 label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, aber die Form der Bezeichnungen ist nicht angegeben
     .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form

@@ -1042,6 +1042,21 @@ clock-rate-from-standstills = die Uhr der Messung geht gegenüber der Uhr des Pr
 clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
     .hint = `clock_rate` weglassen: der Versatz allein wird verwendet
 
+clock-from-motion = die Uhr des Protokolls `{ $log }` ist durch die Geschwindigkeiten der Bewegung bestimmt (Korrelation { FIXED($correlation, 3) }): Versatz { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls, Gang { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
+    .hint = die Punkte sind mit den Zeilen des Protokolls zu diesen Zeiten verbunden
+
+clock-motion-unlike = die Geschwindigkeiten der Punkte und des Protokolls korrelieren bei keinem Versatz der Uhren: höchstens { FIXED($correlation, 2) }
+    .hint = prüfen, ob Protokoll und Punkte zur selben Bewegung gehören, oder `clock_offset_s` als Zahl angeben
+
+clock-motion-several = die Geschwindigkeiten der Punkte und des Protokolls korrelieren bei { $count } Versätzen der Uhren: { $ranges }
+    .hint = eine Bewegung aufzeichnen, die sich nicht wiederholt, oder `clock_offset_s` als Zahl angeben
+
+clock-motion-short = { $count ->
+        [one] 1 gemessene Geschwindigkeit ist
+       *[other] { $count } gemessene Geschwindigkeiten sind
+    } zu wenig, um die Uhren an der Bewegung zu vergleichen
+    .expected = mindestens 20 Geschwindigkeiten, in den Punkten und im Protokoll
+
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
     .hint = prüfen, ob das Protokoll zu dieser Messung gehört, und in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben
 limit-not-assessable = der Grenzwert `{ $limit }` ist nicht beurteilbar: seine Größe ist an den entscheidenden Posen nicht gemessen
@@ -1153,6 +1168,7 @@ no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $toler
 no-point-nearest = für keinen gemessenen Punkt ist diese Zeile die nächste
 no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
 no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
+label-names-nothing = seine Bezeichnung nennt keine Zielmarke und keinen Punkt eines Elements oder Koordinatensystems
 no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
 row-of-unframed-pose = seine Pose hat kein Weltkoordinatensystem
 

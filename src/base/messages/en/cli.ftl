@@ -44,8 +44,8 @@ column-option-malformed = --{ $option }: `{ $text }` has no `=`
 option-columns-twice = --columns and --column both state the columns
     .hint = omit one of the two options
 
-# Means: The length unit of the files is not stated.
-# Matters: Exports carry no unit; a wrong guess falsifies every result.
+# Means: Neither an option nor the file states the unit of lengths.
+# Matters: Most exports carry no unit; a wrong guess falsifies every result.
 # Do: State the unit.
 # Example: `etalon fit plane points.txt`
 option-unit-missing = the length unit of the files is not stated

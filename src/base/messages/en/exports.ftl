@@ -50,7 +50,7 @@ database-unreadable = the SQLite database cannot be read as a recording of rosba
     }
 
 # Means: The first bytes of the file are those of a binary format without text.
-# Matters: Measurements are read from text, Excel workbooks (.xlsx), XML and PLY.
+# Matters: Measurements are read from text, Excel workbooks (.xlsx), XML, and binary files in a stated format.
 # Do: Convert the file as the hint says.
 # Example: a MATLAB file `poses.mat`
 file-not-text = `{ $file }` is { $kind ->
@@ -62,6 +62,9 @@ file-not-text = `{ $file }` is { $kind ->
         [xls] an old Excel workbook (.xls)
         [rosbag1] a recording of ROS 1 (.bag)
         [stl] a binary STL file
+        [ply] a binary PLY file
+        [pcd] a binary PCD file
+        [c3d] a C3D file
         [e57] an E57 file
        *[pdf] a PDF document
     }
@@ -74,10 +77,27 @@ file-not-text = `{ $file }` is { $kind ->
         [gzip] unpack the file
         [xls] save it as .xlsx or as text
         [rosbag1] convert it: `rosbags-convert --src FILE --dst FOLDER --dst-storage mcap`; then state the .mcap file and `topic`
-        [stl] export the points as PLY or as text
-        [e57] export the points as PLY or as text
+        [stl] state its format: `format = "{ $kind }"`, or `--format { $kind }`
+        [ply] state its format: `format = "{ $kind }"`, or `--format { $kind }`
+        [pcd] state its format: `format = "{ $kind }"`, or `--format { $kind }`
+        [c3d] state its format: `format = "{ $kind }"`, or `--format { $kind }`
+        [e57] state its format: `format = "{ $kind }"`, or `--format { $kind }`
        *[pdf] export the points as text
     }
+
+# Means: The points are the vertices of the triangles of a mesh.
+# Matters: A program computed or thinned out the mesh; its vertices are not measured points, and their spread is not that of a measurement.
+# Do: Fit measured points where you have them: export the point cloud as PLY, PCD or text.
+# Example: `etalon fit sphere ball.stl --format stl --unit mm`
+vertices-of-mesh = the points are vertices of a mesh, not measured points
+    .hint = export the measured points as PLY or as text
+
+# Means: The points are positions of a robot program: taught, computed or calibrated.
+# Matters: They say where the robot shall go, not where it was measured.
+# Do: Use them as commanded poses, and measure the attained ones.
+# Example: an `[[export]]` of `format = "fanuc_ls"`
+positions-of-program = the positions of a robot program are commanded, not measured
+    .hint = use them as commanded poses
 
 # Means: `encoding` contradicts the byte-order mark of the file.
 # Matters: Names would be read wrongly.

@@ -771,12 +771,14 @@ file-without-points = this is { $kind ->
         [toml] a TOML or INI document
         [certificate] a digital calibration certificate: results of a calibration without measured points
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
+        [diadem] a header of DIAdem: its values are in a file `.r64` beside it
        *[xml] an XML document of an unknown kind
     }
     .expected = measured points or a log, as a table of text or a workbook
     .hint = { $kind ->
         [certificate] name the file of the measured points
         [roughness] name the file of the measured points
+        [diadem] convert header and values to CSV, as KUKA.Trace exports them
        *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
 

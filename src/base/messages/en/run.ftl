@@ -414,12 +414,12 @@ input-changed = `{ $file }` changed while the campaign was run
 identify-missing = the campaign has no [identify], which names the poses for judging parameters
     .hint = state `calibration` and `validation` in [identify]
 
-# Means: `clock_rate` is stated although `clock_offset_s` is a number.
-# Matters: Offset and rate are determined from the same standstills.
-# Do: State `clock_offset_s = "standstills"`, or omit `clock_rate`.
+# Means: `clock_rate` is stated, and `clock_offset_s` is a number or another word.
+# Matters: Offset and rate are determined from the same standstills, or from the same motion.
+# Do: State both with the same word, or omit `clock_rate`.
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
-clock-rate-without-offset = `clock_rate = "standstills"` needs `clock_offset_s = "standstills"`
-    .hint = state `clock_offset_s = "standstills"`, or omit `clock_rate`
+clock-rate-without-offset = `clock_rate` needs `clock_offset_s` with the same word: `standstills` or `motion`
+    .hint = state `clock_offset_s` with the same word, or omit `clock_rate`
 # Means: The labels of an export name targets of the robot, and the campaign states no form of
 # labels.
 # Matters: Without targets and poses the points are not joined.

@@ -2096,6 +2096,39 @@ clock-rate-from-standstills = the clock of the measurement runs { FIXED($rate_pp
 clock-rate-insignificant = the standstills of log `{ $log }` show no significant difference of the clock rates: the difference is between { FIXED($low_ppm, 1) } and { FIXED($high_ppm, 1) } ppm
     .hint = omit `clock_rate`: only the offset is used
 
+# Means: The offset of the clocks was determined from the speeds of a motion that the instrument and
+# the controller recorded, and with `clock_rate` their rate.
+# Matters: Each point has the joint values at its time. The uncertainty follows from the differences of
+# the speeds; a rate within two standard uncertainties is not applied.
+# Do: Nothing, if the correlation is near 1. Trigger both recordings together next time.
+# Example: `clock_offset_s = "motion"` for a tracker that follows a moving robot
+clock-from-motion = the clock of log `{ $log }` is set by the speeds of the motion (correlation { FIXED($correlation, 3) }): offset { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) at { FIXED($reference_s, 3) } s of the log, rate { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
+    .hint = the points are joined with the rows of the log at these times
+
+# Means: The measured speeds of the targets and their speeds by the joint values do not correlate.
+# Matters: The clocks cannot be compared by this motion.
+# Do: Check that log and export are of one motion, and that units, joints and targets are right.
+# Example: the log of another run
+clock-motion-unlike = the speeds of points and log do not correlate at any offset of the clocks: at most { FIXED($correlation, 2) }
+    .hint = check that log and points are of the same motion, or state `clock_offset_s` as a number
+
+# Means: A motion that repeats itself has the same speeds at several offsets of the clocks.
+# Matters: Only one of these offsets is right.
+# Do: Record a motion that does not repeat itself, or compare the clocks once.
+# Example: a robot that swings to and fro
+clock-motion-several = the speeds of points and log correlate at { $count } offsets of the clocks: { $ranges }
+    .hint = record a motion that does not repeat itself, or state `clock_offset_s` as a number
+
+# Means: Too few speeds are recorded for a comparison of the clocks.
+# Matters: The offset of the clocks is not determined.
+# Do: Record points and joint values during a motion.
+# Example: `clock_offset_s = "motion"` for ten points at standstill
+clock-motion-short = { $count ->
+        [one] 1 measured speed is
+       *[other] { $count } measured speeds are
+    } too few to compare the clocks by their motion
+    .expected = at least 20 speeds, in the points and in the log
+
 # Means: No offset and rate of the clocks put every measured point into a standstill.
 # Matters: A point was measured in motion, the log lacks a standstill, or it is the log of another
 # run. Quartz clocks differ by less than the stated rate.
@@ -2327,6 +2360,7 @@ no-row-near = no row of log `{ $log }` is within { $tolerance_s } s
 no-point-nearest = another row is nearer to each measured point
 no-row-of-key = no row of log `{ $log }` has this key
 no-point-of-key = no measured point has this key
+label-names-nothing = its label names no target and no point of a feature or frame
 no-row-touches = no row of log `{ $log }` touches the point
 row-of-unframed-pose = the pose of the row has no world frame
 

@@ -39,6 +39,9 @@ file-not-text = `{ $file }` est { $kind ->
         [xls] un ancien classeur Excel (.xls)
         [rosbag1] un enregistrement de ROS 1 (.bag)
         [stl] un fichier STL binaire
+        [ply] un fichier PLY binaire
+        [pcd] un fichier PCD binaire
+        [c3d] un fichier C3D
         [e57] un fichier E57
        *[pdf] un document PDF
     }
@@ -51,10 +54,19 @@ file-not-text = `{ $file }` est { $kind ->
         [gzip] décompresser le fichier
         [xls] l’enregistrer en .xlsx ou en texte
         [rosbag1] le convertir : `rosbags-convert --src FICHIER --dst DOSSIER --dst-storage mcap` ; puis indiquer le fichier .mcap et `topic`
-        [stl] exporter les points en PLY ou en texte
-        [e57] exporter les points en PLY ou en texte
+        [stl] indiquer son format : `format = "{ $kind }"`, ou `--format { $kind }`
+        [ply] indiquer son format : `format = "{ $kind }"`, ou `--format { $kind }`
+        [pcd] indiquer son format : `format = "{ $kind }"`, ou `--format { $kind }`
+        [c3d] indiquer son format : `format = "{ $kind }"`, ou `--format { $kind }`
+        [e57] indiquer son format : `format = "{ $kind }"`, ou `--format { $kind }`
        *[pdf] exporter les points en texte
     }
+
+vertices-of-mesh = les points sont les sommets d’un maillage, pas des points mesurés
+    .hint = exporter les points mesurés en PLY ou en texte
+
+positions-of-program = les positions d’un programme de robot sont des consignes, pas des mesures
+    .hint = les utiliser comme poses de consigne
 
 encoding-differs = le fichier commence par la marque d’ordre des octets (BOM) de { $of_file } ; la campagne indique { $stated }
     .hint = supprimer `encoding` : la marque du fichier indique déjà l’encodage

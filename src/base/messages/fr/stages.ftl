@@ -1045,6 +1045,21 @@ clock-rate-from-standstills = l’horloge de la mesure avance de { FIXED($rate_p
 clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive entre les horloges : elle est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
     .hint = omettre `clock_rate` : seul le décalage est utilisé
 
+clock-from-motion = l’horloge du journal `{ $log }` est réglée par les vitesses du mouvement (corrélation { FIXED($correlation, 3) }) : décalage { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) à { FIXED($reference_s, 3) } s du journal, marche { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
+    .hint = les points sont associés aux lignes du journal à ces instants
+
+clock-motion-unlike = les vitesses des points et du journal ne sont corrélées pour aucun décalage des horloges : au plus { FIXED($correlation, 2) }
+    .hint = vérifier que le journal et les points sont du même mouvement, ou indiquer `clock_offset_s` comme nombre
+
+clock-motion-several = les vitesses des points et du journal sont corrélées pour { $count } décalages des horloges : { $ranges }
+    .hint = enregistrer un mouvement qui ne se répète pas, ou indiquer `clock_offset_s` comme nombre
+
+clock-motion-short = { $count ->
+        [one] { $count } vitesse mesurée ne suffit
+       *[other] { $count } vitesses mesurées ne suffisent
+    } pas à comparer les horloges par le mouvement
+    .expected = au moins 20 vitesses, dans les points et dans le journal
+
 clock-rate-none = aucun décalage des horloges, même avec une dérive jusqu’à ± { $most_ppm } ppm, ne place tous les points mesurés dans des arrêts du journal
     .hint = vérifier si le journal est celui de cette mesure, et supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique
 limit-not-assessable = la limite `{ $limit }` ne peut pas être évaluée : sa grandeur n’est pas mesurée aux poses décisives
@@ -1156,6 +1171,7 @@ no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $toleranc
 no-point-nearest = aucun point mesuré n’a cette ligne pour plus proche
 no-row-of-key = aucune ligne du journal `{ $log }` n’a cette clé
 no-point-of-key = aucun point mesuré n’a cette clé
+label-names-nothing = son étiquette ne nomme ni cible, ni point d’un élément ou d’un référentiel
 no-row-touches = aucune ligne du journal `{ $log }` ne le touche
 row-of-unframed-pose = sa pose n’a pas de référentiel atelier
 
