@@ -12,6 +12,8 @@ pub mod date;
 pub mod expression;
 pub mod files;
 pub mod folder;
+pub mod fork;
+pub mod interruption;
 pub mod message;
 pub mod noise;
 pub mod pattern;

@@ -1,12 +1,16 @@
 //! Tables as Parquet (polars).
 
 use crate::table::{Table, Values, failed};
+use etalon_base::fork::threads_are_lost;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
 use polars::prelude::*;
+use polars_async::executor::ALLOW_RAYON_THREADS;
 use polars_io::parquet::write::{BatchedWriter, ParquetCompression};
 use std::io::{Cursor, Write};
+use std::panic::resume_unwind;
+use std::thread;
 
 /// Builds a frame of `height` rows.
 pub fn frame(height: usize, columns: Vec<Column>) -> Result<DataFrame> {
@@ -36,6 +40,19 @@ fn column(name: &str, values: Values) -> Column {
     }
 }
 
+/// Runs work of polars. Its pool of threads cannot be made again in a forked process: there the work
+/// has one thread of its own.
+fn on_threads<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    if !threads_are_lost() {
+        return work();
+    }
+    let alone = || {
+        ALLOW_RAYON_THREADS.set(false);
+        work()
+    };
+    thread::scope(|scope| scope.spawn(alone).join().unwrap_or_else(|panic| resume_unwind(panic)))
+}
+
 /// Returns a writer on one thread. For small tables, waking threads and setting up zstd would take
 /// longer than writing.
 fn writer<W: Write>(into: W) -> ParquetWriter<W> {
@@ -52,7 +69,7 @@ pub fn to_parquet(table: Table) -> Result<Vec<u8>> {
     let mut table = frame(height, columns.collect())?;
     let mut bytes = Vec::new();
     if height > LARGE {
-        writer(&mut bytes).set_parallel(true).finish(&mut table).map_err(failed)?;
+        on_threads(|| writer(&mut bytes).set_parallel(true).finish(&mut table)).map_err(failed)?;
         return Ok(bytes);
     }
     // the same bytes; cutting into row groups fills 8 MB of zeros first
@@ -74,7 +91,7 @@ impl<W: Write + Send> RowGroups<W> {
     /// Adds the rows of a table.
     pub fn add(&mut self, rows: &DataFrame) -> Result<()> {
         if rows.height() > 0 {
-            self.0.write_batch(rows).map_err(failed)?;
+            on_threads(|| self.0.write_batch(rows)).map_err(failed)?;
         }
         Ok(())
     }
@@ -91,12 +108,14 @@ impl<W: Write + Send> RowGroups<W> {
 /// Fails if the number of rows differs; it is checked before any row is read.
 pub fn from_parquet(bytes: Vec<u8>, rows: usize) -> Result<Table> {
     let unreadable = |e: PolarsError| Problems::from(error!("stored-table-damaged", reason = e.to_string()));
-    let mut reader = ParquetReader::new(Cursor::new(bytes));
-    let found = reader.num_rows().map_err(unreadable)?;
-    if found != rows {
-        return Err(error!("stored-table-damaged", reason = phrase!("stored-row-count", found, rows)).into());
-    }
-    table(&reader.finish().map_err(unreadable)?)
+    on_threads(|| {
+        let mut reader = ParquetReader::new(Cursor::new(bytes));
+        let found = reader.num_rows().map_err(unreadable)?;
+        if found != rows {
+            return Err(error!("stored-table-damaged", reason = phrase!("stored-row-count", found, rows)).into());
+        }
+        table(&reader.finish().map_err(unreadable)?)
+    })
 }
 
 /// Returns the rows of a frame, whose columns are texts or numbers.

@@ -5,6 +5,7 @@
 //! judge a step: undamped Gauss-Newton terminates by the length of the step alone.
 
 use super::{Blocks, Factor, Loss, Options, Problem, Rows, Termination, TrustRegion, norm};
+use etalon_base::interruption::checkpoint;
 
 /// Result of the solver.
 #[derive(Clone, Debug)]
@@ -147,6 +148,7 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
     let mut largest = vec![0.0; run.x.len()];
     let (mut region, mut fresh): (Option<TrustRegion>, bool) = (None, false);
     while run.iterations < run.options.iterations {
+        checkpoint();
         if !fresh {
             // scales only grow (Moré, eq. 6.1), so that the region does not expand when a column
             // vanishes

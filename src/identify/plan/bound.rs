@@ -3,6 +3,7 @@
 
 use super::criterion::{Below, Pool, Tangent};
 use super::search::{Choice, exchange};
+use etalon_base::interruption::checkpoint;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -96,6 +97,7 @@ impl Root {
         let mut open = BinaryHeap::new();
         open.extend(node(relaxed, vec![Fixed::Free; pool.candidates.len()], count, best.value, 0));
         while let Some(Node { bound, fixed, weights, .. }) = open.pop() {
+            checkpoint();
             progress(looked);
             if bound <= best.value * BETTER {
                 open.clear();
@@ -335,6 +337,7 @@ fn relax(
     let steepest = now.slopes.iter().fold(0.0f64, |most, s| most.max(s.abs()));
     let mut stride = 1.0 / steepest;
     for _ in 0..steps {
+        checkpoint();
         if best.bound <= now.value * (1.0 + close) {
             break;
         }

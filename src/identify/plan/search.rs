@@ -2,6 +2,7 @@
 
 use super::criterion::{Below, Candidate, Criterion, Pool, Tangent, inner};
 use super::packed::{packed_weights, product};
+use etalon_base::interruption::checkpoint;
 use etalon_base::noise::Noise;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -147,6 +148,7 @@ pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
     let mut gains = vec![f64::INFINITY; pool.candidates.len()];
     while chosen.len() < count.min(pool.candidates.len()) {
+        checkpoint();
         let mut best = |by: Criterion| {
             let base = Base::new(pool, by, &chosen)?;
             match by {
@@ -272,6 +274,7 @@ pub fn exchange(pool: &Pool, start: &Choice) -> Choice {
     let mut unchanged = 0;
     let mut place = 0;
     while unchanged < best.chosen.len() {
+        checkpoint();
         unchanged += 1;
         let found = best_exchange(pool, &best, place, screen.as_ref()).filter(|f| f.0 > best.value * IMPROVEMENT);
         if let Some((_, candidate)) = found {
