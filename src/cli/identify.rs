@@ -29,7 +29,7 @@ impl IdentifyCommand {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let robot = &read_robot(&self.robot)?;
         let (stated, table) = (Table::File(&self.robot), Table::File(&self.observations));
-        let document = identify(&Inputs { robot, stated, table }, &self.options)?;
+        let document = identify(&Inputs { robot, stated, table }, &self.options)?.document;
         if !self.json {
             out.remark(&document.messages);
         }

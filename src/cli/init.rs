@@ -2,6 +2,7 @@
 
 use super::{Output, Verdict, shell_word};
 use crate::tasks::known_robots::known_robot;
+use crate::tasks::default_chain;
 use crate::tasks::start::{
     DescribedRobot, NamedRobot, RobotFiles, described, described_by, next_step, own_robot_files, robot_path, start,
 };
@@ -96,6 +97,9 @@ impl Init {
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path, out: &Output) -> anyhow::Result<Verdict> {
         let DescribedRobot { name, robot, text, joints, .. } = described(path)?;
+        if let (_, Some(message)) = default_chain(path)? {
+            out.say_message(&message);
+        }
         let quoted = |text: &str| toml::Value::from(text).to_string();
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);

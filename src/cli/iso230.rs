@@ -1,7 +1,7 @@
 //! Command `etalon iso230`.
 
 use super::{Output, Verdict};
-use crate::tasks::{Table, evaluate_axis};
+use crate::tasks::{Table, TableFormat, evaluate_axis};
 use etalon_base::phrase;
 use etalon_controllers::axis_tables;
 use etalon_documents::{AxisPositioning, to_json};
@@ -17,6 +17,9 @@ pub struct Iso230 {
     /// Table of measured positions (CSV).
     #[arg(value_name = "TABLE")]
     table: PathBuf,
+    /// Reading of the table.
+    #[command(flatten)]
+    format: TableFormat,
     /// Print this compensation table instead.
     #[arg(long, value_name = "CONTROLLER", conflicts_with = "json")]
     compensation: Option<Controller>,
@@ -46,7 +49,7 @@ enum Controller {
 
 impl Iso230 {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
-        let file = Table::File(&self.table).read()?;
+        let file = self.format.read_other(Table::File(&self.table))?;
         let (document, deviations) = evaluate_axis(&file)?;
         let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());
         match self.compensation {

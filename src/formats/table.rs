@@ -2,7 +2,7 @@
 //! between their file and their use.
 
 use etalon_base::cell::cell;
-use etalon_base::message::{Place, Problems, Result};
+use etalon_base::message::{Place, Problems, Result, nearest};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
@@ -398,10 +398,20 @@ impl Table {
         // a pose or a label is not the column that is missing
         let others: Vec<&str> = names.iter().copied().filter(|name| !OF_ROWS.contains(name)).collect();
         let names = if others.is_empty() { names } else { others };
+        // `q6_deg` is not `q1_deg`
+        let may_be_meant = |other: &&str| !is_native_column(other) || digits(other) == digits(name);
+        let similar: Vec<&str> = names.into_iter().filter(may_be_meant).collect();
         // a column of the same quantity in another unit is not the column that is missing
         let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
         let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
-        match foreign[..] {
+        // of many headings that of the same number: `J1` for `q1_deg`
+        let alike: Vec<&str> = match digits(name) {
+            number if foreign.len() > 1 && !number.is_empty() => {
+                foreign.iter().copied().filter(|heading| digits(heading) == number).collect()
+            }
+            _ => foreign.clone(),
+        };
+        match alike[..] {
             _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
             _ if name == POSE => message.hint(phrase!("state-column-or-pose", heading)).into(),
             [heading]
@@ -411,7 +421,10 @@ impl Table {
             {
                 message.hint(phrase!("state-column", column = name, heading)).into()
             }
-            _ => message.hint_names(name, names).into(),
+            _ if !foreign.is_empty() && nearest(name, similar.iter().copied()).is_none() => {
+                message.hint_names(name, foreign).into()
+            }
+            _ => message.hint_names(name, similar).into(),
         }
     }
 
@@ -434,6 +447,11 @@ impl Table {
 
 /// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
 pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction"];
+
+/// Digits of a heading.
+fn digits(heading: &str) -> String {
+    heading.chars().filter(char::is_ascii_digit).collect()
+}
 
 /// `true` if tables of etalon have a column of this name; columns of other programs have other
 /// names.
@@ -483,6 +501,19 @@ mod tests {
         let read: Vec<(i64, String)> = reader.deserialize().map(|row| row.unwrap()).collect();
         let shown = names.map(|text| if text.starts_with('=') { format!("'{text}") } else { text.to_owned() });
         assert_eq!(read, (0..).zip(shown).collect::<Vec<_>>());
+    }
+
+    /// Of headings of another program, that with the number of the joint; columns of etalon have other
+    /// meanings.
+    #[test]
+    fn a_missing_joint_is_looked_for_among_foreign_headings() {
+        let mut table = Table::default();
+        for name in ["J1", "J2", "q6_deg", "x_mm", "target"] {
+            table.set(name, Values::Numbers(vec![Some(1.0)]));
+        }
+        let hint = |name: &str| table.missing(name).0.remove(0).hint.unwrap();
+        assert_eq!(hint("q2_deg"), phrase!("state-column", column = "q2_deg", heading = "J2").to_string());
+        assert_eq!(hint("q3_deg"), phrase!("known-names", names = ["J1", "J2"]).to_string());
     }
 
     #[test]

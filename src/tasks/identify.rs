@@ -10,6 +10,7 @@ use crate::stages::calibrate::findings::Findings;
 use crate::stages::calibrate::identification::state_positions;
 use crate::stages::calibrate::selection::Input;
 use crate::stages::calibrate::solution::{Basis, Solution};
+use crate::stages::evaluate::errors::point_errors;
 use crate::stages::evaluate::sets::Sets;
 use crate::stages::join::Observations;
 use crate::stages::judge::circumstances::hold_constant;
@@ -22,7 +23,7 @@ use crate::stages::uncertainty::bounds::open_set_up;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::warning;
 use etalon_campaign::Exclude;
-use etalon_documents::{ParametersDocument, parameters_document, untested_mistakes, warning_messages};
+use etalon_documents::{ParametersDocument, PointError, parameters_document, untested_mistakes, warning_messages};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{ResidualKind, Settings, Systematic, weigh};
@@ -74,11 +75,20 @@ pub struct IdentifyOptions {
     pub bound: BoundOption,
 }
 
+/// Identified parameters, and the errors of the readings from which they are identified.
+#[derive(Debug)]
+pub struct Identified {
+    /// `parameters.json`.
+    pub document: ParametersDocument,
+    /// Errors of each reading, before and after.
+    pub errors: Vec<PointError>,
+}
+
 /// Identifies the parameters of a robot from a table of observations.
 ///
 /// # Errors
 /// Fails for a table that does not belong to the robot or does not determine the parameters.
-pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<ParametersDocument> {
+pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Identified> {
     options.check()?;
     let mut observed = options.format.read(inputs.table)?;
     let mut messages = options.leave_rows_out(&mut observed)?;
@@ -112,7 +122,8 @@ pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Pa
     document.messages = warning_messages(&findings.ordered(&found.warnings));
     document.untested = untested_mistakes(&untested);
     state_positions(&mut document, robot, &sets.calibration, [before, &found.values]);
-    Ok(document)
+    let errors = point_errors(robot, sets, before, &found.values);
+    Ok(Identified { document, errors })
 }
 
 impl IdentifyOptions {

@@ -1,6 +1,7 @@
 //! Task of `etalon iso230`.
 
 use super::inputs::Table;
+use super::text_format::TableFormat;
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -12,8 +13,8 @@ use etalon_standards::iso230::{Approach, AxisPosition};
 ///
 /// # Errors
 /// Fails if a position has too few runs.
-pub fn iso230(table: Table) -> Result<AxisDocument> {
-    Ok(evaluate(&table.read()?)?.0)
+pub fn iso230(table: Table, format: &TableFormat) -> Result<AxisDocument> {
+    Ok(evaluate(&format.read_other(table)?)?.0)
 }
 
 /// The answer from a table, and the deviations that a compensation table is made of.

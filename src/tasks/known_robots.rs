@@ -1,12 +1,13 @@
 //! Robots whose geometry is published, and robots of URDF files, as robot.toml.
 
-use etalon_base::error;
-use etalon_base::message::Result;
-use etalon_campaign::parse;
+use etalon_base::message::{Message, Result, nearest};
+use etalon_base::{error, phrase, warning};
+use etalon_campaign::{parse, read_urdf, read_urdf_chains};
 use etalon_robots::TreeChain;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
+use std::path::Path;
 
 const ROBOTS: &str = include_str!("known_robots.toml");
 
@@ -27,6 +28,30 @@ pub fn known_text(name: &str) -> Result<String> {
     Ok(known_robot(name)?.text())
 }
 
+/// The chain of a URDF file with the most moving joints, and a warning if it ends at one of several
+/// links that move on their own, such as the fingers of a gripper.
+///
+/// # Errors
+/// Fails for a file that cannot be read, and without a moving joint.
+pub fn default_chain(path: &Path) -> Result<(TreeChain, Option<Message>)> {
+    let (chain, _) = read_urdf(path)?;
+    let (chains, _) = read_urdf_chains(path)?;
+    let is_part = |other: &&TreeChain| {
+        other.joints.len() < chain.joints.len() && other.joints.iter().zip(&chain.joints).all(|(a, b)| a.name == b.name)
+    };
+    let rivals: Vec<&TreeChain> =
+        chains.iter().filter(|other| other.is_end && other.tool_link != chain.tool_link && !is_part(other)).collect();
+    // the link that carries all of them
+    let common = chains.iter().filter(is_part).max_by_key(|part| part.joints.len());
+    let message = rivals.first().map(|rival| {
+        let (base, tool, count) = (chain.base_link.as_str(), chain.tool_link.as_str(), chain.joints.len());
+        let others: Vec<String> = rivals.iter().map(|rival| format!("`{}`", rival.tool_link)).collect();
+        let other = common.unwrap_or(rival).tool_link.as_str();
+        warning!("urdf-chain-chosen", base, tool, count, others, other)
+    });
+    Ok((chain, message))
+}
+
 /// The robot.toml of a chain of a URDF file.
 pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
     let quoted = |text: &str| toml::Value::from(text).to_string();
@@ -40,14 +65,25 @@ pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
     )
 }
 
-/// The robot of this name in the table.
+/// The robot of this name in the table, in capitals or small letters, with or without hyphens.
 pub(crate) fn known_robot(name: &str) -> Result<KnownRobot> {
     let Known { mut robots } = parse("robots.toml", ROBOTS)?;
-    let Some(at) = robots.iter().position(|robot| robot.name == name) else {
+    let is_meant = |robot: &KnownRobot| letters(&robot.name) == letters(name);
+    let Some(at) = robots.iter().position(is_meant) else {
         let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
-        return Err(error!("robot-not-in-table", name, names).into());
+        let message = error!("robot-not-in-table", name, names);
+        return Err(match nearest(&name.to_lowercase(), names.iter().copied()) {
+            Some(name) => message.hint(phrase!("did-you-mean", name)),
+            None => message,
+        }
+        .into());
     };
     Ok(robots.swap_remove(at))
+}
+
+/// Letters and digits of a name, in small letters.
+fn letters(name: &str) -> String {
+    name.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
 /// Robots with known geometry.
@@ -62,7 +98,7 @@ struct Known {
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KnownRobot {
-    name: String,
+    pub name: String,
     title: String,
     /// Source of the geometry.
     source: String,
@@ -140,5 +176,24 @@ impl KnownRobot {
         let end = "]\n# bending = [2, 3]                          # joints that bend under gravity\n\
                    # tolerance = { length_mm = 5.0 }           # how far from nominal the arm may be\n";
         text + if self.toml.is_empty() { end } else { self.toml.trim_start() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found_as_makers_write_them() {
+        for (stated, name) in [("UR5e", "ur5e"), ("IRB 120", "irb120"), ("KR6_R900_sixx", "kr6-r900-sixx")] {
+            assert_eq!(known_robot(stated).unwrap().name, name);
+        }
+    }
+
+    #[test]
+    fn the_name_that_is_meant_is_the_hint() {
+        let refused = |name: &str| known_robot(name).err().unwrap().0.remove(0);
+        assert!(refused("UR5f").hint.is_some_and(|hint| hint.contains("ur5")));
+        assert!(refused("UR5f").is("robot-not-in-table", &[("name", &"UR5f")]));
     }
 }

@@ -35,7 +35,7 @@ fn a_predicted_position_has_the_covariance_of_its_parameters() {
         table: Table::Text { name: "observations", text: &table },
     };
     let options = IdentifyOptions { standard_uncertainty_um: Some(15.0), ..IdentifyOptions::default() };
-    let document = tasks::identify(&given, &options).unwrap();
+    let document = tasks::identify(&given, &options).unwrap().document;
     let prediction = Prediction::new(&file, &document, "SMR").unwrap();
     let joints = [0.3, -0.4, 0.9];
     let found = prediction.at(&joints);

@@ -8,6 +8,15 @@ const POINTS: &str = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0.1\n";
 const PLATE: &str = "-20 -20 0.001\n-20 -10 0.013\n-20 0 -0.009\n-20 10 0.010\n-20 20 -0.003\n-10 -20 -0.003\n-10 -10 0.019\n-10 0 0.002\n-10 10 -0.000\n-10 20 0.007\n0 -20 0.011\n0 -10 -0.000\n0 0 0.006\n0 10 -0.010\n0 20 -0.004\n10 -20 -0.004\n10 -10 -0.013\n10 0 -0.015\n10 10 -0.016\n10 20 -0.002\n20 -20 -0.002\n20 -10 -0.003\n20 0 0.001\n20 10 -0.013\n20 20 -0.001\n";
 /// A strip 0.1 mm wide with noise of 0.01 mm.
 const STRIP: &str = "0 0.05 0.002\n10 -0.05 0.008\n20 0.05 -0.008\n30 -0.05 -0.004\n40 0.05 -0.020\n50 -0.05 -0.005\n60 0.05 -0.022\n70 -0.05 -0.014\n80 0.05 0.011\n90 -0.05 -0.022\n100 0.05 0.008\n110 -0.05 0.003\n";
+/// An arm with two fingers.
+const FORK: &str = "<robot name=\"fork\">\
+    <link name=\"base\"/><link name=\"arm\"/><link name=\"left\"/><link name=\"right\"/>\
+    <joint name=\"q1\" type=\"revolute\"><parent link=\"base\"/><child link=\"arm\"/>\
+    <axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"1\" effort=\"1\" velocity=\"1\"/></joint>\
+    <joint name=\"l\" type=\"prismatic\"><parent link=\"arm\"/><child link=\"left\"/>\
+    <axis xyz=\"0 1 0\"/><limit lower=\"0\" upper=\"0.1\" effort=\"1\" velocity=\"1\"/></joint>\
+    <joint name=\"r\" type=\"prismatic\"><parent link=\"arm\"/><child link=\"right\"/>\
+    <axis xyz=\"0 1 0\"/><limit lower=\"0\" upper=\"0.1\" effort=\"1\" velocity=\"1\"/></joint></robot>";
 const CROSS: &str = "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n";
 const FLAT: &str = "0 0 0.001\n1 0 0\n0 1 0\n1 1 0.001\n2 0 0\n0 2 0.001\n2 2 0\n1 2 0\n2 1 0.001\n";
 const CELL_FEW: &str =
@@ -197,6 +206,12 @@ const OPTIONS: &[Case] = &[
     ("schema-unknown name=parameter", "", &[], "schema parameter"),
     ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),
     ("robot-not-in-table name=ur99", "", &[], "init @/new --robot ur99"),
+    (
+        "urdf-chain-chosen base=base tool=left count=2 other=arm",
+        "",
+        &[("arm.urdf", "", FORK)],
+        "init @/new --urdf @/arm.urdf",
+    ),
     ("from-needs-robot", "", &[("p.csv", "", "x_mm,y_mm,z_mm\n1,2,3\n")], "init @/new --from @/p.csv"),
     (
         "two-files-of-one-name name=p.csv",

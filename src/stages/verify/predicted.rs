@@ -1,6 +1,6 @@
 //! Predicted positions of a target by identified parameters, with their covariance.
 
-use crate::stages::verify::earlier_parameters::parameters_from_document;
+use crate::stages::verify::earlier_parameters::{other_nominal, parameters_from_document};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
@@ -39,6 +39,9 @@ impl Prediction {
         }
         let robot = file.build(&targets)?;
         let found = parameters_from_document(robot.as_ref(), document)?;
+        if let Some(other) = other_nominal(robot.as_ref(), document) {
+            return Err(other.into());
+        }
         let index = robot.targets().iter().position(|name| name == target);
         let target = index.ok_or_else(|| error!("calibrated-targets-missing", names = [target]))?;
         Ok(Self { robot, target, values: found.values, free: found.free, covariance: found.covariance })
@@ -47,6 +50,18 @@ impl Prediction {
     /// The robot.
     pub fn robot(&self) -> &dyn Robot {
         self.robot.as_ref()
+    }
+
+    /// Derivatives of the target's position with respect to all parameters (mm per mm or rad): three
+    /// rows.
+    pub fn sensitivity(&self, joints: &[f64]) -> Vec<f64> {
+        let Self { robot, target, values, .. } = self;
+        let (d, n) = (robot.dimension(), values.len());
+        let mut full = vec![0.0; d * robot.targets().len() * n];
+        robot.jacobian(values, joints, &mut full);
+        let mut rows = full[target * d * n..(target + 1) * d * n].to_vec();
+        rows.resize(3 * n, 0.0);
+        rows
     }
 
     /// Position at joint values (rad, mm), and its covariance J C Jᵀ (GUM 5.2.2).

@@ -62,7 +62,7 @@ impl NamedRobot<'_> {
         let files = vec![("robot.toml".to_owned(), robot.text().into_bytes())];
         let (joints, targets) = (robot.joints(), robot.targets.clone());
         // the format of its calibration for ROS
-        let controllers = if name.starts_with("ur") { "[\"json\", \"universal-robots\"]" } else { "[\"json\"]" };
+        let controllers = if robot.name.starts_with("ur") { "[\"json\", \"universal-robots\"]" } else { "[\"json\"]" };
         let path = "robot.toml".into();
         Ok(RobotFiles { files, path, joints, targets, controllers, own: None })
     }

@@ -224,6 +224,12 @@ two-files-of-one-name = zwei Dateien heißen `{ $name }`
     .hint = einer davon einen anderen Namen geben
 
 proposal-not-toml = der Vorschlag für `{ $name }` ist nicht lesbar: { $error }
+urdf-chain-chosen = die Kette von `{ $base }` bis `{ $tool }` mit { $count ->
+        [one] einem Gelenk
+       *[other] { $count } Gelenken
+    } wurde gewählt; andere Ketten enden an { $others }
+    .hint = wenn ein anderes Glied die Messmarken trägt, `tool_link` in robot.toml angeben; in Python `Robot.from_urdf(path, tool_link="{ $other }")`
+
 tool-link-longest = die Kette mit den meisten beweglichen Gelenken: die Dateien haben keine Gelenke
 tool-link-by-names = die Dateien nennen die Gelenke dieser Kette
 tool-link-by-count = die Dateien haben { $count } Spalten von Gelenken, wie nur diese Kette

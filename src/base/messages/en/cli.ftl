@@ -496,6 +496,17 @@ two-files-of-one-name = two files are called `{ $name }`
 # Do: Report the file as a defect; state the format by hand in campaign.toml.
 # Example: two tables of attained poses beside one of commanded poses
 proposal-not-toml = the proposal for `{ $name }` cannot be read: { $error }
+
+# Means: A URDF has several chains of joints, to fingers or to other arms, and the longest was chosen.
+# Matters: The robot has the joints of that chain, and its last link carries the targets.
+# Do: State the link that carries the targets, if another one does.
+# Example: `etalon init arm --urdf FILE` with the URDF of an arm with a gripper
+urdf-chain-chosen = the chain from `{ $base }` to `{ $tool }` with { $count ->
+        [one] one joint
+       *[other] { $count } joints
+    } was chosen; other chains end at { $others }
+    .hint = if another link carries the targets, state `tool_link` in robot.toml; in Python `Robot.from_urdf(path, tool_link="{ $other }")`
+
 tool-link-longest = the chain with the most moving joints: the files have no joints
 tool-link-by-names = the files name the joints of this chain
 tool-link-by-count = the files have { $count } columns of joints, as this chain alone

@@ -224,6 +224,12 @@ two-files-of-one-name = deux fichiers s’appellent `{ $name }`
     .hint = donner un autre nom à l’un d’eux
 
 proposal-not-toml = la proposition pour `{ $name }` n’est pas lisible : { $error }
+urdf-chain-chosen = la chaîne de `{ $base }` à `{ $tool }` avec { $count ->
+        [one] une articulation
+       *[other] { $count } articulations
+    } a été choisie ; d’autres chaînes se terminent à { $others }
+    .hint = si un autre corps porte les cibles, indiquer `tool_link` dans robot.toml ; en Python `Robot.from_urdf(path, tool_link="{ $other }")`
+
 tool-link-longest = la chaîne qui a le plus d’articulations mobiles : les fichiers n’en ont aucune
 tool-link-by-names = les fichiers nomment les articulations de cette chaîne
 tool-link-by-count = les fichiers ont { $count } colonnes d’articulations, comme cette seule chaîne
