@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import html
 import json
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from keyword import iskeyword
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 from . import _etalon, documents
-from ._errors import Message
-from .documents import Document, load
+from ._errors import Error, Message, warn, with_warnings
+from .documents import load
 from .kinematics import json_of
 
 Progress = Callable[[int, int], Any]
 
 
 class Run:
-    """What a campaign gave. Documents of the output folder are attributes: ``.parameters``, ``.accuracy``, ``.iso9283`` ...
+    """What a campaign gave. Documents of the output folder are attributes: ``.parameters``, ``.accuracy``, ``.iso9283``, ``.import_`` ...
+
+    A document that the campaign does not have raises AttributeError.
 
     Attributes:
         met: True if every limit is met, and the result can be that of a robot.
@@ -25,26 +30,52 @@ class Run:
         messages: Warnings.
     """
 
+    parameters: documents.ParametersDocument
+    accuracy: documents.AccuracyDocument
+    verdict: documents.VerdictDocument
+    frames: documents.FramesDocument
+    features: documents.FeaturesDocument
+    geometric: documents.GeometricDocument
+    iso9283: documents.Iso9283Document
+    iso9283_streams: documents.Iso9283StreamsDocument
+    iso9283_compliance: documents.Iso9283ComplianceDocument
+    uncertainty: documents.UncertaintyDocument
+    recommendation: documents.RecommendationDocument
+    controllers: documents.ControllersDocument
+    field: documents.FieldDocument
+    import_: documents.ImportDocument
+    manifest: documents.ManifestDocument
+
     def __init__(self, met: bool, folder: Path, messages: Sequence[Message]) -> None:
         self.met = met
         self.folder = folder
         self.messages = tuple(messages)
 
-    def __getattr__(self, name: str) -> Document:
-        path = self.__dict__["folder"] / f"{name.replace('_', '-')}.json" if "folder" in self.__dict__ else None
-        if path is None or name.startswith("_") or not path.is_file():
-            raise AttributeError(f"the campaign has no {name!r}")
-        return load(path.read_text(encoding="utf-8"))
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> documents.Document:
+            stem = name.rstrip("_").replace("_", "-")
+            path = self.__dict__["folder"] / f"{stem}.json" if "folder" in self.__dict__ else None
+            if path is None or name.startswith("_") or not path.is_file():
+                raise AttributeError(f"the campaign has no {name!r}: it has {', '.join(self._documents())}")
+            return load(path.read_text(encoding="utf-8"))
+
+    def _documents(self) -> list[str]:
+        stems = sorted(path.stem.replace("-", "_") for path in self.folder.glob("*.json"))
+        return [stem + "_" if iskeyword(stem) else stem for stem in stems]
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *(path.stem.replace("-", "_") for path in self.folder.glob("*.json"))})
+        return sorted({*super().__dir__(), *self._documents()})
 
     def __repr__(self) -> str:
-        return f"Run(met={self.met}, folder={str(self.folder)!r})"
+        said = "".join(f"\n  {message.severity}: {message.id}: {message.what}" for message in self.messages)
+        return f"Run(met={self.met}, folder={str(self.folder)!r})" + said
 
     def _repr_html_(self) -> str:
         verdict = "every limit is met" if self.met else "a limit is not met, or the result can be no robot"
-        parts = [f"<p>{verdict}; {self.folder}</p>"]
+        parts = [f"<p>{verdict}; {html.escape(str(self.folder))}</p>"]
+        items = [f"<li><b>{message.severity}</b> <code>{message.id}</code>: {html.escape(message.what)}</li>" for message in self.messages]
+        parts += [f"<ul>{''.join(items)}</ul>"] if items else []
         parts += [getattr(self, name)._repr_html_() for name in ("parameters",) if (self.folder / f"{name}.json").is_file()]
         return "".join(parts)
 
@@ -58,9 +89,15 @@ def run(folder: str | os.PathLike[str], *, reports: bool = True) -> Run:
 
     Raises:
         Error: Everything that is wrong with the campaign; nothing is written.
+
+    Warns:
+        MessageWarning: Messages of the campaign, by id.
     """
-    met, output, messages = _etalon.run(os.fspath(folder), reports)
-    return Run(met, Path(output), [Message(stated) for stated in json.loads(messages)])
+    with _keys():
+        met, output, messages = _etalon.run(_path(folder), reports)
+    found = Run(met, Path(output), [Message(stated, in_campaign=True) for stated in json.loads(messages)])
+    warn(found.messages)
+    return found
 
 
 def check(folder: str | os.PathLike[str]) -> documents.CheckDocument:
@@ -69,10 +106,13 @@ def check(folder: str | os.PathLike[str]) -> documents.CheckDocument:
     Returns:
         :class:`etalon.documents.CheckDocument`: ``.errors`` and ``.warnings``.
     """
-    return load(_etalon.check(os.fspath(folder)))  # type: ignore[return-value]
+    with _keys():
+        found = cast(documents.CheckDocument, load(_etalon.check(_path(folder))))
+    warn(Message(stated, in_campaign=True) for stated in found.to_dict().get("warnings") or [])
+    return found
 
 
-def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: str = "refit") -> documents.AccuracyDocument:
+def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: Literal["refit", "given", "prior"] = "refit") -> documents.AccuracyDocument:
     """Judge given parameters on the data of a campaign.
 
     Args:
@@ -86,7 +126,9 @@ def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: 
     Raises:
         Error: The campaign does not read, or the parameters are those of another robot.
     """
-    return load(_etalon.validate(os.fspath(folder), json_of(parameters), frames))  # type: ignore[return-value]
+    with _keys():
+        text = _etalon.validate(_path(folder), json_of(parameters), frames)
+    return cast(documents.AccuracyDocument, with_warnings(load(text), in_campaign=True))
 
 
 def recommend(folder: str | os.PathLike[str], *, progress: Progress | None = None) -> documents.RecommendationDocument:
@@ -94,12 +136,14 @@ def recommend(folder: str | os.PathLike[str], *, progress: Progress | None = Non
 
     Args:
         folder: Folder of the campaign.
-        progress: Called with what is done and the whole: ``lambda done, whole: ...``.
+        progress: Called with what is done and the whole: ``lambda done, whole: ...``; an exception of it ends the computation.
 
     Returns:
         :class:`etalon.documents.RecommendationDocument`.
     """
-    return load(_etalon.recommend(os.fspath(folder), progress))  # type: ignore[return-value]
+    with _keys():
+        text = _etalon.recommend(_path(folder), progress)
+    return cast(documents.RecommendationDocument, with_warnings(load(text), in_campaign=True))
 
 
 def uncertainty(
@@ -122,7 +166,9 @@ def uncertainty(
     Returns:
         :class:`etalon.documents.UncertaintyDocument`.
     """
-    return load(_etalon.uncertainty(os.fspath(folder), (draws, resamples, seed), progress))  # type: ignore[return-value]
+    with _keys():
+        text = _etalon.uncertainty(_path(folder), (draws, resamples, seed), progress)
+    return cast(documents.UncertaintyDocument, with_warnings(load(text), in_campaign=True))
 
 
 def batch(folders: Sequence[str | os.PathLike[str]], *, reports: bool = False, progress: Progress | None = None) -> documents.BatchDocument:
@@ -136,4 +182,20 @@ def batch(folders: Sequence[str | os.PathLike[str]], *, reports: bool = False, p
     Returns:
         :class:`etalon.documents.BatchDocument`: ``.campaigns`` says how each ended.
     """
-    return load(_etalon.batch([os.fspath(folder) for folder in folders], reports, progress))  # type: ignore[return-value]
+    with _keys():
+        return cast(documents.BatchDocument, load(_etalon.batch([_path(folder) for folder in folders], reports, progress)))
+
+
+@contextmanager
+def _keys() -> Iterator[None]:
+    """Raise errors with hints in the keys of campaign.toml."""
+    try:
+        yield
+    except Error as error:
+        raise error.for_campaign() from None
+
+
+def _path(folder: str | os.PathLike[str]) -> str:
+    if not isinstance(folder, (str, os.PathLike)):
+        raise Error(f"`folder` is a {type(folder).__name__}: expected the path of a folder with campaign.toml")
+    return os.fspath(folder)

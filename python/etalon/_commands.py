@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from . import _etalon
@@ -51,6 +52,9 @@ def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
         Error: The command could not run (exit code 2); for ``check``, the document says why.
     """
     names = [os.fspath(word) for word in words]
+    # the word of hints and of the functions on tables
+    if isinstance(options.get("columns"), Mapping):
+        options["column"] = options.pop("columns")
     code, text, said, stated = _etalon.command(names + options_of(**options))
     # the help of a command, and a text that is no document, stay texts
     try:

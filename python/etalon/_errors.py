@@ -1,10 +1,63 @@
-"""Errors of etalon."""
+"""Errors and warnings of etalon."""
 
 from __future__ import annotations
 
 import json
+import re
+import sys
 import warnings
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
 from typing import Any
+
+#: Option of a command line with the value that a text gives it.
+_VALUE = r"\"[^\"]*\"|'[^']*'|[A-Za-z_]\w*=[^\s,;`)]+|[A-Z][^\s,;:`)]*|-?\d[\d.]*"
+_OPTION = re.compile(rf"(?<![\w-])--([a-z][a-z0-9-]*)(?:[ =]({_VALUE}))?")
+#: Option with any value, alone between marks.
+_MARKED = re.compile(r"`--([a-z][a-z0-9-]*) ([^`]+)`")
+_PAIR = re.compile(r"([A-Za-z_]\w*)=([^=]+)")
+#: Options that take a dictionary, and their keywords.
+_PAIRS = {"column": "columns", "constant": "constant", "only": "only", "without": "without"}
+
+
+#: Options in brackets, behind a key of campaign.toml.
+_BESIDE = re.compile(r" \((?:option )--[a-z][a-z0-9-]*\)")
+#: Keys of campaign.toml with their values.
+_INLINE = re.compile(r"`(\w+) = \{ ?([^{}]*?) ?\}`")
+_KEY = re.compile(r"`(\w+) = (\"[^\"`]*\"|-?[\d.]+)`")
+_ENTRY = re.compile(r"(\w+) = (\"[^\"]*\"|[^,\s]+)")
+
+
+def campaign_words(text: str) -> str:
+    """Return a text for campaign.toml: without the options that are behind its keys."""
+    return _BESIDE.sub("", text)
+
+
+def python_words(text: str) -> str:
+    """Return a text for Python: keys of campaign.toml and options of the command line as keyword arguments."""
+    text = _BESIDE.sub("", text)
+    text = _INLINE.sub(lambda found: f"`{found[1]}={{" + _ENTRY.sub(r'"\1": \2', found[2]) + "}`", text)
+    text = _KEY.sub(r"`\1=\2`", text)
+
+    def keyword(found: re.Match[str]) -> str:
+        name, value = found[1].replace("-", "_"), found[2]
+        pair = _PAIR.fullmatch(value.strip("\"'")) if value else None
+        if found[1] in _PAIRS:
+            return _PAIRS[found[1]] + (f'={{"{pair[1]}": "{pair[2]}"}}' if pair else "=" + (value or "{...}"))
+        if value is None:
+            return f"{name}="
+        quoted = value if value[0] in "\"'" or re.fullmatch(r"-?\d+(\.\d+)?", value) else f'"{value}"'
+        return f"{name}={quoted}"
+
+    def part(found: re.Match[str]) -> str:
+        # a command of a shell stays as it is
+        if found[0].startswith("`") and not found[0].startswith("`--"):
+            return found[0]
+        marked = _MARKED.fullmatch(found[0])
+        return f"`{keyword(marked)}`" if marked else _OPTION.sub(keyword, found[0])
+
+    return re.sub(r"`[^`]*`|[^`]+", part, text)
 
 
 class Message:
@@ -14,17 +67,20 @@ class Message:
         severity: ``"error"`` or ``"warning"``.
         what: What is wrong, in one sentence.
         expected: What was expected there, or None.
-        hint: What to do, or None.
+        hint: What to do, or None: keyword arguments, or of a campaign the keys of campaign.toml.
         place: File, line and column as a dictionary, or None.
         id: Id of the message (``etalon explain ID``), or None.
         arguments: Arguments of the message by name.
     """
 
-    def __init__(self, stated: dict[str, Any]) -> None:
+    def __init__(self, stated: dict[str, Any], *, in_campaign: bool = False) -> None:
+        def words(text: str | None) -> str | None:
+            return None if text is None else campaign_words(text) if in_campaign else python_words(text)
+
         self.severity: str = stated.get("severity", "error")
-        self.what: str = stated.get("what") or stated.get("text", "")
-        self.expected: str | None = stated.get("expected")
-        self.hint: str | None = stated.get("hint")
+        self.what: str = words(stated.get("what") or stated.get("text")) or ""
+        self.expected: str | None = words(stated.get("expected"))
+        self.hint: str | None = words(stated.get("hint"))
         self.place: dict[str, Any] | None = stated.get("place")
         self.id: str | None = stated.get("id")
         self.arguments: dict[str, Any] = stated.get("arguments", {})
@@ -32,18 +88,66 @@ class Message:
     def __repr__(self) -> str:
         return f"Message({self.severity}: {self.what})"
 
+    def __str__(self) -> str:
+        named = f"{self.id}: {self.what}" if self.id else self.what
+        return named + (f"\nhint: {self.hint}" if self.hint else "")
 
-class ImplausibleWarning(UserWarning):
-    """The result can be that of no such robot; its messages of severity ``error`` say why. The program ends with exit code 1."""
+
+class MessageWarning(UserWarning):
+    """A warning of etalon. Its text begins with the id of the message.
+
+    Each id has a class of its own, :func:`warning_class`, for ``warnings.simplefilter``.
+
+    Attributes:
+        message: The message.
+    """
+
+    def __init__(self, message: Message | str) -> None:
+        super().__init__(str(message))
+        self.message = message if isinstance(message, Message) else Message({"severity": "warning", "what": message})
 
 
-def warn_if_implausible(document: Any) -> Any:
-    """Warn if a document has messages of severity ``error``, and return the document."""
-    stated = [Message(message) for message in document.to_dict().get("messages", [])]
-    wrong = [message for message in stated if message.severity == "error"]
-    if wrong:
-        text = "\n".join(f"{message.id}: {message.what}" + (f"\nhint: {message.hint}" if message.hint else "") for message in wrong)
-        warnings.warn(text, ImplausibleWarning, stacklevel=3)
+class ImplausibleWarning(MessageWarning):
+    """The result can be that of no such robot: a message of severity ``error``. The program ends with exit code 1."""
+
+
+@cache
+def warning_class(id: str) -> type[MessageWarning]:
+    """Return the class of the warnings with an id.
+
+    ``warnings.simplefilter("ignore", etalon.warning_class("columns-not-read"))`` silences one message,
+    ``warnings.simplefilter("error", etalon.MessageWarning)`` turns all into exceptions.
+
+    Args:
+        id: Id of a message, as in ``docs/messages.md``.
+    """
+    name = "".join(part.capitalize() for part in re.split(r"\W+", id)) + "Warning"
+    return type(name, (MessageWarning,), {"__doc__": f"Message `{id}`.", "__module__": __name__, "id": id})
+
+
+@cache
+def _implausible_class(id: str) -> type[MessageWarning]:
+    """Return the class of the messages with an id that make a result implausible."""
+    own = warning_class(id)
+    return type("Implausible" + own.__name__, (ImplausibleWarning, own), {"__doc__": own.__doc__, "__module__": __name__, "id": id})
+
+
+def warn(messages: Iterable[Message]) -> None:
+    """Warn of messages, at the line that called etalon."""
+    # outside the package
+    package, depth, frame = str(Path(__file__).parent), 2, sys._getframe(1)
+    while frame is not None and frame.f_code.co_filename.startswith(package):
+        depth, frame = depth + 1, frame.f_back  # type: ignore[assignment]
+    for message in messages:
+        name = message.id or "message"
+        kind = _implausible_class(name) if message.severity == "error" else warning_class(name)
+        warnings.warn(kind(message), stacklevel=depth)
+
+
+def with_warnings(document: Any, *, in_campaign: bool = False) -> Any:
+    """Warn of the messages of a document, and return it."""
+    stated = document.to_dict().get("messages") or []
+    warn(Message(message, in_campaign=in_campaign) for message in stated)
     return document
 
 
@@ -54,13 +158,17 @@ class Error(ValueError):
         messages: All messages.
     """
 
-    def __init__(self, text: str, messages: str = "[]") -> None:
-        super().__init__(text)
-        self._json = messages
-        self.messages: tuple[Message, ...] = tuple(Message(stated) for stated in json.loads(messages))
+    def __init__(self, text: str, messages: str = "[]", in_campaign: bool = False) -> None:
+        super().__init__(campaign_words(text) if in_campaign else python_words(text))
+        self._stated = (text, messages, in_campaign)
+        self.messages: tuple[Message, ...] = tuple(Message(stated, in_campaign=in_campaign) for stated in json.loads(messages))
 
-    def __reduce__(self):
-        return (type(self), (str(self), self._json))
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), self._stated)
+
+    def for_campaign(self) -> Error:
+        """Return the error with hints in the keys of campaign.toml."""
+        return Error(self._stated[0], self._stated[1], True)
 
     @property
     def message(self) -> str:

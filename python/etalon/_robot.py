@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
+from ._errors import Error, Message, warn
 
 #: Nominal positions (mm) of targets at the flange, by name.
 Targets = Mapping[str, Sequence[float]]
@@ -20,6 +25,14 @@ class Parameter(NamedTuple):
     nominal: float
 
 
+class Chain(NamedTuple):
+    """A chain of a URDF: its base link, its tool link and the joints that move it."""
+
+    base_link: str
+    tool_link: str
+    joints: list[str]
+
+
 def robots() -> list[str]:
     """Return the names of robots whose published geometry etalon has."""
     return _etalon.robot_names()
@@ -28,20 +41,31 @@ def robots() -> list[str]:
 class Robot:
     """A kinematic model with nominal parameters.
 
+    Robots are compared by their description, copied, and pickled; a pickled robot of a URDF reads the file again.
+
     Args:
-        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"``.
+        source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"`` or ``"UR5e"``.
         targets: Nominal positions (mm) of targets at the flange, beside those of ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
 
     Raises:
         Error: The file does not read, or there is no robot of this name.
+
+    Warns:
+        MessageWarning: ``urdf-chain-chosen``: a URDF has several chains; :attr:`chain` is the one with the most moving joints.
     """
 
+    _native: _etalon.Robot
+    _chain: Chain | None
+
     def __init__(self, source: str | os.PathLike[str], targets: Targets | None = None) -> None:
+        self._chain = None
+        if not isinstance(source, (str, os.PathLike)):
+            raise Error(f"`source` is a {type(source).__name__}: expected the name of a robot, or the path of a robot.toml or URDF")
         path = os.fspath(source)
         if path in robots():
             self._native = _etalon.Robot.named(path)
         elif path.endswith((".urdf", ".xml", ".xacro")):  # xacro is refused by name
-            self._native = _etalon.Robot.urdf(path, None, None)
+            self._native, self._chain = _urdf_robot(path, None, None)
         elif path.endswith(".toml") or os.path.isfile(path):
             self._native = _etalon.Robot.read(path)
         else:
@@ -49,10 +73,14 @@ class Robot:
         self._native = _with_targets(self._native, targets)
 
     @classmethod
-    def _of(cls, native: _etalon.Robot) -> Robot:
+    def _of(cls, native: _etalon.Robot, chain: Chain | None = None) -> Robot:
         robot = cls.__new__(cls)
-        robot._native = native
+        robot._native, robot._chain = native, chain
         return robot
+
+    @classmethod
+    def _restore(cls, name: str, text: str, chain: Chain | None) -> Robot:
+        return cls._of(_etalon.Robot.restore(name, text), chain)
 
     @classmethod
     def from_toml(cls, text: str) -> Robot:
@@ -66,12 +94,12 @@ class Robot:
         base_link: str | None = None,
         tool_link: str | None = None,
     ) -> Robot:
-        """Return a chain of a URDF, by default the one with the most moving joints."""
-        return cls._of(_etalon.Robot.urdf(os.fspath(path), base_link, tool_link))
+        """Return a chain of a URDF, by default the one with the most moving joints; :attr:`chain` names it."""
+        return cls._of(*_urdf_robot(os.fspath(path), base_link, tool_link))
 
     def with_targets(self, targets: Targets) -> Robot:
         """Return the robot with nominal positions (mm) of targets at the flange: ``{"SMR": (80, 0, 25)}``."""
-        return Robot._of(_with_targets(self._native, targets))
+        return Robot._of(_with_targets(self._native, targets), self._chain)
 
     @property
     def model(self) -> str:
@@ -84,6 +112,16 @@ class Robot:
         return self._native.joints
 
     @property
+    def limits(self) -> NDArray[np.float64]:
+        """Lower and upper limit of each joint, ``(joints, 2)``, deg or mm; infinite without a limit."""
+        return np.array(self._native.limits)
+
+    @property
+    def chain(self) -> Chain | None:
+        """The chain of the URDF; None of a robot that was not read from a URDF."""
+        return self._chain
+
+    @property
     def parameters(self) -> list[Parameter]:
         """Parameters with their nominal values. Targets are those whose positions are stated; otherwise ``tool``, at the origin of the flange."""
         return [Parameter(*row) for row in self._native.parameters]
@@ -92,6 +130,26 @@ class Robot:
     def toml(self) -> str:
         """Text of the ``robot.toml``."""
         return self._native.toml
+
+    def plot(self, joints: ArrayLike, *, parameters: Any = None, axes: Any = None) -> Any:
+        """Draw flange poses at joint values with matplotlib, which ``pip install etalon-robot[plot]`` installs; returns the axes."""
+        from ._plots import robot_poses
+
+        return robot_poses(self, joints, parameters, axes)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Robot):
+            return NotImplemented
+        return self._described() == other._described()
+
+    def __hash__(self) -> int:
+        return hash(self._described())
+
+    def _described(self) -> tuple[str, str | None]:
+        return (self._native.toml, self._native.description)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Robot._restore, (*self._native.state(), self._chain))
 
     def __repr__(self) -> str:
         return f"Robot({self.model}: {', '.join(self.joints)})"
@@ -104,10 +162,24 @@ class Robot:
 
 def robot_of(robot: Robot | str | os.PathLike[str], targets: Targets | None = None) -> _etalon.Robot:
     """Return the native robot of a Robot, a path or a name, with nominal positions of targets."""
+    if not isinstance(robot, (Robot, str, os.PathLike)):
+        raise Error(f"`robot` is a {type(robot).__name__}: expected a Robot, a name such as \"ur5e\", or the path of a robot.toml or URDF")
     return _with_targets((robot if isinstance(robot, Robot) else Robot(robot))._native, targets)
+
+
+def _urdf_robot(path: str, base_link: str | None, tool_link: str | None) -> tuple[_etalon.Robot, Chain]:
+    native, base, tool, messages = _etalon.Robot.urdf(path, base_link, tool_link)
+    warn(Message(stated) for stated in json.loads(messages))
+    return native, Chain(base, tool, native.joints)
 
 
 def _with_targets(robot: _etalon.Robot, targets: Targets | None) -> _etalon.Robot:
     if not targets:
         return robot
-    return robot.with_targets({str(name): [float(value) for value in position] for name, position in targets.items()})
+    if not isinstance(targets, Mapping):
+        raise Error(f"`targets` is a {type(targets).__name__}: expected positions by name, such as {{\"SMR\": (80, 0, 25)}}")
+    try:
+        stated = {str(name): [float(value) for value in position] for name, position in targets.items()}
+    except (TypeError, ValueError) as error:
+        raise Error(f"`targets`: expected three numbers (mm) for each target: {error}") from error
+    return robot.with_targets(stated)

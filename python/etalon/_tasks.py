@@ -5,15 +5,78 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Literal, cast
 
 from . import _etalon, documents
-from ._errors import Error, warn_if_implausible
+from ._errors import Error, with_warnings
 from ._robot import Robot, Targets, robot_of
 from ._tables import named
-from .documents import load
-from .kinematics import json_of
+from .documents import Record, Records, load
+from .kinematics import _needed
+
+Effect = Literal[
+    "zeros",
+    "geometry",
+    "gains",
+    "harmonics",
+    "backlash",
+    "coupling",
+    "bending",
+    "payload",
+    "torque",
+    "expansion",
+    "drift",
+    "lateral",
+    "pedestal",
+]
+#: Identified effects: a name of several, or a list.
+Effects = Literal["usual", "all"] | Effect | Sequence[Effect]
+Prior = Literal["tolerances", "none"]
+Convention = Literal["poe", "dh", "mdh"]
+Index = Literal["O1", "O2", "O3", "O4", "O5", "D", "A", "E", "I"]
+Problem = Literal["tool-point", "tool-reflector", "tool-axes", "hand-eye", "object", "three-points", "linear-axis", "rotary-axis"]
+Mounting = Literal["target", "sensor"]
+DecisionRule = Literal["simple-acceptance", "guarded", "shared-risk"]
+#: Headings of columns that are called otherwise in the table: a heading, a number from 1, or an expression.
+Columns = Mapping[str, str | int]
+Progress = Callable[[int, int], Any]
+
+
+class Identification(documents.ParametersDocument):
+    """Identified parameters: ``parameters.json``, and the errors of the readings of this call."""
+
+    __slots__ = ("_errors",)
+    _schema_class = "ParametersDocument"
+
+    def __init__(self, members: dict[str, Any], errors: list[dict[str, Any]]) -> None:
+        super().__init__(members)
+        object.__setattr__(self, "_errors", errors)
+
+    def residuals_table(self) -> Records[Record]:
+        """Return the error of each reading, measured minus predicted, as a table with ``to_pandas()``, ``to_polars()`` and ``to_arrow()``.
+
+        Columns are ``pose``, ``cycle``, ``target``, ``quantity``, the measured position (``x_mm`` ...), and the errors with nominal parameters
+        (``before_x_mm`` ..., ``before_deg``) and with identified ones (``after_x_mm`` ..., ``after_deg``).
+        """
+        errors = object.__getattribute__(self, "_errors")
+        return Records([Record(_error_row(error)) for error in errors])
+
+    def plot(self, *, axes: Any = None) -> Any:
+        """Draw position errors before and after with matplotlib, which ``pip install etalon-robot[plot]`` installs; returns the axes."""
+        from ._plots import errors_of_readings
+
+        return errors_of_readings(self.residuals_table(), axes)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Identification, (self._members, object.__getattribute__(self, "_errors")))
+
+
+def _error_row(error: dict[str, Any]) -> dict[str, Any]:
+    row = {name: error[name] for name in ("pose", "cycle", "target", "quantity")}
+    for prefix, name in (("", "at_mm"), ("before_", "before_mm"), ("after_", "after_mm")):
+        row |= {f"{prefix}{axis}_mm": value for axis, value in zip("xyz", error[name])}
+    return row | {name: error.get(name) for name in ("before_deg", "after_deg")}
 
 
 def identify(
@@ -25,19 +88,19 @@ def identify(
     rotation_uncertainty_deg: float | None = None,
     orientation: str | None = None,
     pose_residuals: bool = False,
-    hold: Sequence[str] = (),
-    exclude: Sequence[str] = (),
-    exclude_rows: Sequence[str] = (),
-    effects: str | Sequence[str] = "usual",
-    prior: str = "tolerances",
+    hold: Sequence[str] | str = (),
+    exclude: Sequence[str] | str = (),
+    exclude_rows: Sequence[str] | str = (),
+    effects: Effects = "usual",
+    prior: Prior = "tolerances",
     uncertainty_bound: str | None = None,
     target: str | None = None,
-    pose: str | None = None,
-    columns: dict[str, str] | None = None,
+    pose: Literal["row"] | None = None,
+    columns: Columns | None = None,
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
-) -> documents.ParametersDocument:
+) -> Identification:
     """Identify the parameters of a robot from a table of observations.
 
     Args:
@@ -64,13 +127,14 @@ def identify(
         decimal: Decimal mark of a file: ``","``; a point if None.
 
     Returns:
-        ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg.
+        ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg; with
+        ``residuals_table()`` and ``plot()``.
 
     Raises:
         Error: The table does not read, does not belong to the robot, or does not determine the parameters.
 
     Warns:
-        ImplausibleWarning: The parameters can be those of no such robot: a column may be wrong.
+        MessageWarning: Messages of the document, by id; :class:`etalon.ImplausibleWarning` if the parameters can be those of no such robot.
     """
     options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
@@ -78,9 +142,9 @@ def identify(
         rotation_uncertainty_deg=rotation_uncertainty_deg,
         orientation=orientation,
         pose_residuals=pose_residuals,
-        hold=list(hold),
-        exclude=list(exclude),
-        exclude_rows=list(exclude_rows),
+        hold=_names(hold, "hold"),
+        exclude=_names(exclude, "exclude"),
+        exclude_rows=_names(exclude_rows, "exclude_rows"),
         effects=_listed(effects),
         prior=prior,
         uncertainty_bound=uncertainty_bound,
@@ -89,8 +153,8 @@ def identify(
         column=_headings(columns),
         **_marks(observations, delimiter, decimal),
     )
-    found = load(_etalon.identify(robot_of(robot, targets), named(observations, "observations"), options))
-    return warn_if_implausible(found)  # type: ignore[no-any-return]
+    document, errors = _etalon.identify(robot_of(robot, targets), named(observations, "observations"), options)
+    return cast(Identification, with_warnings(Identification(load(document)._members, json.loads(errors))))
 
 
 def plan(
@@ -98,7 +162,7 @@ def plan(
     candidates: Any,
     positions: int,
     *,
-    index: str = "O1",
+    index: Index = "O1",
     single: bool = False,
     start: Sequence[Any] = (),
     compare: Sequence[Any] = (),
@@ -106,12 +170,14 @@ def plan(
     nodes: int | None = None,
     seed: int = 1,
     standard_uncertainty_um: float | None = None,
-    hold: Sequence[str] = (),
-    effects: str | Sequence[str] = "usual",
-    prior: str = "tolerances",
+    hold: Sequence[str] | str = (),
+    effects: Effects = "usual",
+    prior: Prior = "tolerances",
+    columns: Columns | None = None,
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    progress: Progress | None = None,
 ) -> documents.PlanDocument:
     """Choose the poses to measure among candidates.
 
@@ -131,9 +197,11 @@ def plan(
         hold: As in :func:`identify`.
         effects: As in :func:`identify`.
         prior: As in :func:`identify`.
+        columns: As in :func:`identify`.
         targets: As in :func:`identify`. A target at the flange's origin does not depend on the zero of the last joint: state where it is.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
+        progress: Called with what is done and the whole; an exception ends the search.
 
     Returns:
         :class:`etalon.documents.PlanDocument`, with a bound on the best plan.
@@ -151,12 +219,14 @@ def plan(
         nodes=nodes,
         seed=seed,
         standard_uncertainty_um=standard_uncertainty_um,
-        hold=list(hold),
+        hold=_names(hold, "hold"),
         effects=_listed(effects),
         prior=prior,
+        column=_headings(columns),
         **_marks(candidates, delimiter, decimal),
     )
-    return load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options))  # type: ignore[return-value]
+    found = load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options, progress))
+    return cast(documents.PlanDocument, with_warnings(found))
 
 
 def verify(
@@ -169,8 +239,8 @@ def verify(
     orientation: str | None = None,
     uncertainty_bound: str | None = None,
     target: str | None = None,
-    pose: str | None = None,
-    columns: dict[str, str] | None = None,
+    pose: Literal["row"] | None = None,
+    columns: Columns | None = None,
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
@@ -209,7 +279,7 @@ def verify(
         **_marks(observations, delimiter, decimal),
     )
     table = named(observations, "observations")
-    return load(_etalon.verify(robot_of(robot, targets), json_of(parameters), table, options))  # type: ignore[return-value]
+    return cast(documents.VerificationDocument, with_warnings(load(_etalon.verify(robot_of(robot, targets), _needed(parameters), table, options))))
 
 
 def axes(
@@ -219,9 +289,9 @@ def axes(
     prismatic: Sequence[str] = (),
     backwards: Sequence[str] = (),
     standard_uncertainty_um: float | None = None,
-    convention: str | None = None,
+    convention: Convention | None = None,
     uncertainty_bound: str | None = None,
-    columns: dict[str, str] | None = None,
+    columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
 ) -> documents.AxesDocument:
@@ -256,20 +326,20 @@ def axes(
         column=_headings(columns),
         **_marks(sweeps, delimiter, decimal),
     )
-    return load(_etalon.axes(named(sweeps, "sweeps"), options))  # type: ignore[return-value]
+    return cast(documents.AxesDocument, with_warnings(load(_etalon.axes(named(sweeps, "sweeps"), options))))
 
 
 def cell(
     readings: Any,
-    solve: str,
+    solve: Problem,
     *,
     orientation: str | None = None,
     measured_orientation: str | None = None,
-    mounting: str | None = None,
+    mounting: Mounting | None = None,
     standard_uncertainty_um: float | None = None,
     rotation_uncertainty_deg: float | None = None,
     uncertainty_bound: str | None = None,
-    columns: dict[str, str] | None = None,
+    columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
 ) -> documents.CellDocument:
@@ -306,7 +376,7 @@ def cell(
         column=_headings(columns),
         **_marks(readings, delimiter, decimal),
     )
-    return load(_etalon.cell(named(readings, "readings"), options))  # type: ignore[return-value]
+    return cast(documents.CellDocument, with_warnings(load(_etalon.cell(named(readings, "readings"), options))))
 
 
 def iso9283(
@@ -317,10 +387,11 @@ def iso9283(
     expanded_uncertainty_um: float | None = None,
     ap_limit_mm: float | None = None,
     rp_limit_mm: float | None = None,
-    decision_rule: str | None = None,
+    decision_rule: DecisionRule | None = None,
     drift_set: int | None = None,
     rotation_order: str | None = None,
     seed: int = 1,
+    columns: Columns | None = None,
 ) -> documents.Iso9283Document:
     """Evaluate accuracy and repeatability of poses by ISO 9283.
 
@@ -336,6 +407,7 @@ def iso9283(
         drift_set: Cycles of one set of a drift test.
         rotation_order: Order of the rotations: ``"Rz(c) Ry(b) Rx(a)"``.
         seed: Seed of the bootstrap intervals.
+        columns: As in :func:`identify`, for all three tables.
 
     Returns:
         :class:`etalon.documents.Iso9283Document`; ``.poses`` has AP and RP of each pose, mm.
@@ -352,7 +424,7 @@ def iso9283(
         rotation_order=rotation_order,
     )
     tables = _tables(commanded=commanded, reference=reference)
-    return load(_etalon.iso9283(named(attained, "attained"), tables, options, seed))  # type: ignore[return-value]
+    return cast(documents.Iso9283Document, with_warnings(load(_etalon.iso9283(named(attained, "attained"), tables, [options, _json(column=_headings(columns))], seed))))
 
 
 def iso9283_path(
@@ -369,6 +441,7 @@ def iso9283_path(
     velocity_mm_s: float | None = None,
     central_percent: float = 50.0,
     seed: int = 1,
+    columns: Columns | None = None,
 ) -> documents.Iso9283StreamDocument:
     """Evaluate a recorded motion by ISO 9283: standstills, stabilisation, and the characteristics of a path.
 
@@ -385,6 +458,7 @@ def iso9283_path(
         velocity_mm_s: Commanded velocity on the path, mm/s.
         central_percent: Central part of the path over which velocities are compared, %.
         seed: Seed of the bootstrap intervals.
+        columns: As in :func:`identify`, for all three tables.
 
     Returns:
         :class:`etalon.documents.Iso9283StreamDocument`.
@@ -401,17 +475,19 @@ def iso9283_path(
         path_points=path_points,
         velocity_mm_s=velocity_mm_s,
         central_percent=central_percent,
+        column=_headings(columns),
     )
     tables = _tables(commanded=commanded, path=path)
-    return load(_etalon.iso9283_path(named(recording, "recording"), tables, options, seed))  # type: ignore[return-value]
+    return cast(documents.Iso9283StreamDocument, with_warnings(load(_etalon.iso9283_path(named(recording, "recording"), tables, options, seed))))
 
 
-def iso230(positions: Any) -> documents.AxisDocument:
+def iso230(positions: Any, *, columns: Columns | None = None) -> documents.AxisDocument:
     """Evaluate the positioning of a linear axis by ISO 230-2:2014.
 
     Args:
         positions: Table with ``position_mm`` (programmed), ``measured_mm`` and ``direction`` (+1 or -1); each position at least twice in either
             direction.
+        columns: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.AxisDocument`; ``.axis`` has accuracy, repeatability and reversal, mm.
@@ -419,13 +495,22 @@ def iso230(positions: Any) -> documents.AxisDocument:
     Raises:
         Error: A position has too few runs.
     """
-    return load(_etalon.iso230(named(positions, "table")))  # type: ignore[return-value]
+    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(named(positions, "positions"), _json(column=_headings(columns))))))
 
 
 def _json(**options: Any) -> str:
     """Return options as JSON text, which the types of the tasks read; None is left out."""
     stated = {name: value for name, value in options.items() if value is not None}
     return json.dumps(stated, default=lambda value: value.tolist() if hasattr(value, "tolist") else str(value))
+
+
+def _names(values: Sequence[str] | str, name: str) -> list[str]:
+    """Return the values of an option that is repeated; a text is one of them."""
+    if isinstance(values, str):
+        return [values]
+    if not isinstance(values, Sequence):
+        raise Error(f"`{name}` is a {type(values).__name__}: expected a list of texts")
+    return list(values)
 
 
 def _listed(values: Any) -> list[Any] | None:
@@ -445,10 +530,13 @@ def _marks(table: Any, delimiter: str | None, decimal: str | None) -> dict[str, 
     return {"delimiter": delimiter, "decimal": decimal}
 
 
-def _headings(columns: dict[str, str] | None) -> dict[str, str]:
+def _headings(columns: Columns | None) -> dict[str, str | int]:
     # words such as "pose" may be headings; names with a unit are etalon's
     unit = re.compile(r".*_(deg|rad|mm)")
-    swapped = {heading: name for name, heading in (columns or {}).items() if unit.fullmatch(heading) and "_" not in name}
+    if columns is not None and not isinstance(columns, Mapping):
+        raise Error(f"`columns` is a {type(columns).__name__}: expected headings by etalon's names, such as {{\"q1_deg\": \"J1\"}}")
+    stated = (columns or {}).items()
+    swapped = {heading: name for name, heading in stated if isinstance(heading, str) and unit.fullmatch(heading) and "_" not in name}
     if swapped:
         raise Error(f"`columns` has etalon's names as values: write columns={swapped}, from etalon's name to the heading of the table")
-    return columns or {}
+    return dict(columns or {})

@@ -1,41 +1,64 @@
 """Documents: what etalon answers, as objects.
 
 The classes and their attributes are those of the JSON schemas (``etalon schema NAME``); the stub ``documents.pyi`` has
-them all. A document behaves like the JSON object: attributes and items have the names of the schema.
+them all. Attributes and items have the names of the schema; a name that is a keyword of Python has an underscore behind it. Lists of numbers are
+arrays, lists of records have ``to_pandas()``, ``to_polars()``, ``to_arrow()`` and ``to_dict()``.
 """
 
 from __future__ import annotations
 
 import html
 import json
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterable, Iterator
+from keyword import iskeyword
 from typing import Any
 
+import numpy as np
+
+from ._members import MEMBERS
+
 _ROWS = 50
+#: Lines and rows of the text of a document.
+_LINES = 40
 
 
-class Record(Mapping):
-    """A JSON object whose members are attributes too; a member that the document leaves out raises AttributeError."""
+class Record:
+    """A JSON object whose members are attributes and items; an optional member that is absent is None, an absent list is empty."""
 
     __slots__ = ("_members",)
+    #: Name of the class in the schemas.
+    _schema_class = ""
 
     def __init__(self, members: dict[str, Any]) -> None:
         object.__setattr__(self, "_members", members)
 
     def __getattr__(self, name: str) -> Any:
-        try:
-            return _wrapped(self._members[name])
-        except KeyError:
-            raise AttributeError(f"{type(self).__name__} has no {name!r}") from None
+        key = name[:-1] if name.endswith("_") and iskeyword(name[:-1]) else name
+        known = self._known()
+        if key in self._members:
+            return _wrapped(self._members[key], known.get(key, ("", None))[0])
+        if key in known:
+            kind, default = known[key]
+            return Records([]) if default == [] else _wrapped(default, kind)
+        raise AttributeError(f"{type(self).__name__} has no {name!r}: it has {', '.join(self._members)}")
+
+    @classmethod
+    def _known(cls) -> dict[str, tuple[str, Any]]:
+        return MEMBERS.get(cls._schema_class or cls.__name__, {})
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("documents cannot be changed; to_dict() gives a copy")
 
-    def __reduce__(self):
-        return (type(self), (self._members,))
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_record, (type(self).__name__, self._members))
 
     def __getitem__(self, name: str) -> Any:
-        return _wrapped(self._members[name])
+        known = self._known()
+        return _wrapped(self._members[name], known.get(name, ("", None))[0])
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._members
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._members)
@@ -43,22 +66,35 @@ class Record(Mapping):
     def __len__(self) -> int:
         return len(self._members)
 
+    def __eq__(self, other: object) -> bool:
+        return self._members == other._members if isinstance(other, Record) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._members})
+        named = {name + "_" if iskeyword(name) else name for name in (*self._members, *self._known())}
+        return sorted({*super().__dir__(), *named})
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return the member with this name of the schema, or the default if it is absent."""
+        return self[name] if name in self._members else default
 
     def to_dict(self) -> dict[str, Any]:
         """Return a copy as dictionaries, lists, numbers and texts."""
-        return json.loads(json.dumps(self._members))
+        copy: dict[str, Any] = json.loads(json.dumps(self._members))
+        return copy
 
     def to_json(self, indent: int | None = None) -> str:
         """Return the document as JSON text, which the program reads."""
         return json.dumps(self._members, indent=indent)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(self._members)})"
+        return "\n".join(_lines(type(self).__name__, self._members)[:_LINES])
 
     def _repr_html_(self) -> str:
-        return _section(type(self).__name__, self._members)
+        messages = self._members.get("messages") or []
+        others = {name: value for name, value in self._members.items() if name != "messages"}
+        return _said(messages) + _section(type(self).__name__, others)
 
 
 class Document(Record):
@@ -67,12 +103,89 @@ class Document(Record):
     __slots__ = ()
 
 
-def _wrapped(value: Any) -> Any:
+class Records(list):  # type: ignore[type-arg]
+    """A list of records, which is also a table."""
+
+    def column(self, name: str) -> list[Any]:
+        """Return the values of a member of all records; None where it is absent."""
+        return [getattr(record, name) for record in self]
+
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Return the table as columns; None where a record has no value."""
+        rows = [record._members if isinstance(record, Record) else {"value": record} for record in self]
+        names = dict.fromkeys(name for row in rows for name in row)
+        return {name: [row.get(name) for row in rows] for name in names}
+
+    def to_pandas(self) -> Any:
+        """Return the table as a DataFrame of pandas."""
+        import pandas
+
+        return pandas.DataFrame(self.to_dict())
+
+    def to_polars(self) -> Any:
+        """Return the table as a DataFrame of polars."""
+        import polars
+
+        return polars.DataFrame(self.to_dict(), strict=False)
+
+    def to_arrow(self) -> Any:
+        """Return the table as a table of pyarrow."""
+        import pyarrow
+
+        return pyarrow.table(self.to_dict())
+
+    def _repr_html_(self) -> str:
+        return _table([record._members for record in self if isinstance(record, Record)])
+
+
+def _record(name: str, members: dict[str, Any]) -> Record:
+    """Return a record of the class with this name."""
+    return _class(name)(members)
+
+
+def _class(name: str) -> type[Record]:
+    found = globals().get(name) if name else Record
+    if found is None:
+        found = globals()[name] = type(name, (Record,), {"__slots__": (), "__module__": __name__})
+    return found  # type: ignore[no-any-return]
+
+
+def _wrapped(value: Any, kind: str) -> Any:
+    """Return a value of JSON: objects as records of a class, lists of numbers as arrays."""
     if isinstance(value, dict):
-        return Record(value)
+        return _class(kind)(value)
     if isinstance(value, list):
-        return [_wrapped(item) for item in value]
+        if _is_vector(value):
+            return np.array(value)
+        if value and all(isinstance(item, list) and _is_vector(item) for item in value) and len({len(item) for item in value}) == 1:
+            return np.array(value)
+        wrapped = [_wrapped(item, kind) for item in value]
+        return Records(wrapped) if all(isinstance(item, Record) for item in wrapped) else wrapped
     return value
+
+
+def _is_vector(value: list[Any]) -> bool:
+    return bool(value) and all(isinstance(item, float) for item in value)
+
+
+def _rounded(value: float, uncertainty: float) -> tuple[str, str]:
+    """Return a value and its uncertainty with two digits of the uncertainty."""
+    if not uncertainty > 0 or not math.isfinite(uncertainty):
+        return f"{value:.6g}", f"{uncertainty:.2g}"
+    digits = max(0, 1 - math.floor(math.log10(uncertainty)))
+    return f"{value:.{digits}f}", f"{uncertainty:.{digits}f}"
+
+
+def _value_with_uncertainty(row: dict[str, Any]) -> str | None:
+    """Return the value of a row with its expanded uncertainty, if the row has both."""
+    value, u = row.get("value"), row.get("standard_uncertainty")
+    if not isinstance(value, float) or not isinstance(u, float):
+        return None
+    shown, expanded = _rounded(value, 2 * u)
+    return f"{shown} ± {expanded}"
+
+
+_EXPANDED = "value ± U (k = 2)"
 
 
 def _cell(value: Any) -> str:
@@ -80,7 +193,21 @@ def _cell(value: Any) -> str:
     return html.escape("" if text is None else str(text))
 
 
+def _with_expanded(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return rows with values and their uncertainties behind the names, if they have them."""
+    if not any(_value_with_uncertainty(row) for row in rows):
+        return rows
+
+    def row_of(row: dict[str, Any]) -> dict[str, Any]:
+        first = {name: row[name] for name in ("name", "unit") if name in row}
+        shown = _value_with_uncertainty(row)
+        return {**first, _EXPANDED: shown if shown is not None else row.get("value"), **row}
+
+    return [row_of(row) for row in rows]
+
+
 def _table(rows: list[dict[str, Any]]) -> str:
+    rows = _with_expanded(rows)
     names = list(dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (dict, list))))
     head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
     body = "".join(f"<tr>{''.join(f'<td>{_cell(row.get(name))}</td>' for name in names)}</tr>" for row in rows[:_ROWS])
@@ -88,15 +215,65 @@ def _table(rows: list[dict[str, Any]]) -> str:
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
 
 
+def _said(messages: Iterable[dict[str, Any]]) -> str:
+    def item(message: dict[str, Any]) -> str:
+        from ._errors import Message
+
+        said = Message(message)
+        hint = f"<br><i>{html.escape(said.hint)}</i>" if said.hint else ""
+        return f"<li><b>{html.escape(said.severity)}</b> <code>{html.escape(said.id or '')}</code>: {html.escape(said.what)}{hint}</li>"
+
+    items = "".join(item(message) for message in messages)
+    return f"<ul>{items}</ul>" if items else ""
+
+
 def _section(title: str, members: dict[str, Any]) -> str:
     plain = {name: value for name, value in members.items() if not isinstance(value, (dict, list))}
-    parts = [f"<h4>{html.escape(title)}</h4>", _table([plain])] if plain else [f"<h4>{html.escape(title)}</h4>"]
-    for name, value in members.items():
-        if isinstance(value, dict):
-            parts.append(_section(name, value))
-        elif isinstance(value, list) and value and all(isinstance(item, dict) for item in value):
-            parts.append(f"<h5>{html.escape(name)}</h5>{_table(value)}")
+    tables = [(name, value) for name, value in members.items() if _is_table(value)]
+    # values with their uncertainties come first
+    tables.sort(key=lambda table: not any(_value_with_uncertainty(row) for row in table[1]))
+    parts = [f"<h4>{html.escape(title)}</h4>"]
+    parts += [f"<h5>{html.escape(name)}</h5>{_table(value)}" for name, value in tables]
+    if plain:
+        parts.append(_table([plain]))
+    parts += [_section(name, value) for name, value in members.items() if isinstance(value, dict)]
     return "".join(parts)
+
+
+def _is_table(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(item, dict) for item in value)
+
+
+def _short(value: Any) -> str:
+    """Return a value in some words."""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list):
+        numbers = len(value) <= 8 and all(isinstance(item, (int, float, str)) for item in value)
+        return "[" + ", ".join(map(_short, value)) + "]" if numbers else f"{len(value)} entries"
+    if isinstance(value, dict):
+        shown = [f"{name}={_short(item)}" for name, item in value.items() if not isinstance(item, (dict, list))]
+        return ", ".join(shown[:8])
+    text = str(value)
+    return text if len(text) <= 100 else text[:97] + "..."
+
+
+def _lines(title: str, members: dict[str, Any]) -> list[str]:
+    """Return the text of a record: messages, values with their uncertainties, then the other members."""
+    lines = [title]
+    for message in members.get("messages") or []:
+        lines.append(f"  {message.get('severity')}: {message.get('id', '')}: {message.get('what') or message.get('text', '')}")
+    for name, value in members.items():
+        if _is_table(value) and any(_value_with_uncertainty(row) for row in value):
+            known = [row for row in value if _value_with_uncertainty(row)]
+            lines.append(f"  {name}: {len(value)} entries; {_EXPANDED}:")
+            width = max(len(str(row.get("name", ""))) for row in known)
+            lines += [f"    {row.get('name', '')!s:{width}} {_value_with_uncertainty(row)} {row.get('unit', '')}" for row in known[: _LINES - 15]]
+    for name, value in members.items():
+        is_shown = _is_table(value) and any(_value_with_uncertainty(row) for row in value)
+        if name not in ("messages", "schema") and not is_shown:
+            lines.append(f"  {name}: {_short(value)}")
+    return lines
 
 
 #: Class of each document by its name in ``schema``: ``etalon/NAME/VERSION``.
@@ -139,6 +316,13 @@ _CLASSES = {
 
 for _name in _CLASSES.values():
     globals()[_name] = type(_name, (Document,), {"__slots__": (), "__module__": __name__})
+
+
+def __getattr__(name: str) -> Any:
+    """Return the class of a record of the schemas."""
+    if name in MEMBERS:
+        return _class(name)
+    raise AttributeError(f"module 'etalon.documents' has no attribute {name!r}")
 
 
 def load(text: str) -> Document:

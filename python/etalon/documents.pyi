@@ -1,33 +1,62 @@
 """Classes of the documents; written by generate_stubs.py from the JSON schemas."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, TypeVar
 
-class Record(Mapping[str, Any]):
-    """A JSON object whose members are attributes too; a member that the document leaves out raises AttributeError."""
+import numpy as np
+from numpy.typing import NDArray
+
+_T = TypeVar("_T")
+
+class Record:
+    """A JSON object whose members are attributes and items; an optional member that is absent is None, an absent list is empty."""
+
+    _members: dict[str, Any]
 
     def __init__(self, members: dict[str, Any]) -> None: ...
-    def __getattr__(self, name: str) -> Any: ...
     def __getitem__(self, name: str) -> Any: ...
+    def __contains__(self, name: object) -> bool: ...
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return the member with this name of the schema, or the default if it is absent."""
     def to_dict(self) -> dict[str, Any]:
         """Return a copy as dictionaries, lists, numbers and texts."""
     def to_json(self, indent: int | None = None) -> str:
         """Return the document as JSON text, which the program reads."""
     def _repr_html_(self) -> str: ...
+    def __reduce__(self) -> tuple[Any, ...]: ...
 
 class Document(Record):
     """A document with a schema, as ``--json`` of the program prints it."""
 
+class Records(list[_T]):
+    """A list of records, which is also a table."""
+
+    def column(self, name: str) -> list[Any]:
+        """Return the values of a member of all records; None where it is absent."""
+    def to_dict(self) -> dict[str, list[Any]]:
+        """Return the table as columns; None where a record has no value."""
+    def to_pandas(self) -> Any:
+        """Return the table as a DataFrame of pandas."""
+    def to_polars(self) -> Any:
+        """Return the table as a DataFrame of polars."""
+    def to_arrow(self) -> Any:
+        """Return the table as a table of pyarrow."""
+    def _repr_html_(self) -> str: ...
+
 def load(text: str) -> Document:
     """Return the document in a JSON text, of the class that its schema names."""
+
+def _table(rows: list[dict[str, Any]]) -> str: ...
+
+_CLASSES: dict[str, str]
 
 class AccuracySet(Record):
     """Errors over one set of poses."""
     count: int
     """Number of points or poses whose errors are counted."""
-    errors: list[ErrorStatistics]
+    errors: Records[ErrorStatistics]
     """One per quantity that was measured: position, x, y, z, orientation; distance, surface, contact, coordinate."""
     name: str
     """`calibration` or `validation`."""
@@ -36,7 +65,7 @@ class AccuracySet(Record):
 
 class Action(Record):
     """Next step with its reason."""
-    action: Any
+    action: str
     """Kind of the step."""
     command: str | None
     """Command to run in the folder of the campaign."""
@@ -96,38 +125,38 @@ class AxesParameter(Record):
 
 class AxesRobot(Record):
     """Robot from its axes alone."""
-    axes: list[ZeroAxis]
+    axes: Records[ZeroAxis]
     """Axes at joint values zero in the base."""
-    base_quaternion: list[float]
+    base_quaternion: NDArray[np.float64]
     """Orientation of the base in the frame of the measurements: unit quaternion w, x, y, z."""
     base_rule: str
     """Rule of the base: `common-normal`, `meeting`, `parallel`, `sliding` or `target`."""
-    base_xyz_mm: list[float]
+    base_xyz_mm: NDArray[np.float64]
     """Position of the base in the frame of the measurements."""
     convention: str
     """Convention of the robot file: `poe`, `dh` or `mdh`."""
-    covariance: list[list[float]]
+    covariance: NDArray[np.float64]
     """Covariance of the parameters that the axes determine, in their order and units."""
-    flange_quaternion: list[float]
+    flange_quaternion: NDArray[np.float64]
     """Orientation of the flange at joint values zero in the base: unit quaternion w, x, y, z."""
-    flange_xyz_mm: list[float]
+    flange_xyz_mm: NDArray[np.float64]
     """Position of the flange at joint values zero in the base."""
-    parameters: list[AxesParameter]
+    parameters: Records[AxesParameter]
     """Parameters that the axes determine, then those that a convention fixes: base on the first axes, flange of `dh`
     and `mdh` on the last.
     """
     robot_toml: str
     """Text of robot.toml."""
-    targets: list[AxesTarget]
+    targets: Records[AxesTarget]
     """Targets in the frame of the flange."""
 
 class AxesTarget(Record):
     """Target on the flange."""
-    standard_uncertainty_mm: list[float]
+    standard_uncertainty_mm: NDArray[np.float64]
     """Standard uncertainties of the components."""
     target: str
     """Name of the target."""
-    xyz_mm: list[float]
+    xyz_mm: NDArray[np.float64]
     """Position in the frame of the flange."""
 
 class AxisEntry(Record):
@@ -138,11 +167,11 @@ class AxisEntry(Record):
     """Axial error motion (ISO 230-7), peak to valley; from three targets."""
     coordinate_standard_uncertainty_mm: float
     """Standard uncertainty of a coordinate: as stated, or from the residuals."""
-    covariance: list[list[float]]
+    covariance: NDArray[np.float64]
     """Covariance of point (mm) and direction, 6 × 6, in this order."""
     degrees_of_freedom: int | None
     """Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if it is stated."""
-    direction: list[float]
+    direction: NDArray[np.float64]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
     """Standard uncertainty of the direction: the larger of those about two perpendicular axes."""
@@ -150,9 +179,9 @@ class AxisEntry(Record):
     """Name of the joint."""
     motion_rms: float | None
     """Root mean square of motion minus joint value (deg or mm); absent without joint values."""
-    paths: list[AxisPath]
+    paths: Records[AxisPath]
     """Paths of the targets."""
-    point_mm: list[float]
+    point_mm: NDArray[np.float64]
     """Point of the axis nearest to the centroid of the readings; for a prismatic joint the centroid."""
     point_standard_uncertainty_mm: float | None
     """Standard uncertainty of the point across the axis: the larger of two perpendicular directions; absent for a
@@ -202,9 +231,9 @@ class AxisPath(Record):
 
 class AxisPosition(Record):
     """One position of the axis, approached from both directions."""
-    backward: "Approach"
+    backward: Approach
     """Approach in negative direction (↓)."""
-    forward: "Approach"
+    forward: Approach
     """Approach in positive direction (↑)."""
     mean_mm: float
     """Mean bidirectional positioning deviation x̄i = (x̄i↑ + x̄i↓) / 2."""
@@ -217,17 +246,17 @@ class AxisPosition(Record):
 
 class AxisPositioning(Record):
     """Positioning of an axis."""
-    accuracy: "Directions"
+    accuracy: Directions
     """Positioning accuracy A = max (x̄i + 2 si) − min (x̄i − 2 si); the bidirectional value is over ↑ and ↓."""
     mean_reversal_mm: float
     """Mean reversal error B̄, the mean of all Bi."""
     mean_systematic_mm: float
     """Mean bidirectional systematic positioning error M = max x̄i − min x̄i of the bidirectional means."""
-    repeatability: "Directions"
+    repeatability: Directions
     """Positioning repeatability R = max Ri."""
     reversal_mm: float
     """Reversal error B = max |Bi|."""
-    systematic: "Directions"
+    systematic: Directions
     """Systematic positioning error E = max x̄i − min x̄i; the bidirectional value is over all x̄i↑ and x̄i↓."""
 
 class BallResult(Record):
@@ -257,7 +286,7 @@ class BatchCheck(Record):
     """Unit of value and limit."""
     value: float | None
     """Value in the unit of the limit, or number of warnings."""
-    verdict: Any
+    verdict: str
     """Verdict."""
 
 class BatchEntry(Record):
@@ -268,13 +297,13 @@ class BatchEntry(Record):
     """
     campaign: str
     """Folder, as the user named it."""
-    checks: list[BatchCheck]
+    checks: Records[BatchCheck]
     """Checks of the result: solver, robot, warnings, and each limit."""
     computed: bool
     """`true` if the campaign was run; `false` if nothing has changed since its last run."""
     date: str | None
     """Date of the measurement."""
-    ended: Any
+    ended: str
     """Outcome."""
     message: str | None
     """Reason of a failure or omission."""
@@ -288,14 +317,14 @@ class BatchEntry(Record):
     """`true` if the data are synthetic."""
     valid_until: str | None
     """Last day on which the calibration is valid, as stated: year-month-day."""
-    verdict: Any
+    verdict: str | None
     """Verdict on the result; null if it was not judged or the campaign did not run."""
 
 class BudgetSource(Record):
     """Contribution of one source to the standard uncertainties."""
-    source: Any
+    source: str
     """Source."""
-    standard_uncertainties: list[float]
+    standard_uncertainties: NDArray[np.float64]
     """Contributions to the standard uncertainty of each parameter, in the order and units of the covariance; the
     squares add up over all sources.
     """
@@ -315,7 +344,7 @@ class CampaignReference(Record):
 
 class CandidatePlace(Record):
     """One candidate on the map (thesis, fig. 4.7)."""
-    at_mm: list[float]
+    at_mm: NDArray[np.float64]
     """Position of the first target of the nominal robot in the first configuration."""
     chosen: bool
     """`true` if the candidate was chosen."""
@@ -326,9 +355,9 @@ class CandidatePlace(Record):
 
 class CellAxisEntry(Record):
     """External axis."""
-    direction: list[float]
+    direction: NDArray[np.float64]
     """Unit direction of positive motion in the frame of the measured points."""
-    direction_covariance: list[list[float]] | None
+    direction_covariance: NDArray[np.float64] | None
     """Covariance of the direction, 3 × 3."""
     prismatic: bool
     """`true` if the axis slides."""
@@ -341,21 +370,21 @@ class CellAxisEntry(Record):
 
 class CellFrameEntry(Record):
     """Frame in its reference frame."""
-    covariance: list[list[float]] | None
+    covariance: NDArray[np.float64] | None
     """Covariance of the position (mm) and of a small rotation (rad) about the axes of the reference frame, 6 × 6, in
     this order.
     """
     name: str
     """Name: `tool`, `sensor`, `object`, `base`, `world`, `target` or `axis`."""
-    quaternion: list[float]
+    quaternion: NDArray[np.float64]
     """Orientation: unit quaternion w, x, y, z."""
     reference: str
     """Reference frame: `flange`, `base`, `world` or `points` (the frame of the measured points)."""
-    standard_uncertainty_deg: list[float] | None
+    standard_uncertainty_deg: NDArray[np.float64] | None
     """Standard uncertainties of a small rotation about the axes of the reference frame (deg)."""
-    standard_uncertainty_mm: list[float] | None
+    standard_uncertainty_mm: NDArray[np.float64] | None
     """Standard uncertainties of the position; absent without redundancy or stated uncertainty."""
-    xyz_mm: list[float]
+    xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
 class CellNoise(Record):
@@ -373,15 +402,15 @@ class CellNoise(Record):
 
 class CellPointEntry(Record):
     """Point in its reference frame."""
-    covariance_mm2: list[list[float]] | None
+    covariance_mm2: NDArray[np.float64] | None
     """Covariance (mm²), 3 × 3."""
     name: str
     """Name: `tool` or `fixed`."""
     reference: str
     """Reference frame: `flange` or `base`."""
-    standard_uncertainty_mm: list[float] | None
+    standard_uncertainty_mm: NDArray[np.float64] | None
     """Standard uncertainties; absent without redundancy or stated uncertainty."""
-    xyz_mm: list[float]
+    xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
 class CellResidualEntry(Record):
@@ -394,7 +423,7 @@ class CellResidualEntry(Record):
     """`position` (mm) or `orientation` (deg)."""
     probability: float | None
     """Probability of a residual at least as large by noise; absent without redundancy."""
-    residual: list[float]
+    residual: NDArray[np.float64]
     """Measured minus predicted; for orientations a rotation vector."""
 
 class CompareBetween(Record):
@@ -403,6 +432,8 @@ class CompareBetween(Record):
     """Birge ratio √(Δᵀ (C₁ + C₂)⁻¹ Δ / m) for m parameters, at least 1, by which intervals of changes of parameters
     are enlarged.
     """
+    from_: int
+    """Number of the earlier campaign, from 1."""
     parameters: int
     """Number of robot parameters that both campaigns identified."""
     to: int
@@ -412,6 +443,8 @@ class CompareChange(Record):
     """Change of a quantity between two campaigns."""
     change: float
     """Later minus earlier value."""
+    from_: int
+    """Number of the earlier campaign, from 1."""
     high: float | None
     """Upper end of the interval."""
     low: float | None
@@ -437,6 +470,8 @@ class CompareTogether(Record):
     """Degrees of freedom of the covariances; null if the uncertainties are stated rather than estimated."""
     f: float
     """Δᵀ (C₁ + C₂)⁻¹ Δ divided by the number of parameters; about 1 if nothing changed."""
+    from_: int
+    """Number of the earlier campaign, from 1."""
     p: float
     """Probability of a value at least this large if nothing changed."""
     parameters: int
@@ -448,9 +483,9 @@ class CompareTogether(Record):
 
 class CompareTrend(Record):
     """One quantity over the campaigns."""
-    changes: list[CompareChange]
+    changes: Records[CompareChange]
     """Changes of every campaign from the first and from the previous campaign, where both have the quantity."""
-    family: Any
+    family: str
     """Family with which the quantity is tested."""
     name: str
     """Name of the parameter, or the quantity in words."""
@@ -458,7 +493,7 @@ class CompareTrend(Record):
     """Text of the catalogue that is `name` in English; absent for a parameter."""
     unit: str
     """`mm`, `deg` or `1`."""
-    values: list[CompareValue]
+    values: Records[CompareValue]
     """One value per campaign."""
 
 class CompareValue(Record):
@@ -474,7 +509,7 @@ class CompareValue(Record):
 
 class ComparedCampaign(Record):
     """One campaign."""
-    conditions: "Conditions"
+    conditions: Conditions
     """Conditions as stated."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
@@ -496,7 +531,7 @@ class ComparedCampaign(Record):
     """Name of the robot, if its file states one."""
     synthetic: str | None
     """Explanation of synthetic data; absent for measured data."""
-    uncertainties_from: Any
+    uncertainties_from: str | None
     """Basis of the standard uncertainties of the parameters."""
 
 class ComparedPoses(Record):
@@ -510,13 +545,13 @@ class ComparedPoses(Record):
 
 class CompensatedTarget(Record):
     """A target and the command that reaches it."""
-    command_quaternion: list[float]
+    command_quaternion: NDArray[np.float64]
     """Orientation to command: unit quaternion w, x, y, z."""
-    command_xyz_mm: list[float]
+    command_xyz_mm: NDArray[np.float64]
     """Position to command (mm)."""
-    joints: list[float]
+    joints: NDArray[np.float64]
     """Joint values of the command (mm or deg), in the order of the columns."""
-    quaternion: list[float]
+    quaternion: NDArray[np.float64]
     """Desired orientation: unit quaternion w, x, y, z."""
     residual_deg: float
     """Remaining orientation error (deg)."""
@@ -530,7 +565,7 @@ class CompensatedTarget(Record):
     """
     target: str
     """Name of the target."""
-    xyz_mm: list[float]
+    xyz_mm: NDArray[np.float64]
     """Desired position (mm)."""
 
 class Conditions(Record):
@@ -547,7 +582,7 @@ class Conditions(Record):
     """Certificate of the instrument's calibration, and its date."""
     laboratory: str | None
     """Name and address of the laboratory."""
-    load_centre_mm: list[float] | None
+    load_centre_mm: NDArray[np.float64] | None
     """Centre of mass of the load, relative to the mechanical interface."""
     load_kg: float | None
     """Mass of the load at the mechanical interface."""
@@ -573,9 +608,9 @@ class Conditions(Record):
     """Standards to which the instrument's calibration is traceable, and the laboratory that establishes
     traceability.
     """
-    velocities_mm_s: list[float] | None
+    velocities_mm_s: NDArray[np.float64] | None
     """Path velocities of the test."""
-    velocities_percent: list[float] | None
+    velocities_percent: NDArray[np.float64] | None
     """Velocities of the test (% of the rated velocity)."""
     warm_up_minutes: float | None
     """Duration of motion before the test."""
@@ -589,18 +624,18 @@ class ContactSummary(Record):
 
 class ControllerErrors(Record):
     """Position errors at one set of poses."""
-    identified: "PositionErrors"
+    identified: PositionErrors
     """Errors with all identified parameters."""
-    nominal: "PositionErrors"
+    nominal: PositionErrors
     """Errors with nominal parameters of the robot."""
     set: str
     """`calibration` or `validation`."""
-    written: "PositionErrors"
+    written: PositionErrors
     """Errors with the written values."""
 
 class ControllerFiles(Record):
     """Values in the files of one or more formats."""
-    errors: list[ControllerErrors]
+    errors: Records[ControllerErrors]
     """Position errors, one entry per set of poses: `calibration`, `validation`."""
     formats: list[str]
     """Names of the formats."""
@@ -608,7 +643,7 @@ class ControllerFiles(Record):
     """Identified parameters that the formats do not hold. They were at nominal when the others were identified
     again.
     """
-    values: list[WrittenParameter]
+    values: Records[WrittenParameter]
     """All parameters with their values in the files."""
 
 class CurvePoint(Record):
@@ -624,11 +659,11 @@ class CurvePoint(Record):
 
 class DesignError(Record):
     """Error of one quantity over the workspace."""
-    max: "Spread"
+    max: Spread
     """Largest."""
     quantity: str
     """`position`, `x`, `y`, `z` or `orientation`."""
-    rms: "Spread"
+    rms: Spread
     """Root mean square."""
     unit: str
     """`mm` or `deg`."""
@@ -637,20 +672,20 @@ class DesignParameter(Record):
     """A parameter in repeated calibrations."""
     actual: float
     """True value."""
-    mean: "Spread"
+    mean: Spread
     """Mean over the runs of a draw."""
     name: str
     """Name of the parameter."""
     nominal: float
     """Nominal value."""
-    three_standard_deviations: "Spread"
+    three_standard_deviations: Spread
     """Three standard deviations over the runs of a draw."""
     unit: str
     """`mm`, `deg` or `1`."""
 
 class DetectionPower(Record):
     """Smallest movements that the observations would have detected."""
-    least: list[LeastDetectable]
+    least: Records[LeastDetectable]
     """One entry each for `shift` and `rotation` of the base in the least observable direction, and for every joint."""
     naming: float
     """Probability with which the right joint is named."""
@@ -668,9 +703,9 @@ class Directions(Record):
 
 class DistanceStatistics(Record):
     """Errors of the distances within a range."""
-    after: "Statistics"
+    after: Statistics
     """Sizes of the errors with the judged parameters (mm)."""
-    before: "Statistics"
+    before: Statistics
     """Sizes of the errors with nominal parameters (mm)."""
     expanded_max_mm: float | None
     """Expanded uncertainty (mm, k = 2) of `after.max`."""
@@ -695,7 +730,7 @@ class DistributionEntry(Record):
     """
     bootstrap: float | None
     """Standard deviation over the resamples; absent without resamples."""
-    interval_95: list[float] | None
+    interval_95: NDArray[np.float64] | None
     """2.5th and 97.5th percentiles of the draws; absent for errors."""
     linear: float | None
     """Standard uncertainty by linear propagation of what the draws contain, for comparison."""
@@ -714,7 +749,7 @@ class DistributionEntry(Record):
 
 class EffectProof(Record):
     """Benefit of an effect of the robot at calibration poses that are left out of the identification."""
-    effect: Any
+    effect: str
     """Effect."""
     gain_over_u: float | None
     """Decrease of the mean square error over its standard uncertainty."""
@@ -735,7 +770,7 @@ class EffectStep(Record):
     """Trial of an effect in addition to the effects accepted before."""
     accepted: bool
     """`true` if the effect is part of the recommended model."""
-    effect: Any
+    effect: str | None
     """Effect; absent in the first step, with base and targets alone."""
     f: float | None
     """F statistic of the improvement over the previous step."""
@@ -754,9 +789,9 @@ class EffectStep(Record):
 
 class ErrorStatistics(Record):
     """Statistics of one error before and after calibration."""
-    after: "Statistics"
+    after: Statistics
     """Errors with the identified parameters."""
-    before: "Statistics"
+    before: Statistics
     """Errors with nominal parameters; only base and targets are fitted."""
     count: int
     """Number of errors."""
@@ -792,7 +827,7 @@ class Explanation(Record):
 
 class Feature(Record):
     """One fitted element, in the coordinates of the exports."""
-    direction: list[float]
+    direction: NDArray[np.float64]
     """Normal of a plane or circle, axis of a line or cylinder; a unit vector."""
     element: str
     """`plane`, `line`, `circle` or `cylinder`."""
@@ -802,7 +837,7 @@ class Feature(Record):
     """Largest orthogonal distance."""
     name: str
     """Name in the campaign."""
-    point_mm: list[float]
+    point_mm: NDArray[np.float64]
     """Point of the element: centroid, or centre of a circle."""
     points: int
     """Number of points."""
@@ -815,7 +850,7 @@ class Feature(Record):
 
 class FieldCentre(Record):
     """Centre of a component."""
-    at: list[float]
+    at: NDArray[np.float64]
     """Joint values (mm or deg), in the order of the inputs."""
     weight: float
     """Weight (mm or deg of the joint that is off)."""
@@ -824,9 +859,9 @@ class FieldComponent(Record):
     """Error of one joint as a function of one or two joints: the sum over `centres` of weight · φ(d) with φ(d) = (1
     − d)⁴ (4 d + 1) for d < 1, otherwise 0; d² = Σ ((q − at) / (scale · radius))².
     """
-    centres: list[FieldCentre]
+    centres: Records[FieldCentre]
     """Centres with their weights."""
-    inputs: list[FieldInputEntry]
+    inputs: Records[FieldInputEntry]
     """Joints on which the error depends."""
     joint: str
     """Joint that is off, named as a column: `q2_deg`."""
@@ -837,7 +872,7 @@ class FieldComponent(Record):
 
 class FieldDependence(Record):
     """Dependence of a joint's error on joints."""
-    inputs: list[FieldRange]
+    inputs: Records[FieldRange]
     """Joints on which the error depends, with the measured range (mm or deg)."""
     joint: str
     """Joint that is off."""
@@ -852,7 +887,7 @@ class FieldHeldOut(Record):
     """Factor of the field's standard uncertainty with which the errors agree with it."""
     gain_over_u: float
     """Decrease of the mean square error over its standard uncertainty."""
-    poses: list[FieldPose]
+    poses: Records[FieldPose]
     """Errors of each pose."""
     with_mm: float
     """Root mean square position error with the field (mm)."""
@@ -865,7 +900,7 @@ class FieldInputEntry(Record):
     """Width beyond the range in which the field fades out (mm or deg)."""
     joint: str
     """Joint, named as a column: `q2_deg`."""
-    range: list[float]
+    range: NDArray[np.float64]
     """Range of the measured poses (mm or deg)."""
     scale: float
     """Length of one unit of distance (mm or deg)."""
@@ -874,7 +909,7 @@ class FieldParameter(Record):
     """Parameter that goes with the field."""
     name: str
     """Name."""
-    role: Any
+    role: str
     """Owner of the parameter. Programs without the measured targets leave those of targets out."""
     shift: float
     """Change from `parameters.json`."""
@@ -896,14 +931,14 @@ class FieldRange(Record):
     """Measured range of a joint."""
     joint: str
     """Joint."""
-    range: list[float]
+    range: NDArray[np.float64]
     """Lower and upper end (mm or deg)."""
 
 class FieldSummary(Record):
     """Search for a residual field, and its result at held-out poses."""
     accepted: bool
     """`true` if held-out poses prove the field: it is in `field.json`."""
-    components: list[FieldDependence]
+    components: Records[FieldDependence]
     """Dependences of an accepted field."""
     held_out: FieldHeldOut | None
     """Errors at held-out poses; absent if no field was tried there."""
@@ -914,9 +949,9 @@ class FieldSummary(Record):
 
 class FigureBudget(Record):
     """Standard uncertainty of a figure, and its contributions (GUM 5.1.2)."""
-    contributions: list[FigureContribution]
+    contributions: Records[FigureContribution]
     """Contribution of each source; the squares add up."""
-    figure: Any
+    figure: str
     """Figure."""
     quantity: str
     """Quantity of the errors."""
@@ -925,7 +960,7 @@ class FigureBudget(Record):
 
 class FigureContribution(Record):
     """Contribution of one source to the standard uncertainty of a figure."""
-    source: Any
+    source: str
     """Source."""
     standard_uncertainty_mm: float
     """Contribution (mm)."""
@@ -960,7 +995,7 @@ class FitContacts(Record):
     negative (zero for a redundant contact) and sum to one on each side; the weighted gradients of the distance
     with respect to the element's parameters are equal on both sides (Karush-Kuhn-Tucker).
     """
-    proof: Any
+    proof: str
     """Extent of the proof: `global` (narrowest of all elements of the kind), `local` (narrowest among neighbouring
     elements) or `none`.
     """
@@ -971,16 +1006,16 @@ class FitContacts(Record):
 
 class FitFlatness(Record):
     """Minimum zone of the plane of a circle in space."""
-    contacts: "FitContacts"
+    contacts: FitContacts
     """Contact points of the zone."""
     flatness_mm: float
     """Width of the zone."""
 
 class FitMultipliers(Record):
     """Lagrange multipliers of contact points."""
-    lower: list[float]
+    lower: NDArray[np.float64]
     """Multipliers of the lower or inner points."""
-    upper: list[float]
+    upper: NDArray[np.float64]
     """Multipliers of the upper or outer points."""
 
 class FitProbe(Record):
@@ -993,11 +1028,11 @@ class FitProbe(Record):
     """Statement of the file from which the side was derived."""
     side_from_phrase: Phrase | None
     """Text of the catalogue that is `side_from` in English."""
-    towards: list[float] | None
+    towards: NDArray[np.float64] | None
     """For a plane or line: direction from the element to the probe."""
     uncompensated_minor_radius_mm: float | None
     """Radius of the tube of a torus before compensation."""
-    uncompensated_point_mm: list[float]
+    uncompensated_point_mm: NDArray[np.float64]
     """Point or centre before compensation."""
     uncompensated_radius_mm: float | None
     """Radius before compensation."""
@@ -1014,7 +1049,7 @@ class FitSolver(Record):
     """Algorithm."""
     method_phrase: Phrase | None
     """Text of the catalogue that is `method` in English."""
-    termination: Any
+    termination: str
     """Reason of the termination."""
 
 class FitStated(Record):
@@ -1023,7 +1058,7 @@ class FitStated(Record):
     """Stated full angle of a cone."""
     apex_angle_less_stated_deg: float | None
     """Fitted minus stated full angle."""
-    direction: list[float] | None
+    direction: NDArray[np.float64] | None
     """Stated normal or direction."""
     direction_apart_deg: float | None
     """Angle between the stated and the fitted direction."""
@@ -1035,7 +1070,7 @@ class FitStated(Record):
     """Stated radius of the tube of a torus."""
     point_apart_mm: float | None
     """Distance between the stated point and the fitted centre, axis, line or plane."""
-    point_mm: list[float] | None
+    point_mm: NDArray[np.float64] | None
     """Stated location or point of the axis."""
     radius_less_stated_mm: float | None
     """Fitted minus stated radius."""
@@ -1085,14 +1120,14 @@ class FormatsJoin(Record):
 
 class FramePose(Record):
     """Pose of a frame in the coordinates of the exports."""
-    covariance: list[list[float]] | None
+    covariance: NDArray[np.float64] | None
     """Covariance from the uncertainty of the points that define the frame: of a small shift along the axes of the
     world (mm), followed by a small rotation about them (rad). In a planar world the shift is that at the height
     of the targets. Absent if the exports state the frame.
     """
     cycle: int | None
     """Cycle number; absent if the frame applies to all cycles."""
-    export_T_world: "Pose"
+    export_T_world: Pose
     """Pose of the world in the coordinates of the exports."""
     pose: int | str | None
     """Name of the pose; absent if the frame applies to all poses."""
@@ -1107,15 +1142,15 @@ class GeneratedCandidates(Record):
     """Number of draws."""
     facing_away: int
     """Draws with a reflector that faces away from the instrument."""
-    instrument_mm: list[float] | None
+    instrument_mm: NDArray[np.float64] | None
     """Position of the instrument in the base of the robot."""
-    obstacles: list[PlannedObstacle]
+    obstacles: Records[PlannedObstacle]
     """Bodies in the way of the instrument, with the draws that each hides first."""
     outside_box: int
     """Draws with a target outside the box."""
     ranges: Record
     """Smallest and largest value of each joint, by column."""
-    reflectors: list[PlannedReflector]
+    reflectors: Records[PlannedReflector]
     """Reflectors on the flange."""
     wanted: int
     """Number of wanted poses."""
@@ -1164,7 +1199,7 @@ class GeometricStep(Record):
 
 class GivenSummary(Record):
     """Judgement of given parameters."""
-    frames: Any
+    frames: str
     """Origin of base and targets."""
     p_value: float | None
     """Probability of errors at least this large if the given parameters, base and targets are right within their
@@ -1177,7 +1212,7 @@ class GivenSummary(Record):
 
 class GreedySummary(Record):
     """Greedy choice of the thesis."""
-    curve: list[CurvePoint]
+    curve: Records[CurvePoint]
     """Index and condition number while candidates are added, beyond the required number."""
     knee_configurations: int | None
     """Number of configurations at the knee of the curve, where it is farthest above its chord."""
@@ -1188,11 +1223,11 @@ class GreedySummary(Record):
 
 class HeldOutErrors(Record):
     """Errors at poses that were left out of the identification of parameters."""
-    all: "Statistics"
+    all: Statistics
     """Errors with all parameters that the run identifies."""
-    none: "Statistics"
+    none: Statistics
     """Errors with nominal parameters; base and targets are fitted."""
-    recommended: "Statistics"
+    recommended: Statistics
     """Errors with the recommended parameters."""
 
 class InfluenceEntry(Record):
@@ -1210,11 +1245,11 @@ class Iso9283Approach(Record):
     """Visits by one approach."""
     cycles: int
     """Number of visits."""
-    deviation_mm: list[float] | None
+    deviation_mm: NDArray[np.float64] | None
     """Barycentre minus commanded position; null if no position was commanded."""
     enclosing_radius_mm: float | None
     """Radius of the smallest sphere (planar robots: circle) that encloses the positions of this approach."""
-    mean_mm: list[float]
+    mean_mm: NDArray[np.float64]
     """Barycentre."""
     name: str
     """Value of the column `approach`, or the previous pose of the path."""
@@ -1223,13 +1258,13 @@ class Iso9283Approach(Record):
 
 class Iso9283Arrival(Record):
     """One arrival, from the first entry into the limit band."""
-    away_mm: list[float]
+    away_mm: NDArray[np.float64]
     """Distances from the standstill."""
     cycle: int
     """Number of the visit of that pose, from 1."""
     pose: int | str
     """Name of the pose."""
-    time_s: list[float]
+    time_s: NDArray[np.float64]
     """Times since the entry."""
 
 class Iso9283Compliance(Record):
@@ -1257,7 +1292,7 @@ class Iso9283Corner(Record):
     """CO: overshoot."""
     cr_mm: float
     """CR: round-off."""
-    position_mm: list[float]
+    position_mm: NDArray[np.float64]
     """Commanded corner: x, y and, if spatial, z."""
     stabilisation_mm: float | None
     """Length along the second leg until the path stays within the limit band; null without a band, and if the path
@@ -1266,9 +1301,9 @@ class Iso9283Corner(Record):
 
 class Iso9283Distance(Record):
     """Distance between two poses (7.3)."""
-    ad_angles_deg: list[float]
+    ad_angles_deg: NDArray[np.float64]
     """AD of the measured angles, in the order a, b, c; empty if those of a pose are not separable."""
-    ad_axes_mm: list[float]
+    ad_axes_mm: NDArray[np.float64]
     """AD_x, AD_y and, if spatial, AD_z."""
     ad_mm: float
     """AD_p: mean attained minus commanded distance."""
@@ -1278,9 +1313,9 @@ class Iso9283Distance(Record):
     """Number of cycles with both poses."""
     poses: list[int | str]
     """The two poses."""
-    rd_angles_deg: list[float]
+    rd_angles_deg: NDArray[np.float64]
     """RD of the measured angles."""
-    rd_axes_mm: list[float]
+    rd_axes_mm: NDArray[np.float64]
     """RD_x, RD_y and, if spatial, RD_z."""
     rd_mm: float
     """RD_p: three standard deviations."""
@@ -1289,7 +1324,7 @@ class Iso9283Distance(Record):
 
 class Iso9283Drift(Record):
     """Drift of one pose (7.6)."""
-    ap_mm: list[float]
+    ap_mm: NDArray[np.float64]
     """AP of each set."""
     dap_mm: float
     """|AP at the start − AP at the end|."""
@@ -1299,16 +1334,16 @@ class Iso9283Drift(Record):
     """`true` if dAP exceeds what the scatter within the sets explains, at a significance level of 0.1 %."""
     pose: int | str
     """Name of the pose."""
-    rp_mm: list[float]
+    rp_mm: NDArray[np.float64]
     """RP of each set."""
     settled_after: int | None
     """Number of sets until AP settled."""
 
 class Iso9283Ellipsoid(Record):
     """Ellipsoid about the mean position; flat in directions without scatter."""
-    axes: list[list[float]]
+    axes: NDArray[np.float64]
     """Unit vectors of the semi-axes."""
-    semi_axes_mm: list[float]
+    semi_axes_mm: NDArray[np.float64]
     """Semi-axes, descending."""
 
 class Iso9283Epoch(Record):
@@ -1350,7 +1385,7 @@ class Iso9283NamedStream(Record):
     """File, as the campaign names it."""
     name: str
     """Name in the campaign."""
-    stream: "Iso9283StreamDocument"
+    stream: Iso9283StreamDocument
     """Characteristics of the recording."""
 
 class Iso9283OutOfPlane(Record):
@@ -1364,13 +1399,13 @@ class Iso9283Path(Record):
     """A commanded path and its passes (8)."""
     at_along_mm: float
     """Position of AT_p along the path."""
-    at_angles_deg: list[float]
+    at_angles_deg: NDArray[np.float64]
     """AT of the measured angles, in the order a, b, c; empty if two of them are not separable."""
     at_interval: Iso9283Interval | None
     """95 % interval of AT_p by parametric bootstrap over the passes; null with fewer than three."""
     at_mm: float
     """AT_p (8.2): largest distance between the mean path and the commanded path."""
-    corners: list[Iso9283Corner]
+    corners: Records[Iso9283Corner]
     """Corners of the commanded path."""
     incomplete: int
     """Number of unfinished passes."""
@@ -1378,13 +1413,13 @@ class Iso9283Path(Record):
     """Length of the commanded path."""
     passes: int
     """Number of passes through all command points."""
-    points: list[Iso9283PathPoint]
+    points: Records[Iso9283PathPoint]
     """Command points."""
     reorientation: bool
     """`true` if commanded angles change along the path; AT is then evaluated by 8.4."""
     rt_along_mm: float | None
     """Position of RT_p along the path."""
-    rt_angles_deg: list[float]
+    rt_angles_deg: NDArray[np.float64]
     """RT of the measured angles; empty with a single pass, and if two of them are not separable."""
     rt_interval: Iso9283Interval | None
     """95 % interval of the RT_p of infinitely many passes. RT_p may exceed it, because the largest of many scattered
@@ -1399,11 +1434,11 @@ class Iso9283PathPoint(Record):
     """One command point."""
     along_mm: float
     """Length of the path up to this point."""
-    commanded_mm: list[float]
+    commanded_mm: NDArray[np.float64]
     """Commanded position: x, y and, if spatial, z."""
     deviation_mm: float
     """Distance between mean attained and commanded position."""
-    mean_mm: list[float]
+    mean_mm: NDArray[np.float64]
     """Mean attained position in the normal plane of the point."""
     rt_mm: float | None
     """Mean radius plus three standard deviations of the passes; null with a single pass."""
@@ -1429,7 +1464,7 @@ class Iso9283Pose(Record):
     """AP_b."""
     ap_c_deg: float | None
     """AP_c."""
-    ap_conformity: Any
+    ap_conformity: str | None
     """Conformity of AP with the stated limit."""
     ap_interval: Iso9283Interval | None
     """95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
@@ -1439,7 +1474,7 @@ class Iso9283Pose(Record):
     """95 % interval of AP in closed form, from the sampling alone."""
     ap_mm: float | None
     """AP_p (7.2.1); this and its coordinates are null if no position was commanded."""
-    ap_rotation_deg: list[float] | None
+    ap_rotation_deg: NDArray[np.float64] | None
     """Rotation from the commanded to the mean orientation about x, y and z of the table, as a rotation vector;
     instead of AP_a, AP_b and AP_c where two rotations have nearly the same axis and their order is stated.
     """
@@ -1461,7 +1496,7 @@ class Iso9283Pose(Record):
     """Radius of the smallest sphere (planar robots: circle) that encloses all positions."""
     mean_radius_mm: float | None
     """Mean distance from the barycentre."""
-    noise_mm: list[float] | None
+    noise_mm: NDArray[np.float64] | None
     """Standard deviation of one reading along each coordinate."""
     pose: int | str
     """Name of the pose."""
@@ -1479,7 +1514,7 @@ class Iso9283Pose(Record):
     """RP_b."""
     rp_c_deg: float | None
     """RP_c."""
-    rp_conformity: Any
+    rp_conformity: str | None
     """Conformity of RP with the stated limit."""
     rp_interval: Iso9283Interval | None
     """95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
@@ -1491,7 +1526,7 @@ class Iso9283Pose(Record):
     """RP_l (7.2.2): mean radius plus three standard deviations; this and all further values are null with a single
     visit.
     """
-    rp_rotation_deg: list[float] | None
+    rp_rotation_deg: NDArray[np.float64] | None
     """Three standard deviations of the rotations from the mean orientation about x, y and z of the table, instead of
     RP_a, RP_b and RP_c.
     """
@@ -1516,6 +1551,8 @@ class Iso9283Posing(Record):
     """Moves from one pose to another (9)."""
     distance_mm: float
     """Mean attained distance."""
+    from_: int | str
+    """Pose at the start."""
     moves: int
     """Number of moves."""
     posing_s: float
@@ -1540,11 +1577,11 @@ class Iso9283Standstill(Record):
     """Number of the visit of that pose, from 1."""
     from_s: float
     """Time of the first sample."""
-    mean_deg: list[float]
+    mean_deg: NDArray[np.float64]
     """Means of the measured angles, in the order a, b, c; angles of the middle sample if two of them are not
     separable.
     """
-    mean_mm: list[float]
+    mean_mm: NDArray[np.float64]
     """Mean position of the middle half: x, y and, if measured, z."""
     noise_mm: float | None
     """Noise of instrument and hold: mean radius plus three standard deviations of the samples of the middle half."""
@@ -1576,15 +1613,15 @@ class Iso9283Unreached(Record):
 
 class Iso9283Variation(Record):
     """A pose that was approached in several ways (7.2.3)."""
-    approaches: list[Iso9283Approach]
+    approaches: Records[Iso9283Approach]
     """Characteristics of each approach."""
     between: list[str]
     """Approaches with the largest distance."""
-    mean_mm: list[float] | None
+    mean_mm: NDArray[np.float64] | None
     """Barycentre of all visits of the pose; absent in documents of earlier programs."""
     pose: int | str
     """Name of the pose."""
-    vap_angles_deg: list[float]
+    vap_angles_deg: NDArray[np.float64]
     """vAP of the measured angles, in the order a, b, c; empty if they are not separable."""
     vap_mm: float
     """vAP_p: largest distance between the barycentres of two approaches."""
@@ -1612,7 +1649,7 @@ class Iso9283Visit(Record):
     """Approach to the pose; null if unknown: for the very first visit, or where the reading of the previous pose is
     missing.
     """
-    attained_mm: list[float]
+    attained_mm: NDArray[np.float64]
     """Attained position."""
     cycle: int
     """Number of the cycle."""
@@ -1670,13 +1707,13 @@ class KinematicsEntry(Record):
     """Joints that can move without moving the tool, at a singular pose; the joint values are then those of the
     family that are nearest to the start.
     """
-    joints: list[float]
+    joints: NDArray[np.float64]
     """Joint values (mm or deg), in the order of the columns."""
     pose: int | str
     """Name of the pose."""
-    quaternion: list[float]
+    quaternion: NDArray[np.float64]
     """Orientation: unit quaternion w, x, y, z."""
-    xyz_mm: list[float]
+    xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
 class LeadResult(Record):
@@ -1687,7 +1724,7 @@ class LeadResult(Record):
     """Number of the actuator."""
     error: float
     """Actual displacement over nominal displacement, minus one."""
-    linearity: list[Linearity]
+    linearity: Records[Linearity]
     """Mean deviation from linear travel at each position."""
     nominal_lead_mm: float
     """Nominal lead of its screw."""
@@ -1713,24 +1750,24 @@ class LeftOutErrors(Record):
     """
     folds: int
     """Number of folds; each is predicted from the others."""
-    identified: "Statistics"
+    identified: Statistics
     """Errors with the identified parameters."""
-    nominal: "Statistics"
+    nominal: Statistics
     """Errors with nominal parameters; base and targets are fitted."""
     poses: int
     """Number of poses, at most 200."""
 
 class LimitVerdict(Record):
     """A limit of the campaign and its verdict."""
-    acceptance: Any
+    acceptance: str
     """Verdict: the conformity, with a reservation if the value was accepted within its guard band."""
-    conformity: Any
+    conformity: str
     """Decision by the rule."""
     conformity_probability: float | None
     """Probability that the true value is within the limit, by the value with its uncertainty (JCGM 106:2012, 7.2);
     the risk of a false acceptance is the complement. Absent if the uncertainty is unknown.
     """
-    decision_rule: Any
+    decision_rule: str
     """Decision rule."""
     expanded_uncertainty: float | None
     """Expanded uncertainty of the value (k = 2); null if unknown."""
@@ -1758,9 +1795,9 @@ class Loading(Record):
     """Parameters that a controller should load."""
     alternatives: list[str]
     """Further files with the same errors."""
-    answer: Any
+    answer: str
     """Answer."""
-    effects: list[Any]
+    effects: list[str]
     """Effects to identify first, if the answer is `identify_further`."""
     errors: ControllerErrors | None
     """Errors of the file at the deciding poses; absent unless the answer is `load`."""
@@ -1791,13 +1828,13 @@ class Machine(Record):
 
 class MapNode(Record):
     """Expected error at one node of the grid."""
-    at_mm: list[float]
+    at_mm: NDArray[np.float64]
     """Position of the node in the base frame."""
     before_mm: float
     """Size of the error before calibration: position predicted with the parameters before calibration minus position
     predicted with the identified parameters (mm).
     """
-    joints: list[float]
+    joints: NDArray[np.float64]
     """Joint values at the node (mm or deg) in the order of [`AccuracyDocument::joints`], for the orientation of the
     nearest calibration pose.
     """
@@ -1836,7 +1873,7 @@ class Message(Record):
     """One error or warning: id and arguments of its text in the catalogue, the English texts, and its place."""
     arguments: Record
     """Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those of the message."""
-    around: list[Phrase]
+    around: Records[Phrase]
     """Texts around the message, from inside: each has the message as its argument `message`."""
     expected: str | None
     """Expected value."""
@@ -1846,9 +1883,9 @@ class Message(Record):
     """Id in the catalogue; `etalon explain ID` explains it."""
     place: Place | None
     """Place of the problem."""
-    rank: Any
+    rank: str
     """Importance for a reader."""
-    severity: Any
+    severity: str
     """Error or warning."""
     what: str
     """Error or remark, in one English sentence without a full stop."""
@@ -1888,13 +1925,13 @@ class MovedValue(Record):
 
 class Movement(Record):
     """A movement, and the remaining residuals."""
-    by: list[MovementValue]
+    by: Records[MovementValue]
     """Displacement. Base: shift of its origin and rotation vector, in the world. Joint: change of its zero. Target:
     shift on the moving part.
     """
     explained_share: float
     """Share of the weighted sum of squared residuals that the movement explains."""
-    kind: Any
+    kind: str
     """Kind of the moved object."""
     name: str
     """`base`, or the name of the joint or of the target."""
@@ -1916,7 +1953,7 @@ class ObservabilitySummary(Record):
     """Observability of the parameters from the poses."""
     condition: float
     """Condition number with columns scaled to unit length."""
-    held_singular_values: list[SingularValueEntry]
+    held_singular_values: Records[SingularValueEntry]
     """Smallest singular values of the Jacobian with all parameters that were to be identified. There is one for each
     parameter that is held because the data determine it poorly or not at all; empty in a plan.
     """
@@ -1940,7 +1977,7 @@ class ObservabilitySummary(Record):
     """Scaling of the indices."""
     scaling_phrase: Phrase | None
     """Text of the catalogue that is `scaling` in English."""
-    singular_values: list[SingularValueEntry]
+    singular_values: Records[SingularValueEntry]
     """Singular values of the Jacobian at the solution, descending, with columns scaled to unit length. The ratio of
     the largest to the smallest is the condition number; the squares add up to the number of parameters.
     """
@@ -1965,11 +2002,11 @@ class ParameterEntry(Record):
     """Name as in the thesis."""
     nominal: float
     """Nominal value."""
-    role: Any
+    role: str
     """Owner of the parameter: robot, base, target or fixture."""
     standard_uncertainty: float | None
     """Standard uncertainty (k = 1); absent if not identified."""
-    status: Any
+    status: str
     """Identified, fixed or not identifiable."""
     tolerance: float | None
     """Tolerance about the nominal value, if the robot's file states one."""
@@ -2003,7 +2040,7 @@ class ParameterVerdict(Record):
     """Displacement by the change (mm) of the measured point that it moves most; absent if the run does not identify
     the parameter.
     """
-    effect: Any
+    effect: str
     """Effect that the parameter describes."""
     fold_sd_over_u: float
     """Standard deviation over the folds, relative to the standard uncertainty of one fold."""
@@ -2022,7 +2059,7 @@ class ParameterVerdict(Record):
     """
     unit: str
     """Unit of the parameter."""
-    verdict: Any
+    verdict: str
     """Verdict: load or hold."""
 
 class Phrase(Record):
@@ -2104,33 +2141,33 @@ class PlannedReflector(Record):
     """A reflector on the flange."""
     acceptance_deg: float | None
     """Largest angle between the axis and the direction to the instrument, if stated."""
-    at_mm: list[float]
+    at_mm: NDArray[np.float64]
     """Nominal position in the frame of the flange."""
-    axis: list[float] | None
+    axis: NDArray[np.float64] | None
     """Outward axis in the frame of the flange, if stated."""
     name: str
     """Name of the target."""
 
 class Pose(Record):
     """A rigid transform: rotation matrix and translation."""
-    rotation: list[list[float]]
+    rotation: NDArray[np.float64]
     """Rotation matrix, row by row."""
-    translation_mm: list[float]
+    translation_mm: NDArray[np.float64]
     """Translation (mm)."""
 
 class PoseRow(Record):
     """Mean errors of one pose."""
     command_deg: float
     """Commanded orientation."""
-    command_mm: list[float]
+    command_mm: NDArray[np.float64]
     """Commanded position of C in the base frame: prediction of the nominal model from the joints."""
     count: int
     """Number of repeats."""
-    geometric: "MeanError"
+    geometric: MeanError
     """Error with the geometric parameters."""
-    identified: "MeanError"
+    identified: MeanError
     """Error with the identified parameters."""
-    nominal: "MeanError"
+    nominal: MeanError
     """Error with nominal parameters in the geometric base frame."""
     pose: int | str
     """Name of the pose."""
@@ -2139,7 +2176,7 @@ class PoseRow(Record):
 
 class PoseTable(Record):
     """Mean errors of some poses (thesis, tables 2.2 to 2.4)."""
-    rows: list[PoseRow]
+    rows: Records[PoseRow]
     """One row per pose."""
     title: str
     """Title."""
@@ -2157,18 +2194,18 @@ class PredictionMap(Record):
     """
     definition: str
     """Definition of the numbers of a node, in words."""
-    frame: Any
+    frame: str
     """Part to which the point is attached."""
-    nodes: list[MapNode]
+    nodes: Records[MapNode]
     """Nodes in the order of x, y and z."""
-    point_mm: list[float]
+    point_mm: NDArray[np.float64]
     """Position of the point in `frame`."""
     spacing_mm: float
     """Distance between neighbouring nodes (mm)."""
 
 class Presentation(Record):
     """Complete presentation of a report: the output folder suffices to write the report again."""
-    language: Any
+    language: str
     """Language of the report."""
     logo: str | None
     """The laboratory's logo as a data URI (SVG or PNG)."""
@@ -2222,6 +2259,8 @@ class ReferenceFile(Record):
     """SHA-256 that the program states."""
     name: str
     """Name of the file."""
+    pass_: bool
+    """`true` if both agree."""
     sha256: str
     """SHA-256 of the file in the program."""
 
@@ -2229,11 +2268,11 @@ class ReferencePose(Record):
     """Three points of the flange at joint values, in the frame of the base, by the nominal geometry."""
     branch: str | None
     """Link at the end of the branch, for a robot with several branches."""
-    joints: list[float]
+    joints: NDArray[np.float64]
     """Joint values (mm or deg), in the order of the joints."""
-    nominal_mm: list[list[float]]
+    nominal_mm: NDArray[np.float64]
     """Flange origin, and the points 100 mm along its x and y axes, at nominal parameters (mm)."""
-    varied_mm: list[list[float]]
+    varied_mm: NDArray[np.float64]
     """These points with each parameter of the robot 0.1 mm, 0.1 deg or 0.0001 above its nominal value (mm): effects
     whose nominal values are zero show here.
     """
@@ -2253,7 +2292,7 @@ class Region(Record):
     """A region of the workspace."""
     area_mm2: float
     """Area of the region."""
-    corners_mm: list[list[float]]
+    corners_mm: NDArray[np.float64]
     """Corners of the region in the base frame, counterclockwise; z is zero."""
     name: str
     """Name of the region."""
@@ -2265,7 +2304,7 @@ class RelativeAccuracy(Record):
     platform) at two different poses. The base has no effect on them; the target has none where both poses have
     the same orientation.
     """
-    all: "DistanceStatistics"
+    all: DistanceStatistics
     """All distances."""
     available: int
     """Number of pairs of readings of one target at different poses. Of more than 100 000 pairs an even selection is
@@ -2273,7 +2312,7 @@ class RelativeAccuracy(Record):
     """
     set: str
     """Set of poses: `validation`, or `calibration` in a campaign without validation poses."""
-    steps: list[DistanceStatistics]
+    steps: Records[DistanceStatistics]
     """Distances by steps; steps without a pair are omitted."""
 
 class ReliabilitySummary(Record):
@@ -2292,7 +2331,7 @@ class ReliabilitySummary(Record):
     """
     median_detectable_mm: float | None
     """Smallest detectable error of a coordinate, 4.13 σ / √r (mm): median over the readings."""
-    poses: list[InfluenceEntry]
+    poses: Records[InfluenceEntry]
     """Poses whose omission would change the parameters most."""
     power: float
     """Power β0 with which an error of detectable size is detected."""
@@ -2345,7 +2384,7 @@ class ResidualSummary(Record):
     """Standard uncertainty common to all observations of the same coordinates (mm): of the instrument, if that of
     the contact is stated separately.
     """
-    conditions: list[QuantityResiduals]
+    conditions: Records[QuantityResiduals]
     """Residuals of each quantity other than positions of targets."""
     count: int
     """Number of residuals."""
@@ -2355,7 +2394,7 @@ class ResidualSummary(Record):
     """Effective degrees of freedom of the residual variance, by the scatter of the squares from pose to pose.
     Squares of a smooth misfit scatter more than squares of noise.
     """
-    kind: Any
+    kind: str
     """Residuals of targets or of the pose."""
     max: float
     """Largest absolute residual."""
@@ -2379,7 +2418,7 @@ class ResidualSummary(Record):
     """Median ratio of the standard uncertainties to the uncertainties from the instrument alone. Without a stated
     uncertainty of the instrument, to the uncertainties from independent residuals.
     """
-    uncertainties_from: Any
+    uncertainties_from: str
     """Basis of the standard uncertainties."""
     within_poses_rms_mm: float | None
     """Root mean square (mm) of a coordinate's residual from the mean over the targets of its pose, n − 1 for n
@@ -2443,9 +2482,9 @@ class RobustSummary(Record):
     """
     disagreeing: int
     """Number of poses with a residual beyond the critical value."""
-    parameters: list[RobustParameter]
+    parameters: Records[RobustParameter]
     """Identified parameters in both fits."""
-    poses: list[RobustPose]
+    poses: Records[RobustPose]
     """Poses of smallest weight, ascending."""
     sigma_mm: float
     """Standard deviation σ of a coordinate (mm): from the median residual, but at least the stated one."""
@@ -2470,7 +2509,7 @@ class ScaleBarResult(Record):
     """Standard deviation of the distances."""
     uncertainty_ratio: float | None
     """Maximum permissible error over the certificate's uncertainty; at least 4 is required."""
-    verdict: Any
+    verdict: str
     """Verdict on the instrument."""
 
 class SelftestCheck(Record):
@@ -2481,13 +2520,15 @@ class SelftestCheck(Record):
     """Reference value; null if the test could not be made."""
     found: float | None
     """Value of this installation; null if it is not finite."""
+    pass_: bool
+    """`true` if the deviation is permissible."""
     permissible: float
     """Largest permissible absolute deviation."""
     source: str
     """Source of the reference value."""
     test: str
     """Test, in English."""
-    test_phrase: "Phrase"
+    test_phrase: Phrase
     """Text of the catalogue that is `test` in English."""
     unit: str
     """Unit of the values; empty for pure numbers."""
@@ -2500,16 +2541,18 @@ class SelftestMustFail(Record):
     """Number of tests that failed."""
     id: str
     """Name of the requirement."""
+    pass_: bool
+    """`true` if at least one test failed, as it must."""
     slip: str
     """Slip, in English."""
-    slip_phrase: "Phrase"
+    slip_phrase: Phrase
     """Text of the catalogue that is `slip` in English."""
 
 class SelftestPerformance(Record):
     """Comparison of a campaign with its stored `parameters.json`."""
     campaign: str
     """Name of the campaign."""
-    cause_phrases: list[Phrase]
+    cause_phrases: Records[Phrase]
     """Texts of the catalogue that are `causes` in English."""
     causes: list[str]
     """Known differences between the documents that may be the cause, in English."""
@@ -2517,8 +2560,10 @@ class SelftestPerformance(Record):
     """Number of compared parameters."""
     expected: str
     """Stored document."""
-    moved: list[MovedValue]
+    moved: Records[MovedValue]
     """Values that moved by more than rounding."""
+    pass_: bool
+    """`true` if nothing moved."""
     relative_tolerance: float
     """Permissible relative difference of a value without uncertainty."""
     tolerance_of_uncertainty: float
@@ -2530,6 +2575,8 @@ class SelftestProgram(Record):
     """Program file."""
     expected_sha256: str | None
     """Stated SHA-256 (`--program-sha256`); null if none was stated."""
+    pass_: bool
+    """`true` if the file could be read and has the stated hash."""
     sha256: str | None
     """SHA-256 of the program file; null if the file cannot be read."""
     version: str
@@ -2537,13 +2584,15 @@ class SelftestProgram(Record):
 
 class SelftestRequirement(Record):
     """A requirement with its tests."""
-    checks: list[SelftestCheck]
+    checks: Records[SelftestCheck]
     """Tests."""
     id: str
     """Name of the requirement: `fits`, `solver`, `frames` ..."""
+    pass_: bool
+    """`true` if there are tests, and all passed."""
     requirement: str
     """Requirement, in English."""
-    requirement_phrase: "Phrase"
+    requirement_phrase: Phrase
     """Text of the catalogue that is `requirement` in English."""
 
 class SeriesScatter(Record):
@@ -2566,7 +2615,7 @@ class Sketch(Record):
     """A drawing with lengths in mm."""
     planar: bool
     """`true` if the drawing lies in the plane z = 0."""
-    strokes: list[Stroke]
+    strokes: Records[Stroke]
     """Lines of the drawing."""
     title: str
     """Title of the drawing."""
@@ -2583,7 +2632,7 @@ class SolverSummary(Record):
     """Algorithm."""
     method_phrase: Phrase | None
     """Text of the catalogue that is `method` in English."""
-    termination: Any
+    termination: str
     """Reason of the termination."""
 
 class Source(Record):
@@ -2598,13 +2647,13 @@ class Source(Record):
     """File, as the campaign names it."""
     kind: str
     """`export`, `log`, `campaign` or `robot`."""
-    refused: list[Refused]
+    refused: Records[Refused]
     """Rejected rows."""
     rows_read: int
     """Number of data rows."""
     sha256: str
     """SHA-256 of the file, as `sha256sum` prints it."""
-    standstills: list[StandingInterval]
+    standstills: Records[StandingInterval]
     """Standstills of a log that was recorded during motion; each yields one row of joint values."""
 
 class Spread(Record):
@@ -2620,7 +2669,7 @@ class StandingInterval(Record):
     """A standstill in a log, by the limits of the campaign."""
     from_s: float
     """Time of the first sample, by the log's clock."""
-    joints: list[StandingJoint]
+    joints: Records[StandingJoint]
     """Joints during the standstill."""
     line: int
     """Line of the first sample, from 1."""
@@ -2653,18 +2702,18 @@ class Statistics(Record):
 
 class Stroke(Record):
     """A polyline of a drawing."""
-    kind: Any
+    kind: str
     """Meaning of the line."""
     name: str
     """Name of a parameter, joint or frame; empty if unnamed."""
-    points_mm: list[list[float]]
+    points_mm: NDArray[np.float64]
     """At least two points (mm)."""
 
 class StudiedDesign(Record):
     """A set of poses measured with one noise."""
-    after: list[DesignError]
+    after: Records[DesignError]
     """Errors with the identified parameters."""
-    before: list[DesignError]
+    before: Records[DesignError]
     """Errors with nominal parameters."""
     configurations: int
     """Number of measured configurations."""
@@ -2672,7 +2721,7 @@ class StudiedDesign(Record):
     """Name of the set."""
     noise_um: float
     """Standard deviation of the Gaussian noise of one coordinate."""
-    parameters: list[DesignParameter]
+    parameters: Records[DesignParameter]
     """Parameters."""
 
 class StudiedParameter(Record):
@@ -2690,7 +2739,7 @@ class StudiedParameter(Record):
 
 class StudiedPlace(Record):
     """Position errors at one place."""
-    at_mm: list[float]
+    at_mm: NDArray[np.float64]
     """Nominal position of the first target."""
     max_before_mm: float
     """Largest nominal error over all configurations and targets of the pose."""
@@ -2707,9 +2756,9 @@ class StudyDocument(Record):
     """Number of such means. The median of their errors is reported; `parameters` and `places` are from the first."""
     noise_um: float
     """Standard deviation of the Gaussian noise of one coordinate."""
-    parameters: list[StudiedParameter]
+    parameters: Records[StudiedParameter]
     """Nominal, true and identified parameters with all positions (thesis, table 4.1, fig. 4.8)."""
-    places: list[StudiedPlace]
+    places: Records[StudiedPlace]
     """Largest error of each pose with all positions measured (thesis, fig. 4.9)."""
     point: str
     """Point whose position errors are evaluated, in words."""
@@ -2717,7 +2766,7 @@ class StudyDocument(Record):
     """Text of the catalogue that is `point` in English."""
     runs: int
     """Number of identifications whose mean is evaluated."""
-    steps: list[StudyStep]
+    steps: Records[StudyStep]
     """Position errors by the number of measured positions; the last entry is the plan (thesis, tables 4.2 and 4.3)."""
 
 class StudyStep(Record):
@@ -2748,9 +2797,9 @@ class ToolAccuracy(Record):
     """Error of the controller at the tool point: true position in the base frame minus the position predicted by the
     parameters.
     """
-    after: "Statistics"
+    after: Statistics
     """Expected error with the identified parameters (mm, k = 1)."""
-    before: "Statistics"
+    before: Statistics
     """Position predicted with the parameters before calibration minus position predicted with the identified
     parameters (mm).
     """
@@ -2760,7 +2809,7 @@ class ToolAccuracy(Record):
     """Text of the catalogue that is `definition` in English."""
     expanded_max_mm: float
     """Largest expected error with the identified parameters (mm, k = 2)."""
-    frame: Any
+    frame: str
     """Part to which the point is attached."""
     held_mm: float
     """Contribution of the tolerances of parameters that are held because the data do not determine them, root mean
@@ -2774,7 +2823,7 @@ class ToolAccuracy(Record):
     """Contribution of the parameters' covariance, root mean square (mm)."""
     place_mm: float
     """Contribution of the uncertainty of the point's position on the tool (mm)."""
-    point_mm: list[float]
+    point_mm: NDArray[np.float64]
     """Position of the point in `frame`."""
     poses: int
     """Number of poses."""
@@ -2823,6 +2872,23 @@ class UnreachableTarget(Record):
     target: str
     """Name of the target."""
 
+class UntestedMistake(Record):
+    """Mistake of the set-up that the measurements do not show: a robot within its tolerances explains them with this
+    change too.
+    """
+    change: str
+    """Change of the set-up, in English."""
+    change_phrase: Phrase | None
+    """Text of the catalogue that is `change` in English."""
+    changed_mm: float
+    """Standard deviation of a residual with the change (mm)."""
+    flange_deg: float
+    """Largest change of the orientation of the flange at these poses (deg)."""
+    flange_mm: float
+    """Largest change of the position of the flange at poses around the measured ones (mm)."""
+    stated_mm: float
+    """Standard deviation of a residual with the set-up as stated (mm)."""
+
 class ValidationDistance(Record):
     """Distances from the validation poses to their nearest calibration poses, relative to the spacing of the
     calibration poses (median distance to the nearest neighbour). A distance is the root of the sum of squared
@@ -2839,7 +2905,7 @@ class ValidationDistance(Record):
 
 class VerificationStep(Record):
     """A chosen pose."""
-    least: list[LeastDetectable]
+    least: Records[LeastDetectable]
     """Smallest changes that this pose and the poses before it detect together."""
     pose: int | str
     """Pose."""
@@ -2868,7 +2934,7 @@ class WorkspaceUncertainty(Record):
 
 class WorldFrame(Record):
     """The world frame in the coordinates of the exports."""
-    common_covariance: list[list[float]] | None
+    common_covariance: NDArray[np.float64] | None
     """Covariance common to all poses if the frame is measured again at each pose: the covariance of the mean
     positions of the targets, which define the frame.
     """
@@ -2880,9 +2946,9 @@ class WorldFrame(Record):
     """Largest distance of a target from its best-fit position."""
     planar: bool
     """`true` if z is dropped: observations are projected onto the xy plane of the world."""
-    poses: list[FramePose]
+    poses: Records[FramePose]
     """One entry for all poses (without `pose` and `cycle`), or one entry per pose and cycle."""
-    reference_mm: list[list[float]]
+    reference_mm: NDArray[np.float64]
     """Best-fit positions of the targets in the world, in the order of the definition."""
     rms_mm: float | None
     """Root mean square distance of the targets from their best-fit positions; absent for 3-2-1 frames."""
@@ -2897,7 +2963,7 @@ class WrittenController(Record):
     """Name of the format."""
     left_out: list[str]
     """Identified parameters that the format does not hold."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings about this file."""
 
 class WrittenFile(Record):
@@ -2924,20 +2990,20 @@ class WrittenParameter(Record):
 
 class ZeroAxis(Record):
     """Axis in the base at joint values zero."""
-    direction: list[float]
+    direction: NDArray[np.float64]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
     """Standard uncertainty of the direction: root of the sum of squares of its components."""
     joint: str
     """Name of the joint."""
-    point_mm: list[float] | None
+    point_mm: NDArray[np.float64] | None
     """Point of the axis nearest to the origin of the base; absent for a prismatic joint."""
     point_standard_uncertainty_mm: float | None
     """Standard uncertainty of the point: root of the sum of squares of its components."""
 
 class AccuracyDocument(Document):
     """Errors before and after calibration, separately for calibration and validation poses."""
-    budget: list[FigureBudget]
+    budget: Records[FigureBudget]
     """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration
     poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no
     uncertainty is stated.
@@ -2948,7 +3014,7 @@ class AccuracyDocument(Document):
     """Definition of "before" and of "error" in this document, in words."""
     definition_phrase: Phrase | None
     """Text of the catalogue that is `definition` in English."""
-    effects: list[EffectProof]
+    effects: Records[EffectProof]
     """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
     "proven"`, and effects that are not identified.
     """
@@ -2962,15 +3028,15 @@ class AccuracyDocument(Document):
     """Errors at calibration poses that are left out of the identification, with nominal and with identified
     parameters; absent with fewer than three poses, or without measured positions.
     """
-    limits: list[LimitVerdict]
+    limits: Records[LimitVerdict]
     """Limits that the campaign states, with their verdicts."""
     map: PredictionMap | None
     """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
     the robot reaches too few places between the poses.
     """
-    parameter_influences: list[ParameterInfluence]
+    parameter_influences: Records[ParameterInfluence]
     """Effects of the identified parameters of the robot at the measured points, the largest change first."""
-    placed_apart: list[PlacedApart]
+    placed_apart: Records[PlacedApart]
     """Targets and fixtures that no calibration pose shows. They are placed by their own readings at validation
     poses, with all identified parameters held.
     """
@@ -2984,11 +3050,11 @@ class AccuracyDocument(Document):
     """Errors of the distances between poses, independent of the base. Absent without two poses of one target."""
     schema: str
     """Schema and version: `etalon/accuracy/1`."""
-    sets: list[AccuracySet]
+    sets: Records[AccuracySet]
     """One entry per set of poses: `calibration`, `validation`."""
     tool: ToolAccuracy | None
     """Expected error at the tool point; absent without a tool point or a covariance."""
-    trends: list[ResidualTrend]
+    trends: Records[ResidualTrend]
     """Dependence of the mean errors of the calibration poses after identification on joints, reach and time; empty
     with fewer than ten poses.
     """
@@ -2999,15 +3065,15 @@ class AccuracyDocument(Document):
 
 class AxesDocument(Document):
     """Axes of joints from sweeps of one joint at a time (circle-point analysis)."""
-    axes: list[AxisEntry]
+    axes: Records[AxisEntry]
     """One axis for each joint, in the order of the joints."""
-    checks: list[AxesCheck]
+    checks: Records[AxesCheck]
     """Readings that belong to no sweep, compared with the robot."""
     joint_values: bool
     """`true` if joint values are known; otherwise joint values zero are the start of the sweeps."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Version and inputs."""
     robot: AxesRobot | None
     """Robot that follows from the axes; absent if joints have no sweep, or if a message of severity error says that
@@ -3018,16 +3084,16 @@ class AxesDocument(Document):
 
 class AxisDocument(Document):
     """Positioning of a linear axis (ISO 230-2:2014)."""
-    axis: "AxisPositioning"
+    axis: AxisPositioning
     """Positioning of the axis."""
-    positions: list[AxisPosition]
+    positions: Records[AxisPosition]
     """Positions of the axis, ascending."""
     schema: str
     """Schema and version: `etalon/iso230/1`."""
 
 class BatchDocument(Document):
     """Outcome of the campaigns of a batch."""
-    campaigns: list[BatchEntry]
+    campaigns: Records[BatchEntry]
     """One entry per campaign, in the order of the command line."""
     done: int
     """Number of campaigns that meet all limits or state none."""
@@ -3042,17 +3108,17 @@ class BatchDocument(Document):
 
 class CampaignSummary(Document):
     """Statements of the campaign about itself, for the head of a report."""
-    conditions: "Conditions"
+    conditions: Conditions
     """Conditions of a test."""
     contact: ContactSummary | None
     """Repeatability of the robot in returning to a measured point, if stated."""
-    controller_files: list[WrittenFile]
+    controller_files: Records[WrittenFile]
     """Controller files that the run wrote."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
     """Date as stated."""
-    decision_rule: Any
+    decision_rule: str | None
     """Decision rule for limits, as stated."""
     expanded_position_uncertainty_um: float | None
     """Expanded uncertainty of a position, if stated."""
@@ -3060,7 +3126,7 @@ class CampaignSummary(Document):
     """Expanded uncertainty of one coordinate."""
     instrument: str | None
     """Measuring instrument."""
-    issue: "Issue"
+    issue: Issue
     """Identification of the report."""
     name: str
     """Name of the campaign."""
@@ -3068,7 +3134,7 @@ class CampaignSummary(Document):
     """Remarks."""
     operator: str | None
     """Operator as stated."""
-    report: "Presentation"
+    report: Presentation
     """Presentation of the report."""
     robot: str | None
     """Name of the robot, if its file states one."""
@@ -3076,7 +3142,7 @@ class CampaignSummary(Document):
     """Explanation of synthetic data; absent for measured data."""
     temperature_c: float | None
     """Temperature during the campaign."""
-    temperature_range_c: list[float] | None
+    temperature_range_c: NDArray[np.float64] | None
     """Lowest and highest temperature (°C) that rows of the exports state."""
     valid_until: str | None
     """Last day on which the calibration is valid, as stated: year-month-day."""
@@ -3085,19 +3151,19 @@ class CellDocument(Document):
     """Frames and points of a robot cell from controller poses and measurements."""
     axis: CellAxisEntry | None
     """Identified external axis."""
-    frames: list[CellFrameEntry]
+    frames: Records[CellFrameEntry]
     """Identified frames; the first one is the answer."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings, and errors for which the answer must not be loaded."""
-    noise: list[CellNoise]
+    noise: Records[CellNoise]
     """Standard deviations of the residuals: positions, then orientations."""
-    points: list[CellPointEntry]
+    points: Records[CellPointEntry]
     """Identified points; without frames the first one is the answer."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Version and inputs."""
     readings: int
     """Number of readings."""
-    residuals: list[CellResidualEntry]
+    residuals: Records[CellResidualEntry]
     """Residuals in the order of the rows."""
     schema: str
     """Schema and version: `etalon/cell/1`."""
@@ -3110,38 +3176,38 @@ class CheckDocument(Document):
     """Findings of `etalon check`. The exit code is 2 if there are errors, otherwise 0."""
     campaign: str
     """The campaign as the user named it."""
-    errors: list[Finding]
+    errors: Records[Finding]
     """Errors that prevent the campaign from running."""
-    joints: list[JointTravel]
+    joints: Records[JointTravel]
     """Travel of the joints in the calibration poses; empty if the poses are unknown."""
     schema: str
     """Schema and version: `etalon/check/1`."""
-    sources: list[Source]
+    sources: Records[Source]
     """Files read, and rows rejected by a rule; empty if reading found errors."""
-    warnings: list[Finding]
+    warnings: Records[Finding]
     """Warnings that a report would show."""
 
 class CompareDocument(Document):
     """Comparison of several campaigns of one robot, in the order of the command line."""
-    between_series: list[CompareBetween]
+    between_series: Records[CompareBetween]
     """Between-series components for each pair of campaigns with a misfit in at least one."""
-    campaigns: list[ComparedCampaign]
+    campaigns: Records[ComparedCampaign]
     """Compared campaigns."""
-    convention_phrases: list[Phrase]
+    convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Rules for judging changes, and their limitations, in words."""
-    messages: list[Message]
+    messages: Records[Message]
     """Remarks and warnings."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Version, and the compared documents."""
     robot: str | None
     """Model of the robot; null if no campaign identifies parameters."""
     schema: str
     """Schema and version: `etalon/compare/1`."""
-    together: list[CompareTogether]
+    together: Records[CompareTogether]
     """Joint test of all robot parameters for each pair of campaigns."""
-    trends: list[CompareTrend]
+    trends: Records[CompareTrend]
     """Every quantity over the campaigns."""
 
 class CompensationDocument(Document):
@@ -3156,16 +3222,16 @@ class CompensationDocument(Document):
     """Model of the robot."""
     schema: str
     """Schema and version: `etalon/compensation/1`."""
-    targets: list[CompensatedTarget]
+    targets: Records[CompensatedTarget]
     """One entry for each reachable target."""
-    unreachable: list[UnreachableTarget]
+    unreachable: Records[UnreachableTarget]
     """Targets that are out of reach or beyond a limit."""
 
 class ControllersDocument(Document):
     """Controller files of formats that leave identified parameters out."""
-    files: list[ControllerFiles]
+    files: Records[ControllerFiles]
     """One entry for each distinct set of written values."""
-    messages: list[Message]
+    messages: Records[Message]
     """Files that were not written or are not clearly better than nominal, and parameters that could not be
     identified again.
     """
@@ -3174,16 +3240,16 @@ class ControllersDocument(Document):
 
 class ExplanationDocument(Document):
     """Answer of `etalon explain`: explanations of messages."""
-    messages: list[Explanation]
+    messages: Records[Explanation]
     """Requested message, or all messages."""
     schema: str
     """Schema and version: `etalon/explanation/1`."""
 
 class FeaturesDocument(Document):
     """Fitted elements."""
-    features: list[Feature]
+    features: Records[Feature]
     """One entry per feature of the campaign."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings of the fits."""
     schema: str
     """Schema and version: `etalon/features/1`."""
@@ -3192,9 +3258,9 @@ class FieldDocument(Document):
     """Errors of joints that the parameters do not describe, as functions of the joint values. The robot is at the
     position of its model with the parameters in `parameters` and the joint values q + δq(q).
     """
-    components: list[FieldComponent]
+    components: Records[FieldComponent]
     """Components; the errors of a joint add up."""
-    covariance: list[list[float]]
+    covariance: NDArray[np.float64]
     """Covariance of the parameters in `covariance_of`, followed by the weights of the components, in their units."""
     covariance_of: list[str]
     """Names of the parameters in `covariance`."""
@@ -3206,13 +3272,13 @@ class FieldDocument(Document):
     """Joints of the robot, named as columns: `q1_deg`."""
     noise_mm: float
     """Standard deviation of a measured coordinate without the field's error (mm)."""
-    parameters: list[FieldParameter]
+    parameters: Records[FieldParameter]
     """Parameters that go with the field: those of `parameters.json`, estimated again with the field. Beyond the
     measured poses they fade to those of `parameters.json` as δq fades to 0.
     """
     parameters_sha256: str
     """SHA-256 of the `parameters.json` to which the field belongs."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
     robot: str
     """Model of the robot."""
@@ -3225,11 +3291,11 @@ class FitDocument(Document):
     """One fitted element."""
     apex_angle_deg: float | None
     """Full angle of a cone."""
-    apex_mm: list[float] | None
+    apex_mm: NDArray[np.float64] | None
     """Apex of a cone."""
-    axis: list[float] | None
+    axis: NDArray[np.float64] | None
     """Unit axis of a line, cylinder or cone. The axis of a cone points towards increasing radius."""
-    center_mm: list[float] | None
+    center_mm: NDArray[np.float64] | None
     """Centre of a circle, sphere or torus."""
     contacts: FitContacts | None
     """Contact points of a minimum zone."""
@@ -3247,13 +3313,13 @@ class FitDocument(Document):
     """Label of the points, if each label is fitted separately."""
     max_mm: float
     """Largest of these distances."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings with hints."""
     minor_radius_mm: float | None
     """Radius of the tube of a torus."""
-    normal: list[float] | None
+    normal: NDArray[np.float64] | None
     """Unit normal of a plane, circle or torus."""
-    point_mm: list[float] | None
+    point_mm: NDArray[np.float64] | None
     """Point of a line, plane, cylinder or cone: foot of the perpendicular from the centroid."""
     points: int
     """Number of points."""
@@ -3269,7 +3335,7 @@ class FitDocument(Document):
     """Schema and version: `etalon/fit/1`."""
     set_aside: list[int] | None
     """Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`."""
-    solver: "FitSolver"
+    solver: FitSolver
     """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
     """Standard uncertainties from the residuals; absent without redundancy."""
@@ -3278,9 +3344,9 @@ class FitDocument(Document):
 
 class FormatsDocument(Document):
     """Proposals of `etalon formats` for reading a file."""
-    columns: list[FormatsColumn]
+    columns: Records[FormatsColumn]
     """Proposed contents of each column of the first reading, with reasons."""
-    doubt_phrases: list[Phrase]
+    doubt_phrases: Records[Phrase]
     """Texts of the catalogue that are `doubts` in English."""
     doubts: list[str]
     """Doubts about the first proposal."""
@@ -3294,13 +3360,13 @@ class FormatsDocument(Document):
     """Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`, `commanded`,
     `recording` ...
     """
-    question_phrases: list[Phrase]
+    question_phrases: Records[Phrase]
     """Texts of the catalogue that are `questions` in English."""
     questions: list[str]
     """Facts that the file cannot state and the campaign must."""
-    readings: list[Reading]
+    readings: Records[Reading]
     """Readings that explain the file, the proposed one first."""
-    reason_phrases: list[Phrase]
+    reason_phrases: Records[Phrase]
     """Texts of the catalogue that are `reasons` in English."""
     reasons: list[str]
     """Reasons for the first proposal."""
@@ -3313,64 +3379,64 @@ class FormatsDocument(Document):
 
 class FramesDocument(Document):
     """Frames made from features and targets."""
-    not_controlled: list[Uncontrolled]
+    not_controlled: Records[Uncontrolled]
     """Errors that no reading of the campaign can show, with the keys that would control them."""
     schema: str
     """Schema and version: `etalon/frames/1`."""
-    world: "WorldFrame"
+    world: WorldFrame
     """World frame. If the frame is measured again at each pose, `export_T_world` is given for every pose."""
 
 class GeometricDocument(Document):
     """Geometric calibration (thesis, chapter 2)."""
-    balls: list[BallResult]
+    balls: Records[BallResult]
     """Single balls, measured repeatedly."""
-    covariance: list[list[float]]
+    covariance: NDArray[np.float64]
     """Covariance of the values of all quantities, in their order and units."""
     definition: str
     """Assignment of the measured features to geometric quantities, in words."""
     definition_phrase: Phrase | None
     """Text of the catalogue that is `definition` in English."""
-    leads: list[LeadResult]
+    leads: Records[LeadResult]
     """Leads of the screws."""
-    messages: list[Message]
+    messages: Records[Message]
     """Remarks and warnings for the reader."""
-    methods: list[MethodErrors]
+    methods: Records[MethodErrors]
     """Largest mean errors over all tables, by method."""
-    quantities: list[GeometricQuantity]
+    quantities: Records[GeometricQuantity]
     """One entry per quantity, with the identified value of the same parameter."""
-    scale_bars: list[ScaleBarResult]
+    scale_bars: Records[ScaleBarResult]
     """Scale bars."""
     schema: str
     """Schema and version: `etalon/geometric/1`."""
-    steps: list[GeometricStep]
+    steps: Records[GeometricStep]
     """Residuals of all fits."""
-    tables: list[PoseTable]
+    tables: Records[PoseTable]
     """Mean errors by pose."""
-    workspace: list[Region]
+    workspace: Records[Region]
     """Regions of the workspace, with the geometric parameters."""
 
 class ImportDocument(Document):
     """Rows that were read, and rows that were rejected with the reasons."""
     campaign: str
     """Name of the campaign."""
-    messages: list[Message]
+    messages: Records[Message]
     """Findings of the blunder rules, and other messages."""
     schema: str
     """Schema and version: `etalon/import/1`."""
-    sources: list[Source]
+    sources: Records[Source]
     """All files read."""
-    unmatched: list[Unmatched]
+    unmatched: Records[Unmatched]
     """Rows without a partner in the join of points and logs, or with more than one."""
 
 class Iso9283ComplianceDocument(Document):
     """Static compliance (10)."""
-    convention_phrases: list[Phrase]
+    convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Method, and the statement that the clause is not verified against the standard."""
-    directions: list[Iso9283Compliance]
+    directions: Records[Iso9283Compliance]
     """One per direction, in the order of the table."""
-    messages: list[Message]
+    messages: Records[Message]
     """Remarks and warnings."""
     schema: str
     """Schema and version: `etalon/iso9283-compliance/1`."""
@@ -3379,52 +3445,52 @@ class Iso9283Document(Document):
     """Characteristics of ISO 9283:1998 of one test."""
     approach_phrases: Record
     """Texts of the catalogue that are names of approaches in English; names that a table states are absent."""
-    approaches: list[Iso9283Variation]
+    approaches: Records[Iso9283Variation]
     """One entry per pose that was approached in at least two ways."""
-    convention_phrases: list[Phrase]
+    convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Meaning of angles, evaluated cycles, and clauses that are not verified against the standard, in words."""
     coplanarity_mm: float | None
     """Peak to valley of the mean positions about their plane, with z and at least four poses."""
-    coplanarity_of_four: list[Iso9283OutOfPlane]
+    coplanarity_of_four: Records[Iso9283OutOfPlane]
     """Distances of the mean positions of four poses, each from the plane of the other three, if a campaign names
     four poses.
     """
-    distances: list[Iso9283Distance]
+    distances: Records[Iso9283Distance]
     """One entry per pair of poses that were visited in the same cycles."""
-    drifts: list[Iso9283Drift]
+    drifts: Records[Iso9283Drift]
     """Drift of each pose, if sets are stated."""
     exchangeability_mm: float | None
     """Largest distance between the barycentres of two robots at any pose, with several robots."""
     homing: Iso9283Pose | None
     """Homings as visits of one pose with number 0, if a campaign has homings."""
-    limits: list[LimitVerdict]
+    limits: Records[LimitVerdict]
     """Limits that the campaign states."""
-    messages: list[Message]
+    messages: Records[Message]
     """Remarks and warnings."""
-    poses: list[Iso9283Pose]
+    poses: Records[Iso9283Pose]
     """One entry per pose, in the order of the commanded poses."""
-    reference: list[Iso9283Epoch]
+    reference: Records[Iso9283Epoch]
     """Measurements of the reference targets for drift compensation, if any."""
     schema: str
     """Schema and version: `etalon/iso9283/1`."""
-    visits: list[Iso9283Visit]
+    visits: Records[Iso9283Visit]
     """All visits of a campaign; visits of one pose are in the order of recording."""
 
 class Iso9283PlanDocument(Document):
     """Layout of a test by ISO 9283:1998 in a workspace."""
-    convention_phrases: list[Phrase]
+    convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Choices made, and clauses that are not verified against the standard, in words."""
-    corners_mm: list[list[float]]
+    corners_mm: NDArray[np.float64]
     """Corners C1 to C8; for planar robots, C1 to C4."""
     loads_percent: list[int]
     """Loads (% of the rated load); the first is mandatory."""
-    places: list[Iso9283Places]
+    places: Records[Iso9283Places]
     """Named lists of places to visit in order: `poses` (P1 to P5), `linear`, `circle-large`, ..."""
-    programme: list[Iso9283Item]
+    programme: Records[Iso9283Item]
     """Test programme: one line for each characteristic."""
     schema: str
     """Schema and version: `etalon/iso9283-plan/1`."""
@@ -3432,14 +3498,14 @@ class Iso9283PlanDocument(Document):
     """Side of the cube; for planar robots, of the square."""
     test_plane: str
     """Corners of the test plane."""
-    unreached: list[Iso9283Unreached]
+    unreached: Records[Iso9283Unreached]
     """Places that the stated robot does not reach."""
 
 class Iso9283StreamDocument(Document):
     """Characteristics of ISO 9283:1998 of a recorded motion."""
-    arrivals: list[Iso9283Arrival]
+    arrivals: Records[Iso9283Arrival]
     """First arrivals at each pose, for the chart of stabilisation; empty without a limit band."""
-    convention_phrases: list[Phrase]
+    convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
     """Thresholds, origin of times, and clauses that are not verified against the standard, in words."""
@@ -3447,19 +3513,19 @@ class Iso9283StreamDocument(Document):
     """Time from the first to the last sample."""
     left_out: list[int]
     """Lines of samples that are left out because no robot moves there from the previous sample in time."""
-    messages: list[Message]
+    messages: Records[Message]
     """Remarks and warnings."""
     path: Iso9283Path | None
     """Characteristics of the commanded path, if a path without weaving is stated."""
-    posing: list[Iso9283Posing]
+    posing: Records[Iso9283Posing]
     """Moves between poses; empty without a limit band."""
     samples: int
     """Number of evaluated samples."""
     schema: str
     """Schema and version: `etalon/iso9283-stream/1`."""
-    settling: list[Iso9283Settling]
+    settling: Records[Iso9283Settling]
     """Arrivals by pose; empty without a limit band."""
-    standstills: list[Iso9283Standstill]
+    standstills: Records[Iso9283Standstill]
     """All standstills in the order of time."""
     weaving: Iso9283Weaving | None
     """Characteristics of the weave, if stated."""
@@ -3468,20 +3534,20 @@ class Iso9283StreamsDocument(Document):
     """Recorded motions of a campaign."""
     schema: str
     """Schema and version: `etalon/iso9283-streams/1`."""
-    streams: list[Iso9283NamedStream]
+    streams: Records[Iso9283NamedStream]
     """One per `[[stream]]`."""
 
 class KinematicsDocument(Document):
     """Poses with their joint values."""
     joints: list[str]
     """Column names of the joints with their units, and of the assembly mode if there are several."""
-    poses: list[KinematicsEntry]
+    poses: Records[KinematicsEntry]
     """One entry for each row of the table, or for each solution."""
     robot: str
     """Model of the robot."""
     schema: str
     """Schema and version: `etalon/kinematics/1`."""
-    unreachable: list[UnreachablePose]
+    unreachable: Records[UnreachablePose]
     """Poses that the robot cannot reach."""
 
 class ManifestDocument(Document):
@@ -3495,23 +3561,23 @@ class ManifestDocument(Document):
 
 class ParametersDocument(Document):
     """Identified parameters with the evidence for them."""
-    budget: list[BudgetSource]
+    budget: Records[BudgetSource]
     """Contributions of each source to the standard uncertainties of these parameters (GUM 5.1.2)."""
-    covariance: list[list[float]]
+    covariance: NDArray[np.float64]
     """Covariance of the identified parameters, in their order and units; empty if unknown."""
     covariance_without: list[str]
     """Identified parameters of points (targets, sockets, planes) that `covariance` omits because there are 24 points
     or more. Each has its standard uncertainty.
     """
-    messages: list[Message]
+    messages: Records[Message]
     """Messages for the reader: held parameters with the reasons, warnings with remedies."""
     observability: ObservabilitySummary | None
     """Observability; absent if not finite."""
-    parameters: list[ParameterEntry]
+    parameters: Records[ParameterEntry]
     """All parameters of the model."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
-    reference_poses: list[ReferencePose]
+    reference_poses: Records[ReferencePose]
     """Positions of the flange by the nominal geometry, with which a robot file is compared that is given beside
     these parameters; absent in documents of earlier versions.
     """
@@ -3519,7 +3585,7 @@ class ParametersDocument(Document):
     """Reliability of readings, and influence of poses. Absent if readings have covariances of their own or common
     errors, if readings are poses instead of positions, or if there are many unknown points.
     """
-    residuals: "ResidualSummary"
+    residuals: ResidualSummary
     """Goodness of fit."""
     robot: str
     """Model of the robot."""
@@ -3529,12 +3595,14 @@ class ParametersDocument(Document):
     """
     schema: str
     """Schema and version: `etalon/parameters/2`."""
-    sketches: list[Sketch]
+    sketches: Records[Sketch]
     """Drawings of the model with its parameters; absent if the model provides none."""
-    solver: "SolverSummary"
+    solver: SolverSummary
     """Solver and its termination."""
     synthetic: str | None
     """Explanation of synthetic data, as the campaign states it; absent for measured data."""
+    untested: Records[UntestedMistake]
+    """Mistakes of the set-up that the measurements do not show."""
     valid_until: str | None
     """Last day on which the parameters are valid, as the campaign states it: year-month-day."""
 
@@ -3548,7 +3616,7 @@ class PlanDocument(Document):
     """Upper bound of the index for any choice of as many candidates; absent for O4, which has no bound."""
     candidates: int
     """Number of candidates."""
-    chosen: list[PlannedPose]
+    chosen: Records[PlannedPose]
     """Poses to measure."""
     compared: ComparedPoses | None
     """Poses for comparison, if stated."""
@@ -3560,13 +3628,13 @@ class PlanDocument(Document):
     """Text of the catalogue that is `definition` in English."""
     generated: GeneratedCandidates | None
     """Limits within which the candidates were drawn, if they were generated."""
-    greedy: "GreedySummary"
+    greedy: GreedySummary
     """Greedy choice of the thesis: candidates are added one after the other."""
     grouped: bool
     """`true` if the configurations of a pose are chosen together, `false` if one by one."""
     index: str
     """`O1` to `O5`, `D`, `A`, `E` or `I`."""
-    messages: list[Message]
+    messages: Records[Message]
     """Parameters that are not separately identifiable, and other messages."""
     nodes: int
     """Number of nodes examined by branch and bound."""
@@ -3574,15 +3642,15 @@ class PlanDocument(Document):
     """Observability of the chosen poses; absent if not finite."""
     order: MeasuringOrder | None
     """Order of `chosen` that shortens the motion of the joints."""
-    parameters: list[PlannedParameter]
+    parameters: Records[PlannedParameter]
     """Parameters, with their predicted uncertainties from the chosen poses."""
-    places: list[CandidatePlace]
+    places: Records[CandidatePlace]
     """Positions of the candidates (thesis, fig. 4.7)."""
     program: PlannedProgram | None
     """Measuring program, if one is written. Joint values of `chosen` are those that it commands."""
     proven_optimal: bool
     """`true` if the choice is proved to be optimal."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
     robot: str
     """Model of the robot."""
@@ -3603,21 +3671,21 @@ class RecommendationDocument(Document):
     """Campaign whose data recommend the parameters."""
     folds: int
     """Number of folds; each is predicted from the others."""
-    held_out: "HeldOutErrors"
+    held_out: HeldOutErrors
     """Position errors at poses that were left out of the identification (mm)."""
     loading: Loading | None
     """Answer of the run to what a controller should load."""
     meaning: list[str]
     """Recommendation in words."""
-    meaning_phrases: list[Phrase]
+    meaning_phrases: Records[Phrase]
     """Texts of the catalogue that are `meaning` in English."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings, with remedies."""
-    parameters: list[ParameterVerdict]
+    parameters: Records[ParameterVerdict]
     """Every identified parameter of the robot itself."""
     poses: int
     """Number of calibration poses."""
-    recommended: "ParametersDocument"
+    recommended: ParametersDocument
     """Parameters of the answer: those of the run; with further effects, if these are to be identified first; or
     nominal ones.
     """
@@ -3627,37 +3695,39 @@ class RecommendationDocument(Document):
     """Model of the robot."""
     schema: str
     """Schema and version: `etalon/recommendation/1`."""
-    steps: list[EffectStep]
+    steps: Records[EffectStep]
     """Effects in the order of trial. Accepted effects are part of every later step."""
 
 class SelftestDocument(Document):
     """Validation of an installation: the program and its machine, comparisons with reference values, and slips that
     the comparisons must notice.
     """
-    machine: "Machine"
+    machine: Machine
     """The machine."""
-    must_fail: list[SelftestMustFail]
+    must_fail: Records[SelftestMustFail]
     """Slips in the reference data, each of which must fail a comparison."""
-    packages: list[LockedPackage]
+    packages: Records[LockedPackage]
     """Packages of which program, build scripts and tests are built (Cargo.lock)."""
+    pass_: bool
+    """`true` if everything passed."""
     performance: SelftestPerformance | None
     """Comparison of the laboratory's own campaign with its stored result; null if none was stated."""
-    program: "SelftestProgram"
+    program: SelftestProgram
     """The program."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
-    reference: list[ReferenceFile]
+    reference: Records[ReferenceFile]
     """Files of the reference data in the program, with their hashes."""
     reference_folder: bool
     """`true` if the reference data of NIST are present in the folder `ETALON_REFERENCE`."""
-    requirements: list[SelftestRequirement]
+    requirements: Records[SelftestRequirement]
     """Requirements with their tests."""
     schema: str
     """Schema and version: `etalon/selftest/1`."""
 
 class StudiesDocument(Document):
     """Comparison of sets of poses under stated noise."""
-    designs: list[StudiedDesign]
+    designs: Records[StudiedDesign]
     """One entry for each set and noise."""
     draws: int
     """Number of such means, over which intervals are taken."""
@@ -3665,7 +3735,7 @@ class StudiesDocument(Document):
     """Definition of the errors `before` and `after`, in words."""
     error_phrase: Phrase | None
     """Text of the catalogue that is `error` in English."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
     robot: str
     """Model of the robot."""
@@ -3680,13 +3750,13 @@ class UncertaintyDocument(Document):
     """The campaign."""
     draws: int
     """Number of Monte Carlo draws of the whole campaign: frames, readings, common errors."""
-    errors: list[DistributionEntry]
+    errors: Records[DistributionEntry]
     """Mean, root-mean-square and largest position error of the validation poses (`mean`, `rms`, `max`)."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings of the identification."""
-    parameters: list[DistributionEntry]
+    parameters: Records[DistributionEntry]
     """Identified parameters."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers, and seed of the draws."""
     resamples: int
     """Number of bootstrap resamples of poses and cycles; 0 if resamples do not determine the parameters."""
@@ -3696,18 +3766,18 @@ class UncertaintyDocument(Document):
     """Schema and version: `etalon/uncertainty/1`."""
     two_digits_reached: bool
     """`true` if two significant digits of all standard uncertainties and interval ends are stable (JCGM 101, 7.9.4)."""
-    uncertainties_from: Any
+    uncertainties_from: str
     """Basis of the standard uncertainties of the identification. Draws of parameters contain the stated
     uncertainties and the model error; draws of errors contain the stated uncertainties.
     """
 
 class VerdictDocument(Document):
     """`verdict.json`: verdict of a run, with its reasons."""
-    actions: list[Action]
+    actions: Records[Action]
     """Next steps, at most five: missing limits, then the steps with the largest gain."""
     exit_code: int
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
-    limits: list[LimitVerdict]
+    limits: Records[LimitVerdict]
     """All limits with their verdicts."""
     loading: Loading | None
     """Answer to what a controller should load; absent without identified parameters."""
@@ -3715,34 +3785,34 @@ class VerdictDocument(Document):
     """Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about the results."""
     schema: str
     """Schema and version: `etalon/verdict/1`."""
-    verdict: Any
+    verdict: str | None
     """Verdict; null if nothing was judged, because no limit is stated."""
 
 class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
     calibration: CampaignReference | None
     """Campaign that identified the parameters; absent if `campaign.json` is not beside them."""
-    conditions: list[VerifiedQuantity]
+    conditions: Records[VerifiedQuantity]
     """Residuals of each quantity other than positions of targets."""
     expected_position_rms_mm: float
     """Expected root-mean-square residual of a position if nothing has changed (mm)."""
     expected_rms_mm: float
     """Expected root-mean-square residual if nothing has changed (mm)."""
-    explanations: list[Movement]
+    explanations: Records[Movement]
     """All single movements that may explain the residuals, the best explanation first."""
     meaning: str
     """Verdict in words."""
     meaning_phrase: Phrase | None
     """Text of the catalogue that is `meaning` in English."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings, with remedies."""
     model_mm: float
     """Standard deviation of the calibrated model's error of a coordinate, in addition to the measurement (mm)."""
     moved: Movement | None
     """Object that has moved, with its displacement, if a single movement explains the residuals."""
-    of_changes: "SumOfSquares"
+    of_changes: SumOfSquares
     """Residuals that a movement of base and joints can produce."""
-    of_rest: "SumOfSquares"
+    of_rest: SumOfSquares
     """All other residuals."""
     p_value: float
     """Probability of residuals at least this large if nothing has changed."""
@@ -3752,9 +3822,9 @@ class VerificationDocument(Document):
     """Number of observed poses."""
     position_rms_mm: float
     """Root-mean-square residual of a position (mm)."""
-    power: "DetectionPower"
+    power: DetectionPower
     """Detection power of these observations."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
     rms_mm: float
     """Root-mean-square residual of a coordinate (mm)."""
@@ -3766,12 +3836,12 @@ class VerificationDocument(Document):
     """Significance level: the robot counts as changed if the p-value is below it."""
     standard_uncertainty_mm: float
     """Standard uncertainty of a measured coordinate (mm)."""
-    verdict: Any
+    verdict: str
     """Verdict on the parameters."""
 
 class VerificationPlanDocument(Document):
     """Candidates to measure so that `etalon verify` detects the smallest possible changes."""
-    messages: list[Message]
+    messages: Records[Message]
     """Warnings, with remedies."""
     model_mm: float
     """Standard deviation of the calibrated model's error of a coordinate, in addition to the measurement (mm)."""
@@ -3779,7 +3849,7 @@ class VerificationPlanDocument(Document):
     """Probability with which the right joint is named."""
     probability: float
     """Probability with which changes are detected."""
-    provenance: "Provenance"
+    provenance: Provenance
     """Origin of the numbers."""
     robot: str
     """Model of the robot."""
@@ -3787,12 +3857,12 @@ class VerificationPlanDocument(Document):
     """Schema and version: `etalon/verification-plan/1`."""
     standard_uncertainty_mm: float
     """Standard uncertainty of a measured coordinate (mm)."""
-    steps: list[VerificationStep]
+    steps: Records[VerificationStep]
     """Poses in the order of the choice."""
 
 class WrittenDocument(Document):
     """Files that a command wrote: report, export, simulate and init."""
-    controllers: list[WrittenController]
+    controllers: Records[WrittenController]
     """Position errors with the controller files that `etalon export` wrote, if the run measured them."""
     files: list[str]
     """Files in the order of writing."""

@@ -1,60 +1,198 @@
 """Geometric elements fitted to points by least squares or minimum zone.
 
 Points are arrays ``(n, 3)`` of float64 in mm; an array in C order is read where it is, without a copy. ``(n, 2)`` is in the plane z = 0.
-A fit is a :class:`Fit`: ``.center_mm``, ``.point_mm``, ``.normal``, ``.axis`` and ``.radius_mm`` as the element has them,
-``.rms_mm``, ``.form_mm``, ``.standard_uncertainty`` (k = 1), ``.residuals_mm``.
+Each element has its class: :class:`Line`, :class:`Plane`, :class:`Circle`, :class:`Sphere`, :class:`Cylinder`, :class:`Cone`, :class:`Torus`.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
-from ._errors import Error
-from .documents import FitDocument, load  # type: ignore[attr-defined]
+from ._errors import Error, with_warnings
+from .documents import Document, FitContacts, FitProbe, FitSolver, Message, Records, load
+
+_Vector = NDArray[np.float64]
+#: Side of the surface on which the probe was, or the direction to it.
+ProbeSide = Literal["inside", "outside"] | ArrayLike
+ElementName = Literal["line", "line2d", "plane", "circle2d", "circle3d", "sphere", "cylinder", "cone", "torus"]
 
 
-class Fit(FitDocument):
-    """A fitted element: the document, and the residuals, which a minimum zone does not have."""
+@dataclass(frozen=True)
+class Uncertainty:
+    """Standard uncertainties (k = 1) of an element from its residuals; NaN without redundancy, by minimum zone, and for what the element lacks.
 
-    __slots__ = ("_given", "_residuals")
+    Attributes:
+        point_mm: Of the point or centre in its most uncertain direction, mm.
+        direction_deg: Of the normal or axis about its most uncertain direction, deg.
+        radius_mm: Of the radius, mm.
+        minor_radius_mm: Of the radius of the tube of a torus, mm.
+        apex_angle_deg: Of the full angle of a cone, deg.
+    """
 
-    def __init__(
-        self, members: dict[str, Any], residuals_mm: NDArray[np.float64] | None = None, given: tuple[Any, Any] | None = None
-    ) -> None:
+    point_mm: float = float("nan")
+    direction_deg: float = float("nan")
+    radius_mm: float = float("nan")
+    minor_radius_mm: float = float("nan")
+    apex_angle_deg: float = float("nan")
+
+
+class Fit(Document):
+    """A fitted element: the document of ``etalon fit``, and the residuals.
+
+    Attributes:
+        element: Name of the element.
+        points: Number of points.
+        rms_mm: Root mean square of the orthogonal distances, mm.
+        max_mm: Largest of these distances, mm.
+        form_mm: Form deviation, peak to valley, mm.
+        coverage_deg: Arc of the circumference that is covered by points, deg.
+        solver: Solver and its termination.
+        messages: Warnings with hints.
+    """
+
+    __slots__ = ("_residuals",)
+    _schema_class = "FitDocument"
+
+    element: str
+    points: int
+    rms_mm: float
+    max_mm: float
+    form_mm: float
+    coverage_deg: float | None
+    contacts: FitContacts | None
+    probe: FitProbe | None
+    solver: FitSolver
+    messages: Records[Message]
+
+    def __init__(self, members: dict[str, Any], residuals_mm: _Vector | None = None) -> None:
         super().__init__(members)
         object.__setattr__(self, "_residuals", residuals_mm)
-        object.__setattr__(self, "_given", given)
 
     @property
-    def residuals_mm(self) -> NDArray[np.float64] | None:
-        """Signed orthogonal distances of the points, ``(n,)``, mm, computed from the array of points as it is at the first call; unsigned for
-        a line and for a circle by orthogonal distances."""
-        if self._residuals is None and self._given is not None:
-            fitted, points = self._given
-            object.__setattr__(self, "_residuals", fitted.residuals(points))
-            object.__setattr__(self, "_given", None)
-        return self._residuals
+    def residuals_mm(self) -> _Vector:
+        """Signed orthogonal distances of the points, ``(n,)``, mm; unsigned for a line and for a circle by orthogonal distances. NaN of a minimum
+        zone and of an enclosing circle or sphere."""
+        residuals = cast("_Vector | None", object.__getattribute__(self, "_residuals"))
+        return np.full(self.points, np.nan) if residuals is None else residuals
 
-    def __reduce__(self):
-        return (Fit, (self._members, self.residuals_mm))
+    @property
+    def standard_uncertainty(self) -> Uncertainty:
+        """Standard uncertainties (k = 1)."""
+        stated = self._members.get("standard_uncertainty") or {}
+        return Uncertainty(**{name: value for name, value in stated.items() if value is not None})
+
+    def plot(self, *, axes: Any = None) -> Any:
+        """Draw the residuals with matplotlib, which ``pip install etalon-robot[plot]`` installs; returns the axes."""
+        from ._plots import residuals_of_points
+
+        return residuals_of_points(self.residuals_mm, axes)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self._members, object.__getattribute__(self, "_residuals")))
+
+
+class Line(Fit):
+    """A line: a point and the unit axis."""
+
+    __slots__ = ()
+    point_mm: _Vector
+    axis: _Vector
+
+
+class Plane(Fit):
+    """A plane: a point and the unit normal."""
+
+    __slots__ = ()
+    point_mm: _Vector
+    normal: _Vector
+
+
+class Circle(Fit):
+    """A circle: centre, unit normal and radius. A circle in the plane z = 0 has the normal (0, 0, 1)."""
+
+    __slots__ = ()
+    center_mm: _Vector
+    radius_mm: float
+
+    @property
+    def normal(self) -> _Vector:
+        """Unit normal."""
+        return np.array(self._members.get("normal") or [0.0, 0.0, 1.0])
+
+
+class Sphere(Fit):
+    """A sphere: centre and radius."""
+
+    __slots__ = ()
+    center_mm: _Vector
+    radius_mm: float
+
+
+class Cylinder(Fit):
+    """A cylinder: a point of the axis, the unit axis and the radius."""
+
+    __slots__ = ()
+    point_mm: _Vector
+    axis: _Vector
+    radius_mm: float
+
+
+class Cone(Fit):
+    """A cone: apex, unit axis towards the increasing radius, full angle, and the radius at a point of the axis."""
+
+    __slots__ = ()
+    apex_mm: _Vector
+    axis: _Vector
+    apex_angle_deg: float
+    point_mm: _Vector
+    radius_mm: float
+
+
+class Torus(Fit):
+    """A torus: centre, unit normal, radius of the centre line and of the tube."""
+
+    __slots__ = ()
+    center_mm: _Vector
+    normal: _Vector
+    radius_mm: float
+    minor_radius_mm: float
+
+
+_CLASSES: dict[str, type[Fit]] = {
+    "line": Line,
+    "line2d": Line,
+    "plane": Plane,
+    "circle2d": Circle,
+    "circle3d": Circle,
+    "sphere": Sphere,
+    "cylinder": Cylinder,
+    "cone": Cone,
+    "torus": Torus,
+}
 
 
 def points_of(points: ArrayLike) -> NDArray[np.float64]:
-    """Return points as an array ``(n, 3)``, float64, C order: the same array where it is one already."""
-    array = np.ascontiguousarray(points, dtype=np.float64)
+    """Return points as an array ``(n, 3)``, float64, C order: the same array where it is one already. Masked points are refused."""
+    if isinstance(points, np.ma.MaskedArray) and np.ma.is_masked(points):
+        raise Error("`points` has masked values: leave these points out (`points[~points.mask.any(axis=1)]`)")
+    try:
+        array = np.ascontiguousarray(points, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise Error(f"`points`: expected numbers: {error}") from error
     if array.ndim == 2 and array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
     if array.ndim != 2 or array.shape[1] != 3:
-        raise Error(f"points have the shape {array.shape}: expected (n, 3)")
+        raise Error(f"`points` has the shape {array.shape}: expected (n, 3)")
     return array
 
 
 def element(
-    name: str,
+    name: ElementName,
     points: ArrayLike,
     *,
     weights: ArrayLike | None = None,
@@ -62,7 +200,7 @@ def element(
     axis: ArrayLike | None = None,
     orthogonal: bool = False,
     probe_radius_mm: float | None = None,
-    probe_side: str | ArrayLike | None = None,
+    probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
 ) -> Fit:
     """Fit an element.
@@ -79,76 +217,180 @@ def element(
         minimum_zone: Fits by minimum zone (Chebyshev): the form of ISO 1101.
 
     Returns:
-        The element. Lengths in mm, angles in deg, uncertainties with k = 1.
+        The element, of its class. Lengths in mm, angles in deg, uncertainties with k = 1.
 
     Raises:
         Error: The points do not determine the element, or an option does not apply to it.
+
+    Warns:
+        MessageWarning: Messages of the fit, by id.
     """
-    side = probe_side if probe_side is None or isinstance(probe_side, str) else [float(v) for v in np.ravel(probe_side)]
+    side = probe_side if probe_side is None or isinstance(probe_side, str) else _numbers(probe_side, "probe_side")
     options = {
-        "weights": None if weights is None else np.ascontiguousarray(weights, dtype=np.float64),
-        "radius_mm": radius_mm,
-        "axis": None if axis is None else [float(v) for v in np.ravel(axis)],
-        "orthogonal": orthogonal,
-        "probe_radius_mm": probe_radius_mm,
+        "weights": None if weights is None else np.array(_numbers(weights, "weights")),
+        "radius_mm": _number(radius_mm, "radius_mm"),
+        "axis": None if axis is None else _numbers(axis, "axis"),
+        "orthogonal": bool(orthogonal),
+        "probe_radius_mm": _number(probe_radius_mm, "probe_radius_mm"),
         "probe_side": side,
-        "minimum_zone": minimum_zone,
+        "minimum_zone": bool(minimum_zone),
     }
     array = points_of(points)
+    if weights is not None and len(options["weights"]) != len(array):  # type: ignore[arg-type]
+        raise Error(f"`weights` has {len(options['weights'])} values: expected one for each of the {len(array)} points")  # type: ignore[arg-type]
     text, fitted = _etalon.fit(name, array, options)
-    return Fit(load(text)._members, given=None if fitted is None else (fitted, array))
+    members = load(text)._members
+    found = _CLASSES.get(name, Fit)(members, None if fitted is None else fitted.residuals(array))
+    return cast(Fit, with_warnings(found))
 
 
-def line(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a line in space: ``.point_mm``, ``.axis``. Options are those of :func:`element`."""
-    return element("line", points, **options)
+def line(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    axis: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Line:
+    """Fit a line in space; options are those of :func:`element`."""
+    found = element("line", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Line, found)
 
 
-def line2d(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a line in the plane z = 0. Options are those of :func:`element`."""
-    return element("line2d", points, **options)
+def line2d(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    axis: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Line:
+    """Fit a line in the plane z = 0; options are those of :func:`element`."""
+    found = element("line2d", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Line, found)
 
 
-def plane(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a plane: ``.point_mm``, ``.normal``. Options are those of :func:`element`."""
-    return element("plane", points, **options)
+def plane(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    axis: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Plane:
+    """Fit a plane; options are those of :func:`element`."""
+    found = element("plane", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Plane, found)
 
 
-def circle(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a circle in space: ``.center_mm``, ``.normal``, ``.radius_mm``. Options are those of :func:`element`."""
-    return element("circle3d", points, **options)
+def circle(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    radius_mm: float | None = None,
+    axis: ArrayLike | None = None,
+    orthogonal: bool = False,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Circle:
+    """Fit a circle in space; options are those of :func:`element`."""
+    found = element("circle3d", points, weights=weights, radius_mm=radius_mm, axis=axis, orthogonal=orthogonal, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Circle, found)
 
 
-def circle2d(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a circle in the plane z = 0. Options are those of :func:`element`."""
-    return element("circle2d", points, **options)
+def circle2d(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    radius_mm: float | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Circle:
+    """Fit a circle in the plane z = 0; options are those of :func:`element`."""
+    found = element("circle2d", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Circle, found)
 
 
-def sphere(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a sphere: ``.center_mm``, ``.radius_mm``. Options are those of :func:`element`."""
-    return element("sphere", points, **options)
+def sphere(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    radius_mm: float | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Sphere:
+    """Fit a sphere; options are those of :func:`element`."""
+    found = element("sphere", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Sphere, found)
 
 
-def cylinder(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a cylinder: ``.point_mm``, ``.axis``, ``.radius_mm``. Options are those of :func:`element`."""
-    return element("cylinder", points, **options)
+def cylinder(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    radius_mm: float | None = None,
+    axis: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Cylinder:
+    """Fit a cylinder; options are those of :func:`element`."""
+    found = element("cylinder", points, weights=weights, radius_mm=radius_mm, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Cylinder, found)
 
 
-def cone(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a cone: ``.apex_mm``, ``.axis``, ``.apex_angle_deg``. Options are those of :func:`element`."""
-    return element("cone", points, **options)
+def cone(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    axis: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Cone:
+    """Fit a cone; options are those of :func:`element`."""
+    found = element("cone", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Cone, found)
 
 
-def torus(points: ArrayLike, **options: Any) -> Fit:
-    """Fit a torus: ``.center_mm``, ``.normal``, ``.radius_mm``, ``.minor_radius_mm``. Options are those of :func:`element`."""
-    return element("torus", points, **options)
+def torus(
+    points: ArrayLike,
+    *,
+    weights: ArrayLike | None = None,
+    probe_radius_mm: float | None = None,
+    probe_side: ProbeSide | None = None,
+    minimum_zone: bool = False,
+) -> Torus:
+    """Fit a torus; options are those of :func:`element`."""
+    found = element("torus", points, weights=weights, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
+    return cast(Torus, found)
 
 
-def enclosing_circle(points: ArrayLike) -> Fit:
+def enclosing_circle(points: ArrayLike) -> Circle:
     """Return the smallest circle that encloses the points in the plane z = 0."""
-    return Fit(load(_etalon.enclosing(False, points_of(points)))._members)
+    return Circle(load(_etalon.enclosing(False, points_of(points)))._members)
 
 
-def enclosing_sphere(points: ArrayLike) -> Fit:
+def enclosing_sphere(points: ArrayLike) -> Sphere:
     """Return the smallest sphere that encloses the points."""
-    return Fit(load(_etalon.enclosing(True, points_of(points)))._members)
+    return Sphere(load(_etalon.enclosing(True, points_of(points)))._members)
+
+
+def _number(value: float | None, name: str) -> float | None:
+    try:
+        return None if value is None else float(value)
+    except (TypeError, ValueError) as error:
+        raise Error(f"`{name}`: expected a number: {error}") from error
+
+
+def _numbers(values: ArrayLike, name: str) -> list[float]:
+    try:
+        return [float(value) for value in np.ravel(np.asarray(values))]
+    except (TypeError, ValueError) as error:
+        raise Error(f"`{name}`: expected numbers: {error}") from error

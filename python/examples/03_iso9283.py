@@ -6,8 +6,8 @@ import numpy as np
 import etalon
 
 noise = np.random.default_rng(2)
-commanded = {"pose": [1, 2], "x_mm": [800.0, 1000.0], "y_mm": [0.0, 300.0], "z_mm": [500.0, 700.0]}
-poses = np.column_stack([commanded[name] for name in ("x_mm", "y_mm", "z_mm")])
+poses = np.array([[800.0, 0.0, 500.0], [1000.0, 300.0, 700.0]])
+commanded = {"pose": [1, 2], "x_mm": poses[:, 0], "y_mm": poses[:, 1], "z_mm": poses[:, 2]}
 path = []
 for _ in range(30):
     for start, end in ((1, 0), (0, 1)):
@@ -20,12 +20,12 @@ recording = {"time_s": np.arange(len(points)) / 100, "x_mm": points[:, 0], "y_mm
 
 # %% standstills at the commanded poses
 motion = etalon.iso9283_path(recording, commanded)
-visits = [stop for stop in motion.standstills if stop.to_dict().get("pose") is not None]
+visits = [stop for stop in motion.standstills if stop.pose is not None]
 print(len(visits), "visits")
 
 # %% accuracy AP and repeatability RP of each pose
-attained = {"pose": [v.pose for v in visits], "cycle": [v.cycle for v in visits]}
-attained |= {name: [v.mean_mm[k] for v in visits] for k, name in enumerate(["x_mm", "y_mm", "z_mm"])}
+means = np.array([v.mean_mm for v in visits])
+attained = {"pose": [v.pose for v in visits], "cycle": [v.cycle for v in visits], "x_mm": means[:, 0], "y_mm": means[:, 1], "z_mm": means[:, 2]}
 tested = etalon.iso9283(attained, commanded, expanded_uncertainty_um=6)
 for pose in tested.poses:
     print(pose.pose, pose.to_dict())

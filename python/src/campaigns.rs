@@ -1,5 +1,6 @@
 //! Campaigns in folders.
 
+use crate::computing::compute_long;
 use crate::errors::{failed, json, refused};
 use etalon::run::documents::parse_parameters;
 use etalon::run::pipeline::{Wanted, run_for};
@@ -8,7 +9,7 @@ use etalon::stages::uncertainty::monte_carlo::Draws;
 use etalon::stages::verify::validation::Validation;
 use etalon::tasks;
 use etalon_base::folder::Durability;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Problems};
 use etalon_campaign::Campaign;
 use etalon_documents::FrameOrigin;
 use pyo3::prelude::*;
@@ -19,21 +20,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 #[pyfunction]
 pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, PathBuf, String)> {
     let wanted = if reports { Wanted::Reports } else { Wanted::Documents };
-    let outcome = py.detach(|| {
+    let outcome = compute_long(py, None, |_| {
         let campaign = Campaign::read(&folder)?;
         let outcome = run_for(&campaign, wanted, Durability::Now)?;
         let results = outcome.results;
         let messages: Vec<Message> = results.messages().cloned().collect();
-        Ok((results.verdict.passes(), campaign.output()?, messages))
+        Ok::<_, Problems>((results.verdict.passes(), campaign.output()?, messages))
     });
-    let (met, output, messages) = outcome.map_err(refused)?;
+    let (met, output, messages) = outcome?.map_err(refused)?;
     Ok((met, output, json(&messages)?))
 }
 
 /// Everything that is wrong with a campaign.
 #[pyfunction]
 pub fn check(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
-    json(&py.detach(|| tasks::check(&folder)))
+    json(&compute_long(py, None, |_| tasks::check(&folder))?)
 }
 
 /// Given parameters on the data of a campaign; nominal ones without.
@@ -43,20 +44,21 @@ pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frame
         let message = Message::error(format!("`frames`: {error}"));
         refused(message.into())
     })?;
-    let validated = py.detach(|| {
+    let validated = compute_long(py, None, |_| {
         let campaign = Campaign::read(&folder)?;
         let parameters = parameters.map(|text| parse_parameters("parameters", text)).transpose()?;
         validation::validate(&campaign, Validation { document: parameters.as_ref(), field: None, frames })
     });
-    json(&validated.map_err(refused)?.accuracy)
+    json(&validated?.map_err(refused)?.accuracy)
 }
 
 /// Which parameters deserve to be loaded. `progress` is called with what is done and the whole.
 #[pyfunction]
 pub fn recommend(py: Python<'_>, folder: PathBuf, progress: Option<Py<PyAny>>) -> PyResult<String> {
-    let mut report = reporter(progress);
-    let found = py.detach(|| validation::recommend(&Campaign::read(&folder)?, &mut report));
-    json(&found.map_err(refused)?)
+    let found = compute_long(py, progress, |progress| {
+        validation::recommend(&Campaign::read(&folder)?, &mut |done, whole| progress.report(done, whole))
+    });
+    json(&found?.map_err(refused)?)
 }
 
 /// Distributions of the results by Monte Carlo: at most so many draws, resamples, and the seed.
@@ -68,36 +70,24 @@ pub fn uncertainty(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
     let draws = Draws { most: draws.0, resamples: draws.1, seed: draws.2 };
-    let mut report = reporter(progress);
-    let found = py.detach(|| validation::uncertainty(&Campaign::read(&folder)?, draws, &mut report));
-    json(&found.map_err(refused)?)
+    let found = compute_long(py, progress, |progress| {
+        let mut report = |done, whole| progress.report(done, whole);
+        validation::uncertainty(&Campaign::read(&folder)?, draws, &mut report)
+    });
+    json(&found?.map_err(refused)?)
 }
 
 /// Runs campaigns on all cores. Results are written to `batch.parquet` and `batch.html` by the command alone.
 #[pyfunction]
 pub fn batch(py: Python<'_>, folders: Vec<PathBuf>, reports: bool, progress: Option<Py<PyAny>>) -> PyResult<String> {
     let wanted = if reports { Wanted::Reports } else { Wanted::Documents };
-    let document = py.detach(|| {
+    let document = compute_long(py, progress, |progress| {
         let campaigns = batches::folders(&folders)?;
         let ended = AtomicUsize::new(0);
         let said = |_: &etalon_documents::BatchEntry| {
-            report(progress.as_ref(), ended.fetch_add(1, Ordering::Relaxed) + 1, campaigns.len());
+            progress.report(ended.fetch_add(1, Ordering::Relaxed) + 1, campaigns.len());
         };
-        Ok(batches::batch(&campaigns, wanted, None, std::io::sink(), said)?.document)
+        Ok::<_, anyhow::Error>(batches::batch(&campaigns, wanted, None, std::io::sink(), said)?.document)
     });
-    json(&document.map_err(failed)?)
-}
-
-fn reporter(progress: Option<Py<PyAny>>) -> impl FnMut(usize, usize) + Send {
-    move |done, whole| report(progress.as_ref(), done, whole)
-}
-
-/// Calls the function of the caller; its exceptions are printed as those of a destructor are.
-fn report(progress: Option<&Py<PyAny>>, done: usize, whole: usize) {
-    let Some(progress) = progress else { return };
-    Python::attach(|py| {
-        if let Err(error) = progress.call1(py, (done, whole)) {
-            error.write_unraisable(py, None);
-        }
-    });
+    json(&document?.map_err(failed)?)
 }

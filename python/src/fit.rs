@@ -1,5 +1,6 @@
 //! Geometric elements of points, without a copy of the array.
 
+use crate::computing::compute;
 use crate::errors::{json, refused};
 use etalon_base::message::Message;
 use etalon_base::pose::Vector;
@@ -9,6 +10,10 @@ use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
+use rayon::prelude::*;
+
+/// Number of points for which another thread is worth its start.
+const BLOCK: usize = 4096;
 
 /// Options of a fit, a dictionary in Python.
 #[derive(FromPyObject)]
@@ -56,7 +61,8 @@ impl Fitted {
         points: PyReadonlyArray2<'py, f64>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let points = rows::<3>(&points)?;
-        let residuals: Vec<f64> = py.detach(|| points.iter().map(|p| self.0.residual_mm(*p)).collect());
+        let all = points.par_iter().with_min_len(BLOCK);
+        let residuals: Vec<f64> = compute(py, || all.map(|p| self.0.residual_mm(*p)).collect())?;
         Ok(residuals.into_pyarray(py))
     }
 }
@@ -72,19 +78,19 @@ pub fn fit(
     let element: Element = element.parse().map_err(refused)?;
     let points = rows::<3>(&points)?;
     if options.minimum_zone {
-        let zone = py.detach(|| etalon_fit::minimum_zone(element, points)).map_err(refused)?;
+        let zone = compute(py, || etalon_fit::minimum_zone(element, points))?.map_err(refused)?;
         return Ok((json(&FitDocument::minimum_zone(None, &zone))?, None));
     }
     let probe = options.probe()?;
     let weights = options.weights.as_ref().map(|weights| weights.as_slice()).transpose()?;
     let circle = if options.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
     let settings = FitSettings { weights, radius_mm: options.radius_mm, axis: options.axis, circle, probe };
-    let fitted = py.detach(|| {
+    let fitted = compute(py, || {
         let found = etalon_fit::element(element, points, &settings)?;
         let messages = etalon_fit::warnings(&found, &Source::from(points), &settings);
         Ok((FitDocument::new(None, &found).with_messages(messages), found))
     });
-    let (document, found) = fitted.map_err(refused)?;
+    let (document, found) = fitted?.map_err(refused)?;
     Ok((json(&document)?, Some(Fitted(found))))
 }
 
@@ -115,7 +121,7 @@ impl Options<'_> {
 #[pyfunction]
 pub fn enclosing(py: Python<'_>, sphere: bool, points: PyReadonlyArray2<f64>) -> PyResult<String> {
     let points = rows::<3>(&points)?;
-    let document = py.detach(|| {
+    let document = compute(py, || {
         if sphere {
             let found = etalon_fit::enclosing_sphere(points)?;
             return Ok(FitDocument::enclosing("enclosing-sphere", None, points, &found));
@@ -124,7 +130,7 @@ pub fn enclosing(py: Python<'_>, sphere: bool, points: PyReadonlyArray2<f64>) ->
         let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
         Ok(FitDocument::enclosing("enclosing-circle", None, &flat, &etalon_fit::enclosing_circle(&plane)?))
     });
-    json(&document.map_err(refused)?)
+    json(&document?.map_err(refused)?)
 }
 
 /// A rigid transform: the matrix (4, 4), the residuals (n, 3) and its uncertainties.
@@ -138,7 +144,7 @@ pub fn rigid<'py>(
     onto: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Rigid<'py>> {
     let (moved, onto) = (rows::<3>(&moved)?, rows::<3>(&onto)?);
-    let found = py.detach(|| etalon_fit::rigid(moved, onto)).map_err(refused)?;
+    let found = compute(py, || etalon_fit::rigid(moved, onto))?.map_err(refused)?;
     let residuals = found.residuals_mm.as_flattened().to_vec().into_pyarray(py);
     Ok((
         matrix(&found.to_T_from).to_vec().into_pyarray(py).reshape([4, 4])?,

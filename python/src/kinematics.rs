@@ -1,5 +1,6 @@
 //! Direct and inverse kinematics of arrays of joint values and poses.
 
+use crate::computing::compute_long;
 use crate::errors::refused;
 use crate::robot::{Robot, kinematics};
 use etalon::run::documents::parse_parameters;
@@ -61,6 +62,58 @@ pub fn predict<'py>(
     Ok((positions, covariances.into_pyarray(py).reshape([rows.len(), 9])?))
 }
 
+/// Jacobians of the flange (n, 6 * joints): velocity (mm) and rotation vector (deg) in the base
+/// per unit of each joint.
+#[pyfunction]
+#[pyo3(signature = (robot, joints, parameters=None))]
+pub fn jacobian<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    joints: PyReadonlyArray2<'py, f64>,
+    parameters: Option<&str>,
+) -> PyResult<Rows<'py>> {
+    let model = robot.model()?;
+    let (rows, twists) = (inward(model.as_ref(), &joints)?, robot.twists(parameters)?);
+    let units: Vec<f64> = model.joints().iter().map(|joint| joint.quantity.inward(1.0)).collect();
+    let n = units.len();
+    let row = |q: &Vec<f64>| {
+        let mut all = twists.at(q);
+        for (i, row) in all.chunks_exact_mut(n).enumerate() {
+            let outward = if i < 3 { 1.0 } else { f64::to_degrees(1.0) };
+            row.iter_mut().zip(&units).for_each(|(value, unit)| *value *= unit * outward);
+        }
+        all
+    };
+    let values: Vec<f64> = py.detach(|| rows.iter().flat_map(row).collect());
+    values.into_pyarray(py).reshape([rows.len(), 6 * n])
+}
+
+/// Names of the parameters, and derivatives (n, 3 * parameters) of the position of a target with
+/// respect to them, in mm per unit of each parameter.
+#[pyfunction]
+pub fn sensitivity<'py>(
+    py: Python<'py>,
+    robot: &Robot,
+    parameters: &str,
+    joints: PyReadonlyArray2<'py, f64>,
+    target: &str,
+) -> PyResult<(Vec<String>, Rows<'py>)> {
+    let model = robot.model()?;
+    let rows = inward(model.as_ref(), &joints)?;
+    let document = parse_parameters("parameters", parameters).map_err(refused)?;
+    let prediction = robot.prediction(&document, target).map_err(refused)?;
+    let parameters = prediction.robot().parameters();
+    let names: Vec<String> = parameters.iter().map(|p| p.name.clone()).collect();
+    let units: Vec<f64> = parameters.iter().map(|p| p.quantity.inward(1.0)).collect();
+    let row = |q: &Vec<f64>| {
+        let mut all = prediction.sensitivity(q);
+        all.iter_mut().zip(units.iter().cycle()).for_each(|(value, unit)| *value *= unit);
+        all
+    };
+    let values: Vec<f64> = py.detach(|| rows.iter().flat_map(row).collect());
+    Ok((names, values.into_pyarray(py).reshape([rows.len(), 3 * units.len()])?))
+}
+
 /// Rows of numbers.
 type Rows<'py> = Bound<'py, PyArray2<f64>>;
 
@@ -74,8 +127,11 @@ pub struct Search<'py> {
     all: bool,
 }
 
+/// Row of a pose without solution, and the reason: id and text.
+type Missing = (usize, String, String);
+
 /// Row of the pose for each solution, the solutions, and the reason for each pose without one.
-type Solutions<'py> = (Vec<usize>, Bound<'py, PyArray2<f64>>, Vec<(usize, String)>);
+type Solutions<'py> = (Vec<usize>, Rows<'py>, Vec<Missing>);
 
 /// Joint values in mm and deg at poses (n, 7).
 #[pyfunction]
@@ -92,13 +148,13 @@ pub fn inverse<'py>(
     let arm = kinematics(model.as_ref())?;
     let starts = search.near.as_ref().map(|near| inward(arm, near)).transpose()?.unwrap_or_default();
     let poses: Vec<Pose> = crate::fit::rows::<POSE>(&poses)?.iter().map(pose).collect();
-    let found = py.detach(|| tasks::inverse(arm, &poses, &starts, !search.all)).map_err(refused)?;
+    let found = compute_long(py, None, |_| tasks::inverse(arm, &poses, &starts, !search.all))?.map_err(refused)?;
     let mut missing = Vec::new();
     let (mut rows, mut values) = (Vec::new(), Vec::new());
     let width = values_of(arm);
     for (row, solutions) in found.into_iter().enumerate() {
         match solutions {
-            Err(reason) => missing.push((row, reason.to_string())),
+            Err(reason) => missing.push((row, reason.id.clone().into_owned(), reason.to_string())),
             Ok(solutions) => {
                 for joints in solutions {
                     rows.push(row);

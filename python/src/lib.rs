@@ -2,6 +2,7 @@
 //! `python/etalon` makes objects of them.
 
 mod campaigns;
+mod computing;
 mod errors;
 mod fit;
 mod kinematics;
@@ -19,12 +20,14 @@ fn main(py: Python<'_>, arguments: Vec<String>) -> u8 {
 
 #[pymodule]
 mod _etalon {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::campaigns::{batch, check, recommend, run, uncertainty, validate};
     #[pymodule_export]
     use super::fit::{Fitted, enclosing, fit, rigid};
     #[pymodule_export]
-    use super::kinematics::{direct, inverse, predict};
+    use super::kinematics::{direct, inverse, jacobian, predict, sensitivity};
     #[pymodule_export]
     use super::main;
     #[pymodule_export]
@@ -33,6 +36,12 @@ mod _etalon {
     use super::tables::csv;
     #[pymodule_export]
     use super::tasks::{axes, cell, command, identify, iso230, iso9283, iso9283_path, plan, verify};
+    #[pymodule_init]
+    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::computing::remember_process();
+        Ok(())
+    }
+
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

@@ -1,12 +1,12 @@
 //! Robots: from robot.toml, a URDF, or the table of known ones.
 
-use crate::errors::{failed, refused};
-use etalon::tasks::{Inputs, Prediction, Table, known_names, known_text, urdf_text};
+use crate::errors::{failed, json, refused};
+use etalon::tasks::{Inputs, Prediction, Table, Twists, default_chain, known_names, known_text, urdf_text};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
-use etalon_campaign::{RobotFile, parse_robot, read_urdf};
+use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::ParametersDocument;
-use etalon_robots::{Kinematics, Robot as Model};
+use etalon_robots::{JointRange, Kinematics, Robot as Model};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -37,6 +37,11 @@ impl Robot {
     /// The robot with a target and identified parameters.
     pub fn prediction(&self, document: &ParametersDocument, target: &str) -> Result<Prediction, Problems> {
         Prediction::new(&self.file, document, target)
+    }
+
+    /// Motion of the flange by its joints, with parameters.
+    pub fn twists(&self, parameters: Option<&str>) -> PyResult<Twists> {
+        Twists::new(&self.file, parameters).map_err(refused)
     }
 
     /// The robot and a table.
@@ -72,14 +77,50 @@ impl Robot {
         Self::of(Path::new("robot.toml"), text)
     }
 
-    /// Takes a chain of a URDF file, by default the one with the most moving joints.
+    /// Takes a chain of a URDF file, by default the one with the most moving joints; returns the
+    /// robot, base and tool link, and messages about the choice as JSON.
     #[staticmethod]
-    fn urdf(path: PathBuf, base_link: Option<String>, tool_link: Option<String>) -> PyResult<Self> {
-        let (mut chain, _) = read_urdf(&path).map_err(refused)?;
+    fn urdf(
+        path: PathBuf,
+        base_link: Option<String>,
+        tool_link: Option<String>,
+    ) -> PyResult<(Self, String, String, String)> {
+        let (mut chain, message) = default_chain(&path).map_err(refused)?;
+        let messages: Vec<Message> = message.filter(|_| tool_link.is_none()).into_iter().collect();
         chain.base_link = base_link.unwrap_or(chain.base_link);
         chain.tool_link = tool_link.unwrap_or(chain.tool_link);
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain))
+        let robot = Self::of(&path.with_file_name("robot.toml"), urdf_text(&name, &chain))?;
+        Ok((robot, chain.base_link, chain.tool_link, json(&messages)?))
+    }
+
+    /// Reads the text of a robot file of this name again.
+    #[staticmethod]
+    fn restore(name: PathBuf, text: String) -> PyResult<Self> {
+        Self::of(&name, text)
+    }
+
+    /// Name and text of the robot file: what [`Self::restore`] takes.
+    fn state(&self) -> PyResult<(PathBuf, &str)> {
+        Ok((std::path::absolute(&self.name)?, &self.text))
+    }
+
+    /// Text of the URDF file, if there is one.
+    #[getter]
+    fn description(&self) -> Option<&str> {
+        Some(self.file.description()?.1)
+    }
+
+    /// Lower and upper limit (deg or mm) of each joint; infinite without a limit.
+    #[getter]
+    fn limits(&self) -> PyResult<Vec<[f64; 2]>> {
+        let model = self.model()?;
+        let joints = model.joints().iter().enumerate();
+        let limits = joints.map(|(i, joint)| match model.joint_range(i) {
+            JointRange::Limits(ends) => ends.map(|q| joint.quantity.outward(q)),
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        });
+        Ok(limits.collect())
     }
 
     /// The robot with the nominal positions (mm) of targets.

@@ -1,5 +1,6 @@
 //! Tasks on tables in memory. Options are a JSON object.
 
+use crate::computing::compute_long;
 use crate::errors::{failed, json, refused};
 use crate::robot::Robot;
 use etalon::cli;
@@ -10,43 +11,53 @@ use pyo3::prelude::*;
 /// Name and CSV text of a table.
 type Named = (String, String);
 
-/// `parameters.json` identified from a table of observations.
+/// `parameters.json` identified from a table of observations, and the errors of its readings.
 #[pyfunction]
-pub fn identify(py: Python<'_>, robot: &Robot, observations: Named, options: &str) -> PyResult<String> {
+pub fn identify(py: Python<'_>, robot: &Robot, observations: Named, options: &str) -> PyResult<(String, String)> {
     let (inputs, options) = (robot.inputs(table(&observations)), parse_options(options).map_err(refused)?);
-    json(&py.detach(|| tasks::identify(&inputs, &options)).map_err(failed)?)
+    let found = compute_long(py, None, |_| tasks::identify(&inputs, &options))?.map_err(failed)?;
+    Ok((json(&found.document)?, json(&found.errors)?))
 }
 
 /// The poses to measure among candidates.
 #[pyfunction]
-pub fn plan(py: Python<'_>, robot: &Robot, candidates: Named, options: &str) -> PyResult<String> {
+pub fn plan(
+    py: Python<'_>,
+    robot: &Robot,
+    candidates: Named,
+    options: &str,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<String> {
     let (inputs, options) = (robot.inputs(table(&candidates)), parse_options(options).map_err(refused)?);
-    json(&py.detach(|| tasks::plan(&inputs, &options, &|_, _| {})).map_err(failed)?)
+    let planned = compute_long(py, progress, |progress| {
+        tasks::plan(&inputs, &options, &|done, whole| progress.report(done, whole))
+    });
+    json(&planned?.map_err(failed)?)
 }
 
 /// Verdict on whether parameters still apply.
 #[pyfunction]
 pub fn verify(py: Python<'_>, robot: &Robot, parameters: &str, observations: Named, options: &str) -> PyResult<String> {
     let (inputs, options) = (robot.inputs(table(&observations)), parse_options(options).map_err(refused)?);
-    let verified = py.detach(|| {
+    let verified = compute_long(py, None, |_| {
         let parameters = parse_parameters("parameters", parameters)?;
         tasks::verify(&inputs, &parameters, &options)
     });
-    json(&verified.map_err(refused)?)
+    json(&verified?.map_err(refused)?)
 }
 
 /// Axes of joints from sweeps of one joint at a time.
 #[pyfunction]
 pub fn axes(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
     let options = parse_options(options).map_err(refused)?;
-    json(&py.detach(|| tasks::axes(self::table(&table), &options)).map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::axes(self::table(&table), &options))?.map_err(refused)?)
 }
 
 /// Tool, object, hand and eye, or an external axis.
 #[pyfunction]
 pub fn cell(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
     let options = parse_options(options).map_err(refused)?;
-    json(&py.detach(|| tasks::cell(self::table(&table), &options)).map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::cell(self::table(&table), &options))?.map_err(refused)?)
 }
 
 /// Runs a command with `--json` if it has this option: exit code, stdout, stderr, and messages as
@@ -54,7 +65,7 @@ pub fn cell(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
 #[pyfunction]
 pub fn command(py: Python<'_>, words: Vec<String>) -> PyResult<(u8, String, String, String)> {
     let words = ["etalon".to_owned()].into_iter().chain(words).collect();
-    let answer = py.detach(|| cli::answer_in_json(words));
+    let answer = compute_long(py, None, |_| cli::answer_in_json(words))?;
     let text = String::from_utf8(answer.stdout)?;
     Ok((answer.code, text, answer.stderr, json(&answer.messages)?))
 }
@@ -65,13 +76,14 @@ pub fn iso9283(
     py: Python<'_>,
     attained: Named,
     beside: [Option<Named>; 2],
-    options: &str,
+    options: [String; 2],
     seed: u64,
 ) -> PyResult<String> {
-    let options = parse_options(options).map_err(refused)?;
+    let [options, format] = options;
+    let (options, format) = (parse_options(&options).map_err(refused)?, reading(&format)?);
     let [commanded, reference] = beside.each_ref().map(|stated| stated.as_ref().map(table));
     let tables = TestTables { attained: table(&attained), commanded, reference };
-    json(&py.detach(|| tasks::iso9283(&tables, &TableFormat::default(), &options, seed)).map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::iso9283(&tables, &format, &options, seed))?.map_err(refused)?)
 }
 
 /// Characteristics of a motion by ISO 9283, from a recording, commanded poses and a commanded path.
@@ -86,13 +98,19 @@ pub fn iso9283_path(
     let options = parse_options(options).map_err(refused)?;
     let [commanded, path] = beside.each_ref().map(|stated| stated.as_ref().map(table));
     let tables = RecordingTables { recording: table(&recording), commanded, path };
-    json(&py.detach(|| tasks::iso9283_path(&tables, &options, seed)).map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::iso9283_path(&tables, &options, seed))?.map_err(refused)?)
 }
 
 /// Positioning of a linear axis by ISO 230-2.
 #[pyfunction]
-pub fn iso230(py: Python<'_>, table: Named) -> PyResult<String> {
-    json(&py.detach(|| tasks::iso230(self::table(&table))).map_err(refused)?)
+pub fn iso230(py: Python<'_>, table: Named, format: &str) -> PyResult<String> {
+    let format = reading(format)?;
+    json(&compute_long(py, None, |_| tasks::iso230(self::table(&table), &format))?.map_err(refused)?)
+}
+
+/// Options for the reading of tables.
+fn reading(options: &str) -> PyResult<TableFormat> {
+    parse_options(options).map_err(refused)
 }
 
 fn table((name, text): &Named) -> Table<'_> {

@@ -56,13 +56,16 @@ def test_the_stub_is_that_of_the_schemas():
         sys.path.pop(0)
     stub = (FOLDER / "etalon/documents.pyi").read_text(encoding="utf-8")
     assert stub == generate_stubs.main(), "run python/generate_stubs.py"
+    members = (FOLDER / "etalon/_members.py").read_text(encoding="utf-8")
+    assert members == generate_stubs.members(), "run python/generate_stubs.py"
 
 
 def test_everything_public_has_a_docstring():
     modules = [etalon, etalon.fit, etalon.frames, etalon.kinematics]
     for module in modules:
         for name, item in vars(module).items():
-            if not name.startswith("_") and (inspect.isfunction(item) or inspect.isclass(item)):
+            own = getattr(item, "__module__", "").startswith("etalon")
+            if own and not name.startswith("_") and (inspect.isfunction(item) or inspect.isclass(item)):
                 assert inspect.getdoc(item), f"{module.__name__}.{name}"
 
 

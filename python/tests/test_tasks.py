@@ -1,13 +1,10 @@
 """Commands on tables: against known errors, formulas of the standards, and between libraries of tables."""
 
-import warnings
-
 import numpy as np
 import pytest
 from conftest import IRB120, dh
 
 import etalon
-from etalon._errors import warn_if_implausible
 
 
 def test_known_errors_of_an_arm_are_found(arm):
@@ -108,16 +105,6 @@ def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
         etalon.identify(robot, dict(table, x_mm=[1.0]))
     with pytest.raises(etalon.Error, match="not a table"):
         etalon.identify(robot, 5)
-
-
-def test_implausible_parameters_warn(arm):
-    robot, table, _ = arm
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        found = etalon.identify(robot, table, standard_uncertainty_um=10)
-    beyond = {"severity": "error", "id": "tolerance-exceeded", "what": "1 parameter is beyond the tolerance", "hint": "check signs"}
-    with pytest.warns(etalon.ImplausibleWarning, match="tolerance-exceeded.*\nhint: check signs"):
-        warn_if_implausible(type(found)(found.to_dict() | {"messages": [beyond]}))
 
 
 def test_a_reversed_joint_is_named(arm):
@@ -319,3 +306,105 @@ def test_a_predicted_position_has_an_uncertainty(arm):
 def test_a_bound_of_the_uncertainty_is_stated_in_the_call():
     with pytest.raises(etalon.Error, match="uncertainty_bound|bound"):
         etalon.axes({"joint": ["q1"], "target": ["a"], "x_mm": [0.0], "y_mm": [0.0], "z_mm": [0.0]}, uncertainty_bound="nonsense")
+
+
+def test_residuals_are_a_table_of_the_readings_of_the_call(arm):
+    robot, table, _ = arm
+    measured = {name: np.array(column) for name, column in table.items()}
+    found = etalon.identify(robot, measured, standard_uncertainty_um=10)
+    measured["x_mm"][:] = 0.0
+    errors = found.residuals_table().to_dict()
+    assert errors["pose"] == list(range(1, 61)) and set(errors["target"]) == {"SMR"}
+    after = np.array([errors[f"after_{axis}_mm"] for axis in "xyz"])
+    before = np.array([errors[f"before_{axis}_mm"] for axis in "xyz"])
+    assert np.sqrt((after**2).sum(axis=0).mean()) == pytest.approx(found.residuals.position_rms_mm, rel=1e-9)
+    assert np.sqrt((before**2).sum(axis=0).mean()) == pytest.approx(found.residuals.position_rms_before_mm, rel=1e-9)
+    # measured minus predicted
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    predicted = etalon.kinematics.predict(robot, found, joints, "SMR").xyz_mm
+    assert after.T == pytest.approx(np.column_stack([table[name] for name in ("x_mm", "y_mm", "z_mm")]) - predicted, abs=1e-9)
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_tables_of_documents_are_tables_of_libraries(arm, library):
+    pytest.importorskip(library)
+    robot, table, _ = arm
+    found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    method = "to_arrow" if library == "pyarrow" else f"to_{library}"
+    for records in (found.parameters, found.residuals_table()):
+        frame = getattr(records, method)()
+        column = "value" if records is not None and "value" in records.to_dict() else "after_x_mm"
+        values = frame[column].to_pylist() if library == "pyarrow" else frame[column].to_list()
+        assert values == records.column(column)
+
+
+def test_a_data_frame_needs_no_pyarrow(arm, monkeypatch):
+    pandas = pytest.importorskip("pandas")
+    robot, table, _ = arm
+    frame = pandas.DataFrame(table)
+    monkeypatch.delattr(pandas.DataFrame, "__arrow_c_stream__", raising=False)
+    values = [[p.value for p in etalon.identify(robot, of).parameters] for of in (table, frame)]
+    assert values[0] == values[1]
+    missing = frame.copy()
+    missing.loc[4, "x_mm"] = None
+    with pytest.raises(etalon.Error):
+        etalon.identify(robot, missing)
+    twice = pandas.concat([frame, frame[["x_mm"]]], axis=1)
+    with pytest.raises(etalon.Error, match="same heading twice"):
+        etalon.identify(robot, twice)
+
+
+def test_masked_values_are_missing_values(arm):
+    robot, table, _ = arm
+    mask = np.arange(60) == 4
+    masked = {axis: np.ma.array(table[axis], mask=mask) for axis in ("x_mm", "y_mm", "z_mm")}
+    without = {name: np.asarray(column)[~mask] for name, column in table.items()}
+    values = []
+    for of in (table | masked, table | {axis: np.where(mask, np.nan, table[axis]) for axis in ("x_mm", "y_mm", "z_mm")}, without):
+        try:
+            values.append([p.value for p in etalon.identify(robot, of, standard_uncertainty_um=10).parameters])
+        except etalon.Error as error:
+            values.append(error.id)
+    assert values[0] == values[1]
+    with pytest.raises(etalon.Error, match="masked"):
+        etalon.kinematics.direct(robot, np.ma.array(np.zeros((2, 6)), mask=np.eye(2, 6)))
+    with pytest.raises(etalon.Error, match="masked"):
+        etalon.fit.plane(np.ma.array(np.random.default_rng(0).normal(size=(9, 3)), mask=np.eye(9, 3)))
+
+
+def test_documents_show_values_with_their_uncertainty_and_messages_first(arm):
+    robot, table, _ = arm
+    found = etalon.identify(robot, table | {"remark": ["-"] * 60}, standard_uncertainty_um=10)
+    shown = found._repr_html_()
+    assert shown.index(found.messages[0].id) < shown.index("value ± U (k = 2)") < shown.index("provenance")
+    entry = next(p for p in found.parameters if p.name == "a_3")
+    text = repr(found)
+    line = next(line for line in text.splitlines() if line.split()[:1] == ["a_3"])
+    value, _, expanded, unit = line.split()[1:]
+    assert float(value) == pytest.approx(entry.value, abs=entry.standard_uncertainty) and unit == "mm"
+    assert float(expanded) == pytest.approx(2 * entry.standard_uncertainty, rel=0.06)
+    assert found.messages[0].id in text.split("value ±")[0]
+
+
+def test_members_are_typed_by_the_schemas():
+    points = np.random.default_rng(3).normal(size=(20, 3))
+    found = etalon.fit.sphere(points)
+    assert isinstance(found.center_mm, np.ndarray) and (found.center_mm / 10).shape == (3,)
+    assert type(found.radius_mm) is float and type(found.standard_uncertainty.radius_mm) is float
+    # residuals belong to the points of the call
+    before = found.residuals_mm.copy()
+    points[:] = 0.0
+    assert (found.residuals_mm == before).all()
+    # members that hide nothing, and whose names are keywords
+    record = etalon.documents.Record({"keys": ["a"], "values": [1.5], "import": 1})
+    assert record.keys == ["a"] and record.values == [1.5] and record.import_ == 1 and record["import"] == 1
+    with pytest.raises(AttributeError, match="it has keys"):
+        record.nothing
+
+
+def test_drawings_are_made():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    points = np.random.default_rng(3).normal(size=(20, 3))
+    assert etalon.fit.sphere(points).plot().get_ylabel() == "residual (µm)"
+    assert etalon.Robot("ur5e").plot([[0] * 6, [10, -90, 80, 0, 0, 0]]).get_xlabel() == "x (mm)"
