@@ -7,7 +7,7 @@ use std::fmt::Write;
 const GROUPS: [(&str, &[&str]); 7] = [
     ("Start a campaign", &["init", "formats", "check", "simulate"]),
     ("Calibrate", &["run", "batch", "identify", "axes", "cell", "fit"]),
-    ("Judge the result", &["view", "recommend", "validate", "verify", "uncertainty", "compare", "report"]),
+    ("Judge the result", &["view", "recommend", "validate", "verify", "uncertainty", "compare", "benchmark", "report"]),
     ("Load it into a controller", &["export", "compensate", "axis-table", "kinematics", "robot"]),
     ("Test by a standard", &["iso9283", "iso230"]),
     ("Plan measurements", &["plan", "study"]),

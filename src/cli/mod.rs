@@ -6,6 +6,7 @@
 mod axes;
 mod axis_table;
 mod batch;
+mod benchmark;
 mod cell;
 mod check;
 mod compare;
@@ -81,6 +82,7 @@ enum Command {
     Cell(Box<cell::CellCommand>),
     Run(run::Run),
     Batch(batch::Batch),
+    Benchmark(benchmark::Benchmark),
     Identify(identify::IdentifyCommand),
     Recommend(recommend::Recommend),
     Validate(validate::Validate),
@@ -189,6 +191,7 @@ fn dispatch(command: Command, out: &Output) -> anyhow::Result<Verdict> {
         Command::Cell(command) => command.run(out),
         Command::Run(command) => command.run(out),
         Command::Batch(command) => command.run(out),
+        Command::Benchmark(command) => command.run(out),
         Command::Identify(command) => command.run(out),
         Command::Recommend(command) => command.run(out),
         Command::Validate(command) => command.run(out),

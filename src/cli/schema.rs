@@ -14,8 +14,8 @@ Documents of the output folder, by the name of the file without `.json`:
   iso9283, iso9283-compliance, iso9283-streams, manifest, parameters, verdict
 
 Answers to `--json` of commands:
-  axes, batch, cell, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream,
-  kinematics, plan, recommendation, selftest, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
+  axes, batch, benchmark-score, cell, check, compare, compensation, explanation, fit, formats, iso230, iso9283-plan, iso9283-stream,
+  kinematics, plan, predictions, recommendation, selftest, study, uncertainty, verification, verification-plan, written (files that a command wrote)")]
 pub struct Schema {
     /// Name of the file or document, e.g. campaign.toml or parameters.
     name: String,

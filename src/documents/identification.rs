@@ -5,8 +5,8 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
 use etalon_identify::{
-    ConditionResiduals, Contradicted, Group, Identification, Observability, Origin, RANK_TOLERANCE, SetUpError,
-    Settings, SingularValue, Status, Subject, Untested, Warning,
+    ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Observability, Origin, RANK_TOLERANCE,
+    SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
 };
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -38,6 +38,20 @@ pub fn quantity_residuals(found: &ConditionResiduals) -> QuantityResiduals {
         count: found.count,
         rms: quantity.outward(found.rms),
         standard_uncertainty: quantity.outward(found.standard_uncertainty),
+    }
+}
+
+/// Growth of the errors beyond the measured values of a joint, in the units of its column.
+fn joint_extrapolation(robot: &dyn Robot, found: &Extrapolation) -> JointExtrapolation {
+    let joint = &robot.joints()[found.joint];
+    let [low, high] = found.range.map(|value| joint.quantity.outward(value));
+    JointExtrapolation {
+        joint: joint.column(),
+        low,
+        high,
+        distance: joint.quantity.outward(found.distance),
+        position: found.position,
+        orientation: found.orientation,
     }
 }
 
@@ -115,6 +129,7 @@ pub fn parameters_document(
             uncertainties_enlarged_by: found.uncertainty.inflation_factor,
             conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),
             between_series: found.residuals.between_series.map(|b| SeriesScatter { series: b.series, share: b.share }),
+            extrapolation: found.residuals.extrapolations.iter().map(|e| joint_extrapolation(robot, e)).collect(),
         },
         reliability: None,
         robust: None,

@@ -298,6 +298,10 @@ pub struct ResidualSummary {
     /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_series: Option<SeriesScatter>,
+    /// Growth of the errors of predictions beyond the measured values of joints. Empty if the
+    /// instrument explains the residuals, and with fewer than 16 poses.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub extrapolation: Vec<JointExtrapolation>,
 }
 
 /// Position residuals of targets.
@@ -345,6 +349,26 @@ pub struct SeriesScatter {
     pub series: usize,
     /// Share of the variances of the parameters, in the mean.
     pub share: f64,
+}
+
+/// Growth of the errors of predictions beyond the measured values of a joint, from poses of one half
+/// of its values that the other half predicts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointExtrapolation {
+    /// Joint, named as a column with its unit: `q2_deg`.
+    pub joint: String,
+    /// Smallest measured value (unit of the joint).
+    pub low: f64,
+    /// Largest measured value.
+    pub high: f64,
+    /// Distance beyond these values at which the excess variances apply. Their square roots grow
+    /// with the distance.
+    pub distance: f64,
+    /// Excess variance of a coordinate, relative to the residual variance of a coordinate.
+    pub position: f64,
+    /// Excess variance of an orientation, relative to the residual variance of an orientation.
+    pub orientation: f64,
 }
 
 /// Residuals of the observations of one quantity.

@@ -20,8 +20,10 @@ pub use judge::{
     Judgement, OrientationReading, Untested, allowed_mm, exchanged_poses, far_problem, judge, moved_between,
     set_up_contradicted, set_up_error, set_up_far, set_up_problem, tolerance_effect_mm,
 };
+pub use judgement::beyond::Extrapolation;
 pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
+pub use judgement::chi_square::agrees as chi_square_agrees;
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::diagnosis::{OUTLIER, Reading, RobustFit};
 pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
@@ -272,6 +274,9 @@ pub struct ResidualStatistics {
     /// Scatter between the stated series; `None` for one series, and where the instrument explains
     /// all residuals.
     pub between_series: Option<BetweenSeries>,
+    /// Growth of the errors of predictions beyond the measured values of joints; empty where the
+    /// instrument explains all residuals, and with few poses.
+    pub extrapolations: Vec<Extrapolation>,
 }
 
 /// Minimum share of a parameter that the data must determine for a value from the data.

@@ -142,6 +142,25 @@ pub fn middle_pair(values: impl IntoIterator<Item = f64>) -> Option<[f64; 2]> {
     Some([lower.unwrap_or(upper), upper])
 }
 
+/// Interval score of a central prediction interval of probability 1 − `alpha` (Gneiting & Raftery
+/// 2007, J. Am. Stat. Assoc. 102, 359, eq. 43): the width, and 2 / α times the distance of a value
+/// outside. In the mean the quantiles α/2 and 1 − α/2 have the smallest score.
+pub fn interval_score([low, high]: [f64; 2], value: f64, alpha: f64) -> f64 {
+    high - low + 2.0 / alpha * ((low - value).max(0.0) + (value - high).max(0.0))
+}
+
+/// Standard uncertainty of a ratio Σ a / Σ b of sums over independent clusters (Cochran 1977,
+/// Sampling Techniques, eq. 6.13, of few clusters among many); infinite with fewer than two.
+pub fn ratio_uncertainty(clusters: impl IntoIterator<Item = [f64; 2]> + Clone) -> f64 {
+    let (mut above, mut below, mut count) = (0.0, 0.0, 0usize);
+    clusters.clone().into_iter().for_each(|[a, b]| (above, below, count) = (above + a, below + b, count + 1));
+    if count < 2 {
+        return f64::INFINITY;
+    }
+    let squares: f64 = clusters.into_iter().map(|[a, b]| (a - above / below * b).powi(2)).sum();
+    (squares * count as f64 / (count - 1) as f64).sqrt() / below
+}
+
 /// Spearman's rank correlation; ties have the mean of their ranks. Zero if all values of a list are
 /// equal.
 pub fn rank_correlation(a: &[f64], b: &[f64]) -> f64 {
@@ -210,6 +229,33 @@ mod tests {
         let tied = rank_correlation(&[1.0, 2.0, 2.0, 3.0], &[1.0, 2.0, 3.0, 4.0]);
         assert!((tied - 0.9f64.sqrt()).abs() < 1e-15);
         assert_eq!(rank_correlation(&[1.0, 1.0], &[1.0, 2.0]), 0.0);
+    }
+
+    #[test]
+    fn interval_scores_by_hand() {
+        // a width of 2; outside by 0.5 with 2 / 0.05 = 40
+        assert_eq!(interval_score([-1.0, 1.0], 1.0, 0.05), 2.0);
+        assert_eq!(interval_score([-1.0, 1.0], 1.5, 0.05), 22.0);
+        assert_eq!(interval_score([-1.0, 1.0], -1.5, 0.5), 4.0);
+        // of a standard normal the score of its own quantiles is 2 φ(z) · 2 / α (scipy.stats.norm.expect:
+        // 4.675 for α = 0.05), less than that of other intervals
+        let expected = |half: f64| {
+            let (step, alpha) = (1e-3, 0.05);
+            let density = |x: f64| (-x * x / 2.0).exp() / (2.0 * std::f64::consts::PI).sqrt();
+            let values = (-8000..=8000).map(|k| f64::from(k) * step);
+            values.map(|x| step * density(x) * interval_score([-half, half], x, alpha)).sum::<f64>()
+        };
+        let own = expected(1.959_963_985);
+        assert!((own - 4.675_536_8).abs() < 1e-4, "{own}");
+        assert!(expected(1.7) > own && expected(2.2) > own);
+    }
+
+    #[test]
+    fn uncertainties_of_ratios_by_hand() {
+        // one of two in each cluster: no scatter; all or nothing of pairs: that of a mean of 1 and 0
+        assert_eq!(ratio_uncertainty([[1.0, 2.0], [1.0, 2.0]]), 0.0);
+        assert_eq!(ratio_uncertainty([[2.0, 2.0], [0.0, 2.0]]), 0.5);
+        assert_eq!(ratio_uncertainty([[1.0, 2.0]]), f64::INFINITY);
     }
 
     #[test]

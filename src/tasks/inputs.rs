@@ -39,7 +39,7 @@ impl Table<'_> {
     }
 
     /// Name, and SHA-256 of the contents.
-    fn hashed(&self) -> Result<(String, String)> {
+    pub(super) fn hashed(&self) -> Result<(String, String)> {
         let sha256 = match self {
             Self::File(path) => files::sha256(&files::read(path)?),
             Self::Text { text, .. } => files::sha256(text.as_bytes()),

@@ -4,6 +4,7 @@
 //! [`parse_options`] reads it from the keyword arguments of a program.
 
 mod axes;
+pub(crate) mod benchmark;
 mod bound;
 mod call;
 mod cell;
@@ -22,8 +23,9 @@ pub(crate) mod start;
 pub(crate) mod text_format;
 mod verify;
 
-pub use crate::stages::verify::predicted::{PredictedPosition, Prediction};
+pub use crate::stages::verify::predicted::{PredictedOrientation, PredictedPosition, Prediction};
 pub use axes::{AxesOptions, axes};
+pub use benchmark::{predict, score};
 pub use bound::BoundOption;
 pub use call::parse_options;
 pub use cell::{CellOptions, cell};

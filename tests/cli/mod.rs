@@ -3,6 +3,7 @@
 mod actions;
 mod axes;
 mod axis_table;
+mod benchmark;
 mod book;
 mod bounds;
 mod cell;

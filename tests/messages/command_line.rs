@@ -51,7 +51,21 @@ const TRACIM: &str = "<tracim:tracim xmlns:tracim=\"t\" xmlns:g=\"g\" xmlns:xsi=
 const COMPLETE: (&str, &str, &str) =
     ("t.xml", "<g:y>1</g:y></g:vectors></g:pointCloud>", "<g:y>1</g:y><g:z>0.01</g:z></g:vectors></g:pointCloud>");
 
+const PREDICTED: &str = "pose,target,x_mm,y_mm,z_mm\n1,ball,0,0,0\n";
+
 const OPTIONS: &[Case] = &[
+    (
+        "predictions-missing count=1 pose=2",
+        "",
+        &[("p.csv", "", PREDICTED), ("t.csv", "", PREDICTED), ("t.csv", "+", "2,ball,0,0,0\n")],
+        "benchmark score @/p.csv --truth @/t.csv",
+    ),
+    (
+        "prediction-repeated pose=1 line=2",
+        "",
+        &[("t.csv", "", PREDICTED), ("p.csv", "", PREDICTED), ("p.csv", "+", "1,ball,0,0,1\n")],
+        "benchmark score @/p.csv --truth @/t.csv",
+    ),
     ("enclosing-robust", "", &[("p.txt", "", POINTS)], "fit enclosing-circle @/p.txt --unit mm --robust"),
     ("robust-few-points needed=9", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --robust"),
     (

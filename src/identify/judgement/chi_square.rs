@@ -11,6 +11,11 @@ pub fn exceeds(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
 }
 
+/// `true` if chi-square is neither too large nor too small for the degrees of freedom.
+pub fn agrees(chi_square: f64, dof: usize) -> bool {
+    !exceeds(chi_square, dof) && !falls_short(chi_square, dof)
+}
+
 /// `true` if chi-square is too small for the degrees of freedom: the stated uncertainty falls below
 /// the limit once in a thousand times.
 pub(crate) fn falls_short(chi_square: f64, dof: usize) -> bool {

@@ -1,6 +1,7 @@
 //! Judgement: the uncertainty of the parameters, the observations that contradict them, and
 //! explanations of the contradiction.
 
+pub(crate) mod beyond;
 pub(crate) mod bound;
 pub(crate) mod budget;
 pub(crate) mod chi_square;

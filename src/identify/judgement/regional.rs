@@ -32,7 +32,7 @@ const DIVISIONS: usize = 8;
 const SEED: u64 = 60;
 /// Smallest share (1 − leverage) of an error that a residual may show; a region that determines a
 /// direction almost alone counts with this share.
-const SHOWN: f64 = 0.05;
+pub(crate) const SHOWN: f64 = 0.05;
 
 /// Scatter of the parameters between regions, and between series.
 pub(crate) struct Regional {

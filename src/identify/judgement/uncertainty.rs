@@ -2,6 +2,7 @@
 
 use crate::Result;
 use crate::error::quoted;
+use crate::judgement::beyond::{Extrapolation, extrapolations};
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
@@ -80,7 +81,7 @@ pub(crate) fn with_uncertainty(
         _ => from_residuals(solved, &settings.series, instrument.as_deref(), chi_square),
     };
     let (between_series, unseen) = found.between_series(&settings.series);
-    let Found { mut covariance, from, degrees: effective_degrees, warning, .. } = found;
+    let Found { mut covariance, from, degrees: effective_degrees, warning, extrapolations, .. } = found;
     let mut warnings: Vec<Warning> = warning.into_iter().chain(unseen).map(Into::into).collect();
     let replicates = (apart && settings.conditions.is_empty())
         .then(|| budget::replicates(robot, observations, &values, dof))
@@ -123,6 +124,7 @@ pub(crate) fn with_uncertainty(
             conditions: ConditionResiduals::all(robot, &values, &settings.conditions),
             replicates,
             between_series,
+            extrapolations,
         },
         values,
         free: problem.free.clone(),
@@ -256,11 +258,12 @@ pub(crate) struct Found {
     degrees: Vec<f64>,
     warning: Option<Message>,
     between_series: Option<BetweenSeries>,
+    extrapolations: Vec<Extrapolation>,
 }
 
 impl Found {
     fn new(from: UncertaintyFrom, covariance: Option<Vec<f64>>) -> Self {
-        Self { from, covariance, degrees: Vec::new(), warning: None, between_series: None }
+        Self { from, covariance, degrees: Vec::new(), warning: None, between_series: None, extrapolations: Vec::new() }
     }
 
     /// Scatter between these series, none where the instrument explains all residuals; a warning if
@@ -356,6 +359,7 @@ fn by_region(solved: Solved, series: &[Vec<PoseName>]) -> Option<Found> {
     Some(Found {
         degrees,
         between_series: regional.between,
+        extrapolations: extrapolations(problem, &remaining),
         ..Found::new(UncertaintyFrom::ResidualsByRegion, Some(covariance))
     })
 }

@@ -373,6 +373,7 @@ fn residuals() -> ResidualSummary {
         uncertainties_enlarged_by: 1.194,
         conditions: Vec::new(),
         between_series: None,
+        extrapolation: Vec::new(),
     }
 }
 

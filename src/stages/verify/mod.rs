@@ -2,6 +2,7 @@
 
 pub mod earlier_parameters;
 pub mod expected_deviation;
+pub mod expected_scatter;
 pub mod predicted;
 pub mod validation;
 pub mod verification;

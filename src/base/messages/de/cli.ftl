@@ -558,3 +558,23 @@ backlash-not-in-table = die Tabelle hat einen Wert für beide Richtungen; das Um
 
 option-column-ambiguous = --column nennt für `{ $column }` sowohl `{ $first }` als auch `{ $second }`, und `{ $file }` hat beide
     .hint = nur eine davon nennen
+
+predictions-missing = { $count ->
+        [one] eine gemessene Zeile hat keine Vorhersage: Pose { $pose }, Zielmarke `{ $target }`
+       *[other] { $count } gemessene Zeilen haben keine Vorhersage, zuerst Pose { $pose }, Zielmarke `{ $target }`
+    }
+    .hint = jede Zeile der Tabelle der Gelenkwerte vorhersagen
+
+prediction-repeated = Pose { $pose }, Zielmarke `{ $target }` ist zweimal vorhergesagt, zuerst in Zeile { $line }
+    .hint = je Pose und Zielmarke eine Zeile angeben
+
+benchmark-counts = { $poses } Posen
+benchmark-position = Position
+benchmark-orientation = Orientierung
+benchmark-mean = Mittel
+benchmark-rms = RMS
+benchmark-p95 = 95 %
+benchmark-max = Maximum
+benchmark-coverage = Überdeckung
+benchmark-width = Breite
+benchmark-score = Bewertung

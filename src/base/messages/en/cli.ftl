@@ -968,3 +968,31 @@ backlash-not-in-table = the table has one value for both directions; the backlas
 # Example: `--column x_mm=X1 --column x_mm=X2` for a table with X1 and X2
 option-column-ambiguous = --column states both `{ $first }` and `{ $second }` for `{ $column }`, and `{ $file }` has both
     .hint = state one of them
+
+# Means: Measured rows have no prediction of their pose and target.
+# Matters: A program is compared on all test rows; a missing row could be the worst one.
+# Do: Predict every row of the table of joint values.
+# Example: a row of the predictions is deleted
+predictions-missing = { $count ->
+        [one] a measured row has no prediction: pose { $pose }, target `{ $target }`
+       *[other] { $count } measured rows have no prediction, first pose { $pose }, target `{ $target }`
+    }
+    .hint = predict every row of the table of joint values
+
+# Means: Two rows predict the same target at the same pose.
+# Matters: It is unknown which of the two is the answer.
+# Do: State one row for each pose and target.
+# Example: a row of the predictions is repeated
+prediction-repeated = pose { $pose }, target `{ $target }` is predicted twice, first in line { $line }
+    .hint = state one row for each pose and target
+
+benchmark-counts = { $poses } poses
+benchmark-position = position
+benchmark-orientation = orientation
+benchmark-mean = mean
+benchmark-rms = RMS
+benchmark-p95 = 95 %
+benchmark-max = maximum
+benchmark-coverage = coverage
+benchmark-width = width
+benchmark-score = score

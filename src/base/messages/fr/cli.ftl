@@ -558,3 +558,23 @@ backlash-not-in-table = la table a une valeur pour les deux sens ; le jeu de `
 
 option-column-ambiguous = --column indique `{ $first }` et `{ $second }` pour `{ $column }`, et `{ $file }` a les deux
     .hint = n’en indiquer qu’un
+
+predictions-missing = { $count ->
+        [one] une ligne mesurée n’a pas de prédiction : pose { $pose }, cible `{ $target }`
+       *[other] { $count } lignes mesurées n’ont pas de prédiction, d’abord pose { $pose }, cible `{ $target }`
+    }
+    .hint = prédire chaque ligne du tableau des valeurs d’articulations
+
+prediction-repeated = la pose { $pose }, cible `{ $target }` est prédite deux fois, d’abord à la ligne { $line }
+    .hint = indiquer une ligne par pose et cible
+
+benchmark-counts = { $poses } poses
+benchmark-position = position
+benchmark-orientation = orientation
+benchmark-mean = moyenne
+benchmark-rms = RMS
+benchmark-p95 = 95 %
+benchmark-max = maximum
+benchmark-coverage = couverture
+benchmark-width = largeur
+benchmark-score = score
