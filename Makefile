@@ -19,6 +19,8 @@
 # make test-linuxcnc load exported kinematics into LinuxCNC and compare its joint positions (needs root; installs linuxcnc-uspace of Debian)
 # make real    download public campaigns of real robots, run them, and print etalon's figures beside the published ones;
 #              REAL_SOURCE=FOLDER takes the files from a folder instead
+# make benchmark calibrate published sets of real robots with etalon, SciPy and FIGAROH, score predicted test poses, and write docs/benchmark.md;
+#              REAL_SOURCE=FOLDER takes the files from a folder; SETS="NAME ..." takes some sets and writes no page
 # make reference write an archive of the reference campaigns with certified values: target/reference
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
 # make figures draw the figures of docs/ again from numbers of the program (needs python3)
@@ -46,7 +48,7 @@ CAMPAIGNS ?=
 
 SHARED := $(abspath $(CARGO_TARGET_DIR))/bench-fit
 
-.PHONY: all report compare test laws quick unit attack test-slurm test-linuxcnc real reference thesis bench bench-fit bench-import bench-python samples python figures book dist help clean
+.PHONY: all report compare test laws quick unit attack test-slurm test-linuxcnc real benchmark reference thesis bench bench-fit bench-import bench-python samples python figures book dist help clean
 
 # names of folders are never a part of a rule, and reach the shell as they are: from its own patterns, or quoted
 unexport CAMPAIGNS
@@ -154,6 +156,16 @@ REAL_SOURCE ?=
 
 real: $(ETALON)
 	REAL_SOURCE='$(subst ','\'',$(REAL_SOURCE))' tests/real/real.sh $(ETALON) $(CARGO_TARGET_DIR)/real
+
+SETS ?=
+
+# participants that are not there are named as failed
+benchmark: $(ETALON)
+	[ -x $(SHARED)/venv/bin/python ] || python3 -m venv $(SHARED)/venv
+	$(SHARED)/venv/bin/pip install --quiet numpy scipy || echo "NumPy and SciPy could not be installed"
+	$(SHARED)/venv/bin/pip install --quiet figaroh || echo "FIGAROH could not be installed: left out"
+	$(SHARED)/venv/bin/python tests/benchmark/benchmark.py $(ETALON) $(abspath $(CARGO_TARGET_DIR))/benchmark \
+	    $(if $(REAL_SOURCE),--source '$(subst ','\'',$(REAL_SOURCE))') $(if $(SETS),$(SETS:%=--set %),--page)
 
 reference:
 	tests/reference/campaigns/archive.sh $(CARGO_TARGET_DIR)/reference
