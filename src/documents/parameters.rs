@@ -351,8 +351,8 @@ pub struct SeriesScatter {
     pub share: f64,
 }
 
-/// Growth of the errors of predictions beyond the measured values of a joint, from poses of one half
-/// of its values that the other half predicts.
+/// Growth of the errors of predictions beyond the measured values of a joint, from poses of one
+/// half of its values that the other half predicts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointExtrapolation {

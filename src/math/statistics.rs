@@ -237,8 +237,8 @@ mod tests {
         assert_eq!(interval_score([-1.0, 1.0], 1.0, 0.05), 2.0);
         assert_eq!(interval_score([-1.0, 1.0], 1.5, 0.05), 22.0);
         assert_eq!(interval_score([-1.0, 1.0], -1.5, 0.5), 4.0);
-        // of a standard normal the score of its own quantiles is 2 φ(z) · 2 / α (scipy.stats.norm.expect:
-        // 4.675 for α = 0.05), less than that of other intervals
+        // of a standard normal the score of its own quantiles is 2 φ(z) · 2 / α
+        // (scipy.stats.norm.expect: 4.675 for α = 0.05), less than that of other intervals
         let expected = |half: f64| {
             let (step, alpha) = (1e-3, 0.05);
             let density = |x: f64| (-x * x / 2.0).exp() / (2.0 * std::f64::consts::PI).sqrt();
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn uncertainties_of_ratios_by_hand() {
-        // one of two in each cluster: no scatter; all or nothing of pairs: that of a mean of 1 and 0
+        // one of two in each cluster: no scatter; all or nothing of pairs: a mean of 1 and 0
         assert_eq!(ratio_uncertainty([[1.0, 2.0], [1.0, 2.0]]), 0.0);
         assert_eq!(ratio_uncertainty([[2.0, 2.0], [0.0, 2.0]]), 0.5);
         assert_eq!(ratio_uncertainty([[1.0, 2.0]]), f64::INFINITY);

@@ -3,8 +3,8 @@
 //! A model that lacks an effect fits the measured region. Beyond it the effect continues, and the
 //! effective parameters do not follow: residuals understate the errors there. The errors at one
 //! half of the values of a joint, predicted from the other half, show how fast they grow. To first
-//! order the errors of left-out rows are e = (I − H)⁻¹ r with their part H of the hat matrix (Cook &
-//! Weisberg 1982, chapter 2). Independent errors of variance s² have E(e eᵀ) = s² (I − H)⁻¹; the
+//! order the errors of left-out rows are e = (I − H)⁻¹ r with their part H of the hat matrix (Cook
+//! & Weisberg 1982, chapter 2). Independent errors of variance s² have E(e eᵀ) = s² (I − H)⁻¹; the
 //! excess over its trace is the growth of the misfit.
 
 use crate::judgement::regional::SHOWN;
@@ -198,8 +198,8 @@ impl Predicted<'_> {
 mod tests {
     use super::*;
 
-    /// The line y = b x without a constant through 1, 2, 3, 4 at x = 1, −1, 2, −2 and so on: left-out
-    /// rows have the errors of the line through the others.
+    /// The line y = b x through four points: left-out rows have the errors of the line through the
+    /// others.
     #[test]
     fn left_out_errors_are_those_of_the_other_rows() {
         let (x, y) = ([1.0, 2.0, 3.0, 4.0], [1.0, 2.5, 2.0, 6.0]);
