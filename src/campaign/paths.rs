@@ -60,13 +60,15 @@ mod tests {
 
     #[test]
     fn a_file_is_found_by_its_name_in_another_unicode_form() {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = std::env::temp_dir().join(format!("etalon-paths-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
         let [composed, decomposed] = ["Pr\u{fc}f.csv", "Pru\u{308}f.csv"];
-        std::fs::write(folder.path().join(decomposed), "1 2 3\n").unwrap();
-        assert!(resolve(folder.path(), composed).unwrap().exists());
-        std::fs::write(folder.path().join(composed), "4 5 6\n").unwrap();
-        let found = resolve(folder.path(), composed).unwrap();
+        std::fs::write(folder.join(decomposed), "1 2 3\n").unwrap();
+        assert!(resolve(&folder, composed).unwrap().exists());
+        std::fs::write(folder.join(composed), "4 5 6\n").unwrap();
+        let found = resolve(&folder, composed).unwrap();
         assert_eq!(std::fs::read_to_string(found).unwrap(), "4 5 6\n");
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]
