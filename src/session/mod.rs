@@ -101,7 +101,9 @@ impl Session {
     }
 
     fn opened(&self) -> Answered<Arc<Opened>> {
-        self.shown().opened.clone().ok_or_else(|| self.refusal(&error!("view-not-identified").into()))
+        // the lock is released before the refusal asks for the language
+        let opened = self.shown().opened.clone();
+        opened.ok_or_else(|| self.refusal(&error!("view-not-identified").into()))
     }
 }
 
