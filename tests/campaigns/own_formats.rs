@@ -56,7 +56,7 @@ pub const CASES: [Case; 19] = [
     ("PC-DMIS report", labelled!("pcdmis_report", "inch"), 25.4, true, LOG, 1.0, BY_POSE),
     ("PTX, one target a file", one_target!("ptx", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
     ("FANUC LS", labelled!("fanuc_ls", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
-    ("ABB RAPID", labelled!("abb_rapid", "mm"), 1.0, true, LOG, 1.0, BY_POSE),
+    ("ABB RAPID", labelled!("abb_rapid", "mm"), 1.0, false, LOG, 1.0, BY_POSE),
     ("PCD, one target a file", one_target!("pcd", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
     ("PLY, one target a file", one_target!("ply", "m"), 1000.0, false, BY_ROW, 1.0, "by = \"row\""),
 ];
