@@ -61,7 +61,6 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             uncertainties_enlarged_by: 1.0,
             conditions: Vec::new(),
             between_series: None,
-            extrapolation: Vec::new(),
         },
         reliability: None,
         robust: None,

@@ -113,6 +113,7 @@ pub fn parameters_document(
             rms: found.residuals.rms,
             position: PositionResiduals {
                 position_rms_mm: positions_alone.then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
+                extrapolation: found.residuals.extrapolations.iter().map(|e| joint_extrapolation(robot, e)).collect(),
                 ..PositionResiduals::default()
             },
             max: found.residuals.max,
@@ -129,7 +130,6 @@ pub fn parameters_document(
             uncertainties_enlarged_by: found.uncertainty.inflation_factor,
             conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),
             between_series: found.residuals.between_series.map(|b| SeriesScatter { series: b.series, share: b.share }),
-            extrapolation: found.residuals.extrapolations.iter().map(|e| joint_extrapolation(robot, e)).collect(),
         },
         reliability: None,
         robust: None,

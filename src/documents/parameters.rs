@@ -298,10 +298,6 @@ pub struct ResidualSummary {
     /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_series: Option<SeriesScatter>,
-    /// Growth of the errors of predictions beyond the measured values of joints. Empty if the
-    /// instrument explains the residuals, and with fewer than 16 poses.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub extrapolation: Vec<JointExtrapolation>,
 }
 
 /// Position residuals of targets.
@@ -319,6 +315,10 @@ pub struct PositionResiduals {
     /// n − 1 for n targets. Absent where no pose shows several targets.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within_poses_rms_mm: Option<f64>,
+    /// Growth of the errors of predictions beyond the measured values of joints. Empty if the
+    /// instrument explains the residuals, and with fewer than 16 poses.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub extrapolation: Vec<JointExtrapolation>,
 }
 
 /// Test of residuals against the stated uncertainty and against repeats.

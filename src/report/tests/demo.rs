@@ -373,7 +373,6 @@ fn residuals() -> ResidualSummary {
         uncertainties_enlarged_by: 1.194,
         conditions: Vec::new(),
         between_series: None,
-        extrapolation: Vec::new(),
     }
 }
 

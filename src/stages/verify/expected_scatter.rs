@@ -96,7 +96,7 @@ fn extrapolations(robot: &dyn Robot, residuals: &ResidualSummary) -> Vec<Extrapo
             orientation: found.orientation,
         })
     };
-    residuals.extrapolation.iter().filter_map(one).collect()
+    residuals.position.extrapolation.iter().filter_map(one).collect()
 }
 
 #[cfg(test)]
@@ -135,7 +135,6 @@ mod tests {
             uncertainties_enlarged_by: 1.0,
             conditions: Vec::new(),
             between_series: None,
-            extrapolation: Vec::new(),
         }
     }
 }

@@ -30,7 +30,6 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
         uncertainties_enlarged_by: 1.0,
         conditions: Vec::new(),
         between_series: None,
-        extrapolation: Vec::new(),
     }
 }
 
