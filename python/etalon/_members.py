@@ -183,6 +183,14 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "valid_until": ("", None),
         "verdict": ("", None),
     },
+    "BenchmarkScoreDocument": {
+        "orientation": ("QuantityScore", None),
+        "poses": ("", None),
+        "position": ("QuantityScore", None),
+        "provenance": ("Provenance", None),
+        "rows": ("", None),
+        "schema": ("", ""),
+    },
     "BudgetSource": {
         "source": ("", None),
         "standard_uncertainties": ("", []),
@@ -812,6 +820,14 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "parameter": ("", ""),
         "pose": ("", None),
     },
+    "IntervalScore": {
+        "count": ("", None),
+        "coverage": ("", None),
+        "coverage_standard_uncertainty": ("", None),
+        "mean_score": ("", None),
+        "mean_width": ("", None),
+        "probability": ("", None),
+    },
     "Iso9283Approach": {
         "cycles": ("", None),
         "deviation_mm": ("", None),
@@ -1092,6 +1108,14 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "external_results": ("", None),
         "issued": ("", None),
         "number": ("", None),
+    },
+    "JointExtrapolation": {
+        "distance": ("", None),
+        "high": ("", None),
+        "joint": ("", ""),
+        "low": ("", None),
+        "orientation": ("", None),
+        "position": ("", None),
     },
     "JointTravel": {
         "column": ("", ""),
@@ -1400,12 +1424,29 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "max_mm": ("", None),
         "rms_mm": ("", None),
     },
+    "PredictedBody": {
+        "quaternion": ("", []),
+        "standard_uncertainty_deg": ("", None),
+    },
+    "PredictedMeasurement": {
+        "covariance_mm2": ("", []),
+        "orientation": ("PredictedBody", None),
+        "pose": ("", None),
+        "target": ("", ""),
+        "xyz_mm": ("", []),
+    },
     "PredictionMap": {
         "definition": ("", ""),
         "frame": ("", None),
         "nodes": ("MapNode", []),
         "point_mm": ("", []),
         "spacing_mm": ("", None),
+    },
+    "PredictionsDocument": {
+        "predictions": ("PredictedMeasurement", []),
+        "provenance": ("Provenance", None),
+        "robot": ("", ""),
+        "schema": ("", ""),
     },
     "Presentation": {
         "language": ("", "en"),
@@ -1422,6 +1463,12 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "quantity": ("", ""),
         "rms": ("", None),
         "standard_uncertainty": ("", None),
+        "unit": ("", ""),
+    },
+    "QuantityScore": {
+        "ellipsoid_coverage": ("", None),
+        "errors": ("Statistics", None),
+        "intervals": ("IntervalScore", None),
         "unit": ("", ""),
     },
     "Reading": {
@@ -1513,6 +1560,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "count": ("", None),
         "degrees_of_freedom": ("", None),
         "effective_degrees_of_freedom": ("", None),
+        "extrapolation": ("JointExtrapolation", []),
         "kind": ("", None),
         "max": ("", None),
         "position_rms_before_mm": ("", None),

@@ -726,7 +726,9 @@ class DistributionEntry(Record):
     """Distribution of one result."""
     agrees: bool | None
     """`true` if value ± 1.96 linear uncertainties agrees with the interval of the draws. The tolerance is half of
-    the second significant digit (JCGM 101, 8.1) plus twice the standard deviation of an interval end.
+    the second significant digit (JCGM 101, 8.1) plus twice the standard deviation of an interval end. Of an
+    error, `true` if the draws do not have the larger standard uncertainty, within this tolerance. Otherwise the
+    draws decide (JCGM 101, clause 8).
     """
     bootstrap: float | None
     """Standard deviation over the resamples; absent without resamples."""
@@ -1241,6 +1243,23 @@ class InfluenceEntry(Record):
     pose: int | str
     """Pose."""
 
+class IntervalScore(Record):
+    """Score of prediction intervals."""
+    count: int
+    """Number of intervals."""
+    coverage: float
+    """Share of measured values within their intervals."""
+    coverage_standard_uncertainty: float | None
+    """Standard uncertainty of the coverage from the scatter between poses; absent with fewer than two poses."""
+    mean_score: float
+    """Mean interval score (Gneiting & Raftery 2007, eq. 43): width, and 2 / α times the distance of a value outside.
+    A smaller score is better.
+    """
+    mean_width: float
+    """Mean width."""
+    probability: float
+    """Probability of the intervals."""
+
 class Iso9283Approach(Record):
     """Visits by one approach."""
     cycles: int
@@ -1691,6 +1710,23 @@ class Issue(Record):
     """Date of issue."""
     number: str | None
     """Number of the report, unique in the laboratory."""
+
+class JointExtrapolation(Record):
+    """Growth of the errors of predictions beyond the measured values of a joint, from poses of one half of its
+    values that the other half predicts.
+    """
+    distance: float
+    """Distance beyond these values at which the excess variances apply. Their square roots grow with the distance."""
+    high: float
+    """Largest measured value."""
+    joint: str
+    """Joint, named as a column with its unit: `q2_deg`."""
+    low: float
+    """Smallest measured value (unit of the joint)."""
+    orientation: float
+    """Excess variance of an orientation, relative to the residual variance of an orientation."""
+    position: float
+    """Excess variance of a coordinate, relative to the residual variance of a coordinate."""
 
 class JointTravel(Record):
     """Smallest and largest value of a joint."""
@@ -2188,6 +2224,26 @@ class PositionErrors(Record):
     rms_mm: float
     """Root mean square (mm)."""
 
+class PredictedBody(Record):
+    """Predicted orientation of the body that carries a target."""
+    quaternion: NDArray[np.float64]
+    """Orientation in the world: unit quaternion w, x, y, z."""
+    standard_uncertainty_deg: float
+    """Standard uncertainty (deg) of the difference from a measured orientation about any axis."""
+
+class PredictedMeasurement(Record):
+    """Predicted measurement of a target."""
+    covariance_mm2: NDArray[np.float64]
+    """Covariance (mm²) of the difference from a measured position: parameters, model and instrument."""
+    orientation: PredictedBody | None
+    """Orientation of the body that carries the target; absent if the calibration observed none."""
+    pose: int | str
+    """Name of the pose."""
+    target: str
+    """Name of the target."""
+    xyz_mm: NDArray[np.float64]
+    """Position (mm) in the world."""
+
 class PredictionMap(Record):
     """Expected error at the tool point with the identified parameters, on a grid. The grid covers places between the
     calibration poses that the robot reaches without a joint leaving its range in the calibration.
@@ -2233,6 +2289,19 @@ class QuantityResiduals(Record):
     """Root mean square of the standard uncertainties of the observed values."""
     unit: str
     """Unit of the residuals: `mm` or `deg`."""
+
+class QuantityScore(Record):
+    """Score of the predicted positions or orientations."""
+    ellipsoid_coverage: float | None
+    """Share of positions within the ellipsoid of `probability`; absent without covariances that are positive
+    definite.
+    """
+    errors: Statistics
+    """Distances of predicted from measured positions, or angles between orientations."""
+    intervals: IntervalScore | None
+    """Intervals of coordinates, or of rotations about the axes of the world; absent if the predictions state none."""
+    unit: str
+    """Unit of errors and widths: mm or deg."""
 
 class Reading(Record):
     """One reading of a delimited text, without the unit of lengths."""
@@ -2393,6 +2462,10 @@ class ResidualSummary(Record):
     effective_degrees_of_freedom: float | None
     """Effective degrees of freedom of the residual variance, by the scatter of the squares from pose to pose.
     Squares of a smooth misfit scatter more than squares of noise.
+    """
+    extrapolation: Records[JointExtrapolation]
+    """Growth of the errors of predictions beyond the measured values of joints. Empty if the instrument explains the
+    residuals, and with fewer than 16 poses.
     """
     kind: str
     """Residuals of targets or of the pose."""
@@ -2842,15 +2915,15 @@ class Uncontrolled(Record):
     """Text of the catalogue that is `what` in English."""
 
 class Unmatched(Record):
-    """A row without a partner in the join, or with more than one."""
+    """A row without a partner in the join, or with more than one; or a point that nothing uses."""
     file: str
     """File, as the campaign names it."""
     key: str
-    """Join key of the row in words: pose and cycle, row, or time."""
+    """Join key of the row in words: pose and cycle, row, or time; the label of a point."""
     line: int
     """Line in the file, from 1."""
     reason: str
-    """Table without a partner, or number of partners."""
+    """Reason: the table without a partner, the number of partners, or that nothing uses the point."""
     reason_phrase: Phrase | None
     """Text of the catalogue that is `reason` in English."""
 
@@ -3105,6 +3178,21 @@ class BatchDocument(Document):
     """Schema and version: `etalon/batch/1`."""
     skipped: int
     """Number of campaigns that were skipped because an environment variable for their data is unset."""
+
+class BenchmarkScoreDocument(Document):
+    """Score of predicted measurements against measured values."""
+    orientation: QuantityScore | None
+    """Score of the orientations; absent if no orientation is measured and predicted."""
+    poses: int
+    """Number of poses."""
+    position: QuantityScore
+    """Score of the positions."""
+    provenance: Provenance
+    """Origin of the numbers."""
+    rows: int
+    """Number of measured rows."""
+    schema: str
+    """Schema and version: `etalon/benchmark-score/1`."""
 
 class CampaignSummary(Document):
     """Statements of the campaign about itself, for the head of a report."""
@@ -3426,7 +3514,9 @@ class ImportDocument(Document):
     sources: Records[Source]
     """All files read."""
     unmatched: Records[Unmatched]
-    """Rows without a partner in the join of points and logs, or with more than one."""
+    """Rows without a partner in the join of points and logs, or with more than one, and points that no target,
+    feature or frame uses.
+    """
 
 class Iso9283ComplianceDocument(Document):
     """Static compliance (10)."""
@@ -3664,6 +3754,17 @@ class PlanDocument(Document):
     """Predicted standard uncertainty of position over all candidates; absent if the instrument's uncertainty is not
     stated.
     """
+
+class PredictionsDocument(Document):
+    """Measurements that identified parameters predict."""
+    predictions: Records[PredictedMeasurement]
+    """One entry for each row of the table of joint values."""
+    provenance: Provenance
+    """Origin of the numbers."""
+    robot: str
+    """Model of the robot."""
+    schema: str
+    """Schema and version: `etalon/predictions/1`."""
 
 class RecommendationDocument(Document):
     """Parameters whose identification makes the robot more accurate at poses that were not used."""
