@@ -1,8 +1,8 @@
 //! Command `etalon init`.
 
 use super::{Output, Verdict, shell_word};
-use crate::tasks::known_robots::known_robot;
 use crate::tasks::default_chain;
+use crate::tasks::known_robots::known_robot;
 use crate::tasks::start::{
     DescribedRobot, NamedRobot, RobotFiles, described, described_by, next_step, own_robot_files, robot_path, start,
 };

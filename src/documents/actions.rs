@@ -368,8 +368,8 @@ impl Evidence<'_> {
         Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
     }
 
-    /// Uncertainty that would decide on a limit, and its largest source; a decision rule, if so small
-    /// an uncertainty is out of reach.
+    /// Uncertainty that would decide on a limit, and its largest source; a decision rule, if so
+    /// small an uncertainty is out of reach.
     fn decide(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, u) = (limit.value?, limit.expanded_uncertainty?);
         let enough = (limit.limit - value).abs();

@@ -40,8 +40,8 @@ fn column(name: &str, values: Values) -> Column {
     }
 }
 
-/// Runs work of polars. Its pool of threads cannot be made again in a forked process: there the work
-/// has one thread of its own.
+/// Runs work of polars. Its pool of threads cannot be made again in a forked process: there the
+/// work has one thread of its own.
 fn on_threads<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     if !threads_are_lost() {
         return work();

@@ -503,8 +503,8 @@ mod tests {
         assert_eq!(read, (0..).zip(shown).collect::<Vec<_>>());
     }
 
-    /// Of headings of another program, that with the number of the joint; columns of etalon have other
-    /// meanings.
+    /// The heading of another program with the number of the joint is meant; columns of etalon have
+    /// other meanings.
     #[test]
     fn a_missing_joint_is_looked_for_among_foreign_headings() {
         let mut table = Table::default();

@@ -48,9 +48,25 @@ impl Opened {
     /// # Errors
     /// Fails like a run, as far as the identification.
     pub fn new(campaign: &Campaign, with_outliers: bool) -> Result<Self> {
+        Self::with(campaign, with_outliers, |observed, robot| identified(campaign, observed, robot))
+    }
+
+    /// Reads a campaign, with the identification of its `earlier` poses.
+    ///
+    /// # Errors
+    /// Fails like a run, as far as the observations.
+    pub fn by_earlier(campaign: &Campaign, earlier: &Self) -> Result<Self> {
+        Self::with(campaign, false, |_, _| Ok(earlier.found.clone()))
+    }
+
+    fn with(
+        campaign: &Campaign,
+        with_outliers: bool,
+        identified: impl FnOnce(&Observed, &mut dyn Robot) -> Result<Unjudged>,
+    ) -> Result<Self> {
         let observed = observed(campaign)?;
         let mut robot = robot(campaign, &observed.gathered)?;
-        let found = identified(campaign, &observed, robot.as_mut())?;
+        let found = identified(&observed, robot.as_mut())?;
         let (visits, observations) = all_observations(campaign, &observed)?;
         let times = observed.joined.observations.first().map_or_else(|| Ok(Vec::new()), |(_, first)| first.times())?;
         let outliers = if with_outliers { outliers(robot.as_ref(), &found, &visits) } else { BTreeSet::new() };

@@ -78,6 +78,19 @@ impl Session {
             None => waiting(&self.shown().messages, language),
         }
     }
+
+    /// The state with the identification of the earlier poses, if the newest pose contradicts it: one
+    /// such pose may leave an identification without a result.
+    fn by_earlier(
+        &self,
+        read: &Contents,
+        watched: &mut Watched,
+        planned: Option<&Planned>,
+    ) -> Option<(Arc<Opened>, Watch)> {
+        let now = Arc::new(Opened::by_earlier(read.campaign.as_ref()?, watched.opened.as_ref()?).ok()?);
+        let told = self.watch(watched, Some(&now), planned);
+        (told.tone == Tone::Bad).then_some((now, told))
+    }
 }
 
 /// State without an identification.
@@ -116,7 +129,11 @@ fn look(session: &Session, watched: &mut Watched, planned: Option<&Planned>) {
         return;
     }
     let read = Contents::read(&session.folder, Depth::Quick);
-    let Some(now) = read.opened.clone() else {
+    let (now, told) = match &read.opened {
+        Some(now) => (Some(now.clone()), Some(session.watch(watched, Some(now), planned))),
+        None => session.by_earlier(&read, watched, planned).unzip(),
+    };
+    let (Some(now), Some(told)) = (now, told) else {
         watched.stamps = stamps;
         watched.failures += 1;
         if watched.failures == PATIENCE {
@@ -132,11 +149,10 @@ fn look(session: &Session, watched: &mut Watched, planned: Option<&Planned>) {
         return;
     };
     (watched.stamps, watched.failures) = (stamps, 0);
-    let told = session.watch(watched, Some(&now), planned);
-    watched.opened = Some(now);
+    watched.opened = Some(now.clone());
     {
         let mut shown = session.shown();
-        (shown.campaign, shown.opened, shown.ran) = (read.campaign, read.opened, read.ran);
+        (shown.campaign, shown.opened, shown.ran) = (read.campaign, Some(now), read.ran);
         shown.messages = read.messages;
     }
     session.tell();

@@ -55,6 +55,8 @@ fn press(browser: &mut Browser, within: &str, text: &str) {
 
 fn tab(browser: &mut Browser, name: &str) {
     browser.evaluate(&format!("document.getElementById('tab-{name}').click()"));
+    // a table sees its width in the next picture
+    browser.evaluate("new Promise(next => requestAnimationFrame(() => requestAnimationFrame(() => next(0))))");
 }
 
 fn drawn(browser: &mut Browser) -> u64 {
@@ -184,7 +186,7 @@ fn drop_and_run(browser: &mut Browser, files: &[PathBuf]) {
         browser.wait(idle);
     }
     let text = browser.evaluate("document.querySelector('.written .difference').textContent");
-    assert!(text.as_str().unwrap().contains("[[export]]"), "{text}");
+    assert!(text.as_str().unwrap().contains("+unit = \"mm\""), "{text}");
     browser.evaluate("document.querySelector('[data-key=accept]').click()");
     browser.wait("document.body.classList.contains('campaign')");
     assert!(folder.path().join("campaign.toml").is_file());

@@ -88,7 +88,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// Parameters with their expanded uncertainties and their status, and the checksum of their document.
+/// Parameters with their expanded uncertainties and status, and the checksum of their document.
 fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     let document = &results.identified.as_ref()?.parameters;
     let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));

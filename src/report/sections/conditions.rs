@@ -68,8 +68,8 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     stated(all, words).into_iter().chain(until).collect()
 }
 
-/// Statements of a certificate on report, customer, item, place, dates, traceability and deviations,
-/// including those that are missing.
+/// Statements of a certificate on report, customer, item, place, dates, traceability and
+/// deviations, including those that are missing.
 pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let conditions = facts(results, words);
     let traced = [

@@ -48,7 +48,7 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
         }
         None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
-    // the centre of a platform, where no point is stated, is none of the measured ones
+    // a platform without a stated point has its centre, which nobody measured
     let is_stated = |tool: &&ToolAccuracy| tool.frame != ToolFrame::Platform || tool.point_mm != [0.0; 3];
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).filter(is_stated);
     let tool = tool.map(|tool| at_tool(tool, words));

@@ -173,8 +173,8 @@ impl Recommendation<'_> {
         corrected(self.identified.parameters.identified().filter_map(change).collect())
     }
 
-    /// Evidence for each parameter that the run identified, and for each that it would identify with
-    /// `all` effects.
+    /// Evidence for each parameter that the run identified, and for each that it would identify
+    /// with `all` effects.
     fn verdicts(&self, all: &Identification, stability: &[Stability]) -> Result<Vec<ParameterVerdict>> {
         let of_run = self.run_changes();
         let is_of_run = |c: &Change| of_run.iter().any(|other| other.index == c.index);

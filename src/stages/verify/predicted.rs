@@ -69,8 +69,8 @@ impl Prediction {
         self.robot.as_ref()
     }
 
-    /// Derivatives of the target's position with respect to all parameters (mm per mm or rad): three
-    /// rows.
+    /// Derivatives of the target's position with respect to all parameters (mm per mm or rad):
+    /// three rows.
     pub fn sensitivity(&self, joints: &[f64]) -> Vec<f64> {
         let Self { robot, target, values, .. } = self;
         let (d, n) = (robot.dimension(), values.len());

@@ -149,7 +149,7 @@ action-agree-rule = mit dem Auftraggeber eine Entscheidungsregel vereinbaren: { 
 action-agree-rule-reason = die Grenze liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Restfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } ausgelassenen Posen: { $without } → { $with }
-action-verify = das Laden prüfen: einige Posen anfahren und die angezeigte Pose der Steuerung mit `etalon kinematics direct --parameters parameters.json` vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
+action-verify = das Laden prüfen: an einigen Posen die angezeigte Pose der Steuerung mit `etalon kinematics direct` für parameters.json vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
 action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` aus wenigen gemessenen Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
 action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
 action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %, die { $count ->

@@ -233,7 +233,7 @@ action-agree-rule = agree with the customer on a decision rule for the { $limit 
 action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`, which adds errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
-action-verify = test the loading: move to a few poses, and compare the pose that the controller shows with `etalon kinematics direct --parameters parameters.json`. If they differ, restore the file that the controller had
+action-verify = test the loading: at a few poses, compare the pose that the controller shows with `etalon kinematics direct` for parameters.json. If they differ, restore the file that the controller had
 action-verify-reason = save that file before loading. Later, `etalon verify` reports from a few measured poses whether base or robot have changed; `--candidates` chooses these poses
 action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = at pose { $pose }, U = { $uncertainty } is { $percent } % of the characteristic; ISO 9283 allows 25 %, which { $count ->

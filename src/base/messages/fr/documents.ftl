@@ -146,7 +146,7 @@ action-agree-rule = convenir avec le client d’une règle de décision : { $lim
 action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de mesures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
 action-compensate = si la commande calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
-action-verify = vérifier le chargement : aller à quelques poses et comparer la pose affichée par la commande avec `etalon kinematics direct --parameters parameters.json`. Si elles diffèrent, rétablir le fichier que la commande avait
+action-verify = vérifier le chargement : à quelques poses, comparer la pose affichée par la commande avec `etalon kinematics direct` pour parameters.json. Si elles diffèrent, rétablir le fichier que la commande avait
 action-verify-reason = sauvegarder ce fichier avant le chargement. Plus tard, `etalon verify` indique à partir de quelques poses mesurées si la base ou le robot ont changé ; `--candidates` choisit ces poses
 action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
 action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->

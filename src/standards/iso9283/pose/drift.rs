@@ -164,7 +164,8 @@ mod tests {
         let (pose, change_mm) = largest_trend(&test(0.1, 1)).unwrap();
         assert_eq!(pose, PoseName::from(2_i64));
         assert!((change_mm - 0.1).abs() < 0.02, "{change_mm}");
-        // level 0.1 % for all poses together: 2 of 2000 are expected, 9 and more come once in 4000 runs of this test
+        // level 0.1 % for all poses together: 2 of 2000 are expected, and 9 or more once in 4000
+        // such series
         let found = (0..2000).filter(|seed| largest_trend(&test(0.0, *seed)).is_some()).count();
         assert!(found < 9, "{found}");
     }
