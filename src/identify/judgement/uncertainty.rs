@@ -83,9 +83,8 @@ pub(crate) fn with_uncertainty(
     let (between_series, unseen) = found.between_series(&settings.series);
     let Found { mut covariance, from, degrees: effective_degrees, warning, extrapolations, .. } = found;
     let mut warnings: Vec<Warning> = warning.into_iter().chain(unseen).map(Into::into).collect();
-    let replicates = (apart && settings.conditions.is_empty())
-        .then(|| budget::replicates(robot, observations, &values, dof))
-        .flatten();
+    let replicates = || budget::replicates(robot, observations, &values, dof);
+    let replicates = (apart && settings.conditions.is_empty()).then(replicates).flatten();
     let mut budget = Budget::default();
     if let Some(total) = &mut covariance {
         budget = Budget::new(solved, instrument.as_deref(), total, settings, replicates.as_ref());
