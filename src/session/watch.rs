@@ -79,8 +79,8 @@ impl Session {
         }
     }
 
-    /// The state with the identification of the earlier poses, if the newest pose contradicts it: one
-    /// such pose may leave an identification without a result.
+    /// The state with the identification of the earlier poses, if the newest pose contradicts it:
+    /// one such pose may leave an identification without a result.
     fn by_earlier(
         &self,
         read: &Contents,

@@ -203,7 +203,10 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
     }
     // predicted errors stand beside measured ones on page one for a stated point alone
     let headline = "tool point, RMS: nominal minus identified → expected";
-    let apart = run("[tool]\npoint_mm = [40, 0, 0]\nframe = \"platform\"\n").unwrap().1;
+    let apart =
+        run("[tool]\npoint_mm = [40, 0, 0]\nframe = \"platform\"\nexpanded_uncertainty_um = 1\ncoverage_factor = 2\n")
+            .unwrap()
+            .1;
     assert!(apart.contains(headline) && !page.contains(headline));
     let at_c = accuracy.tool.unwrap();
     assert_eq!((at_c.set.name(), at_c.poses, at_c.model_mm, at_c.place_mm), ("validation", 51, 0.0, 0.0));
