@@ -92,7 +92,8 @@ impl ExportFormat for AbbRapid {
 
 /// Statements with the line of their beginning; comments begin with `!`.
 fn statements(text: &Text) -> Vec<(usize, String)> {
-    let (mut all, mut open): (Vec<(usize, String)>, Option<(usize, String)>) = (Vec::new(), None);
+    let mut all = Vec::new();
+    let mut open: Option<(usize, String)> = None;
     for (i, line) in text.lines.iter().enumerate() {
         let line = line.split('!').next().unwrap_or("").trim();
         if line.is_empty() {
@@ -145,8 +146,11 @@ fn value(text: &str, depth: usize) -> Option<(Value, usize)> {
         let number = parsed(rest[..end].trim(), Decimal::Point, None)?;
         return Some((Value::Number(number), start + end));
     }
+    if depth >= DEEPEST {
+        return None;
+    }
     let (mut values, mut at) = (Vec::new(), start + 1);
-    while depth < DEEPEST {
+    loop {
         let (item, length) = value(&text[at..], depth + 1)?;
         values.push(item);
         at += length;
@@ -158,7 +162,6 @@ fn value(text: &str, depth: usize) -> Option<(Value, usize)> {
             _ => return None,
         }
     }
-    None
 }
 
 /// Positions and quaternions of a robtarget or of an array of them; none of a jointtarget.
@@ -185,7 +188,7 @@ mod tests {
     use crate::dialect::Unit;
 
     const MODULE: &str = "%%%\n  VERSION:1\n%%%\nMODULE Cell\n    ! the points of the plate\n\
-        CONST robtarget V1:=[[830,300.25,650],[0.707106781,0,0.707106781,0],[0,-1,0,2],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]];\n\
+        CONST robtarget V1:=[[830,300.25,650],[0.6,0,0.8,0],[0,-1,0,2],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]];\n\
         PERS robtarget Row{2} := [\n  [[1.5,2.5,3.5],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],\n\
         [[4.5,5.5,6.5],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]];\n\
         CONST jointtarget Home:=[[0,0,0,0,90,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n\
@@ -200,7 +203,7 @@ mod tests {
         let labels: Vec<&str> = points.iter().map(|point| &*point.label).collect();
         assert_eq!(labels, ["V1", "Row{1}", "Row{2}", "Home", "MoveL_13"]);
         assert_eq!(points[0].xyz_mm, [830.0, 300.25, 650.0]);
-        assert_eq!(points[0].orientation, Some([0.707106781, 0.0, 0.707106781, 0.0]));
+        assert_eq!(points[0].orientation, Some([0.6, 0.0, 0.8, 0.0]));
         assert_eq!(points[2].xyz_mm, [4.5, 5.5, 6.5]);
         assert!(points[3].refused.as_ref().is_some_and(|reason| reason.id == "row-without-coordinates"));
         assert_eq!((points[4].xyz_mm, points[4].line), ([613.91, 2326.15, 1040.68], 13));
@@ -210,7 +213,7 @@ mod tests {
         assert!(doubts().any(|doubt| doubt.id == "positions-of-program"), "{}", document.toml);
         let (_, problems) = format.read("c.mod", &MODULE.into(), Unit::Metre);
         assert!(problems.0[0].is("unit-differs", &[("of_file", &"mm"), ("stated", &"m")]), "{problems:?}");
-        let wrong = MODULE.replace("0.707106781,0,0", "0.3,0,0");
+        let wrong = MODULE.replace("0.6,0,0", "0.3,0,0");
         let (_, problems) = format.read("c.mod", &wrong.as_str().into(), Unit::Millimetre);
         assert!(problems.0[0].is("record-invalid", &[("text", &"V1")]), "{problems:?}");
         // brackets without an end

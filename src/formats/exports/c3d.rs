@@ -177,8 +177,17 @@ impl Header {
     }
 }
 
-/// Parameters: name of the group, name, size of an item (-1 for letters), dimensions, and bytes.
-struct Parameters<'a>(Vec<(String, String, i8, Vec<usize>, &'a [u8])>);
+/// A parameter with the name of its group.
+struct Parameter<'a> {
+    group: String,
+    name: String,
+    /// Bytes of an item; -1 for letters.
+    kind: i8,
+    dimensions: Vec<usize>,
+    data: &'a [u8],
+}
+
+struct Parameters<'a>(Vec<Parameter<'a>>);
 
 impl<'a> Parameters<'a> {
     /// Reads the parameters that begin at this byte, up to the first damaged one.
@@ -199,11 +208,9 @@ impl<'a> Parameters<'a> {
             at = next;
         }
         let group = |id: i8| groups.iter().find(|(of, _)| *of == id).map(|(_, name)| name.clone());
-        Self(
-            all.into_iter()
-                .filter_map(|(id, name, kind, size, data)| Some((group(id)?, name, kind, size, data)))
-                .collect(),
-        )
+        let parameter =
+            |(id, name, kind, dimensions, data)| Some(Parameter { group: group(id)?, name, kind, dimensions, data });
+        Self(all.into_iter().filter_map(parameter).collect())
     }
 
     /// Number of the group (negative for a group), name, first byte of the content, and of the next
@@ -230,8 +237,8 @@ impl<'a> Parameters<'a> {
     }
 
     fn find(&self, group: &str, name: &str) -> Option<(i8, &[usize], &'a [u8])> {
-        let found = self.0.iter().find(|(of, own, ..)| of == group && own == name)?;
-        Some((found.2, &found.3, found.4))
+        let found = self.0.iter().find(|own| own.group == group && own.name == name)?;
+        Some((found.kind, &found.dimensions, found.data))
     }
 
     /// First number of a parameter.

@@ -9,7 +9,7 @@ use etalon_base::pose::Vector;
 use etalon_base::{error, phrase, warning};
 use etalon_tables::Decimal;
 use etalon_tables::lexer::{Row as Fields, number};
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 /// Bytes before the triangles of a binary file: a comment and their number.
 const HEAD: usize = 84;
@@ -62,7 +62,7 @@ impl ExportFormat for Stl {
 /// Vertices, each once: neighbouring triangles share them.
 #[derive(Default)]
 struct Vertices {
-    seen: HashSet<[u64; 3]>,
+    seen: BTreeSet<[u64; 3]>,
     points: Vec<Point>,
 }
 

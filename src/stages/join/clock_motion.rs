@@ -102,11 +102,12 @@ pub struct MotionClock {
 pub fn offset_by_motion(measured: &[Speeds], logged: &[Speeds], rate: bool) -> Result<MotionClock, Message> {
     let pairs: Vec<(&Speeds, &Speeds)> = measured.iter().zip(logged).filter(|(m, _)| !m.times_s.is_empty()).collect();
     let count: usize = pairs.iter().map(|(m, _)| m.times_s.len()).sum();
-    let span = |of: fn(&(&Speeds, &Speeds)) -> Option<(f64, f64)>| {
-        let spans: Vec<(f64, f64)> = pairs.iter().filter_map(of).collect();
-        spans.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    let span = |all: Vec<&Speeds>| {
+        let spans = all.into_iter().filter_map(Speeds::span);
+        spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     };
-    let (Some(of_measured), Some(of_log)) = (span(|pair| pair.0.span()), span(|pair| pair.1.span())) else {
+    let (all_measured, all_logged) = pairs.iter().copied().unzip();
+    let (Some(of_measured), Some(of_log)) = (span(all_measured), span(all_logged)) else {
         return Err(error!("clock-motion-short", count));
     };
     if count < FEWEST || pairs.iter().any(|(_, logged)| logged.times_s.len() < FEWEST) {
