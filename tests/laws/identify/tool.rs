@@ -202,7 +202,7 @@ fn every_accuracy_figure_of_a_campaign_names_its_point() {
         assert!(page.replace("&#39;", "'").replace("&#x27;", "'").contains(said), "{said}");
     }
     // predicted errors stand beside measured ones on page one for a stated point alone
-    let headline = "tool point, RMS: nominal minus identified → expected";
+    let headline = "tool point, RMS: nominal minus identified";
     let apart =
         run("[tool]\npoint_mm = [40, 0, 0]\nframe = \"platform\"\nexpanded_uncertainty_um = 1\ncoverage_factor = 2\n")
             .unwrap()
