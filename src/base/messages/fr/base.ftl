@@ -54,19 +54,19 @@ output-through-link = impossible d’écrire `{ $file }` : `{ $link }` est un l
 output-not-a-file = impossible d’écrire `{ $file }` : c’est un périphérique, un tube ou une socket
     .hint = indiquer un fichier ordinaire
 
-template-failed = le modèle `{ $template }` { $fault ->
+template-failed = le gabarit `{ $template }` { $fault ->
         [time] prend plus d’une minute
         [memory] prend plus de 2 Gio de mémoire
         [ended] se termine sans résultat
        *[other] ne peut pas être exécuté : { $fault }
     }
-    .hint = vérifier les boucles du modèle : chacune doit se terminer
+    .hint = vérifier les boucles du gabarit : chacune doit se terminer
 
-template-too-nested = la ligne { $line } du modèle `{ $template }` a plus de { $most } niveaux de parenthèses, d’opérateurs et de blocs
+template-too-nested = la ligne { $line } du gabarit `{ $template }` a plus de { $most } niveaux de parenthèses, d’opérateurs et de blocs
     .hint = découper l’expression avec `set`
 
 template-width = une largeur de plus de { $most }
-template-size = un texte de plus de { $most_mib } Mio
+template-size = un texte de plus de { $most_mib } Mio
 template-instructions = plus de { $most } instructions
 
 environment-date = la variable d’environnement `SOURCE_DATE_EPOCH` vaut `{ $value }`
@@ -74,7 +74,7 @@ environment-date = la variable d’environnement `SOURCE_DATE_EPOCH` vaut `{ $va
     .hint = indiquer un nombre entier, ou supprimer la variable
 
 environment-threads = la variable d’environnement `{ $name }` vaut `{ $threads }`
-    .expected = au plus { $most } fils
+    .expected = au plus { $most } fils d’exécution
     .hint = indiquer le nombre de cœurs, ou supprimer la variable
 
 locked = le processus { $process } écrit `{ $file }`
@@ -88,11 +88,11 @@ cannot-write-folder = impossible d’écrire le dossier `{ $folder }` : { $reas
 cannot-encode = impossible d’écrire { $format } : { $reason }
 
 angle-order-unknown = `{ $text }` n’est pas un ordre de trois angles
-    .expected = "zyx", "xyz", "zyz" .. autour des axes du corps, ou "fixed xyz" .. autour des axes du référentiel atelier
+    .expected = "zyx", "xyz", "zyz" .. autour des axes du corps, ou "fixed xyz" .. autour des axes du repère atelier
 
 pose-number-too-large = le numéro d’une pose dépasse 9223372036854775807
 rotation-not-orthonormal = la matrice de rotation n’est pas orthonormée : les produits scalaires de ses lignes s’écartent de 1 ou de 0 de { $off }
-    .expected = r11 à r33, ligne par ligne : orientation du corps dans le référentiel atelier
+    .expected = r11 à r33, ligne par ligne : orientation du corps dans le repère atelier
 
 rotation-mirrors = la matrice de rotation contient une réflexion : son déterminant est -1
     .hint = vérifier les signes de ses colonnes
