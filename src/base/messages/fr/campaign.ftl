@@ -28,7 +28,7 @@ path-outside = `{ $file }` sort du dossier de la campagne
 no-target = un robot tridimensionnel a besoin d’au moins une cible
     .hint = indiquer les cibles dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
 
-target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres seraient ceux de la base du robot
+target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres porteraient le nom de ceux de la base du robot
     .hint = donner un autre nom à la cible dans `label` ou `columns`
 
 key-not-positive = `{ $key }` doit être positif
@@ -38,12 +38,12 @@ joint-key-missing = la clé `{ $key }` manque dans `joint`
 
 direction-in-base = une direction dans la base, par exemple { $example }
 
-keys-state-the-same = { $keys } indiquent la même chose : en omettre une
+keys-state-the-same = { $keys } indiquent la même grandeur : en omettre une
 
 leg-count = un hexapode a six jambes, le fichier en indique { $count }
     .hint = ajouter un [[leg]] avec base_mm et platform_mm par jambe
 
-hexapod-singular = l’hexapode est singulier à sa pose d’origine : les six longueurs de jambe ne l’y maintiennent pas
+hexapod-singular = l’hexapode est singulier à sa pose d’origine : les six longueurs de jambe n’y déterminent pas sa pose
     .hint = vérifier `base_mm` et `platform_mm`, ou indiquer une autre pose d’origine
 
 no-joints = un bras série a besoin de ses articulations
@@ -80,13 +80,13 @@ joint-reference-wrong = { $fault ->
         [unknown-name] il n’y a pas d’articulation `{ $joint }`
         [slides] l’articulation { $joint } est prismatique : elle ne tourne pas
         [twice] l’articulation { $joint } apparaît deux fois
-        [itself] l’articulation { $joint } est couplée à elle-même : ce rapport est son gain
+        [itself] l’articulation { $joint } est couplée à elle-même : indiquer plutôt son gain
        *[pair] la paire { $joint } apparaît deux fois
     }
     .expected = articulations de 1 à { $count }, une fois chacune
     .hint = les articulations sont { $joints }
 
-urdf-joint-kind = l’articulation `{ $joint }` est de type { $kind }, que n’admet pas une chaîne
+urdf-joint-kind = l’articulation `{ $joint }` est de type { $kind }, qui n’est pas pris en charge
     .expected = fixed, revolute, continuous ou prismatic
 
 urdf-axis-without-direction = l’axe de l’articulation `{ $joint }` n’a pas de direction
@@ -98,7 +98,7 @@ urdf-origin-far = l’origine de l’articulation `{ $joint }` est à { FIXED($a
 urdf-two-parents = le segment `{ $link }` a deux parents : `{ $first }` et `{ $second }`
     .hint = un fichier URDF décrit un arbre : fermer les boucles par `mimic`
 
-urdf-loop = les articulations à partir de `{ $link }` forment une boucle
+urdf-loop = les articulations au-delà du segment `{ $link }` forment une boucle
     .hint = un fichier URDF décrit un arbre : fermer les boucles par `mimic`
 
 urdf-link-unknown = `{ $file }` n’a pas de segment `{ $link }`
@@ -120,25 +120,25 @@ urdf-no-moving-joint = aucune articulation du fichier ne bouge
     .hint = indiquer le fichier URDF d’un robot
 
 bending-on-moving-base = `bending` exige une direction fixe de la pesanteur, or des articulations déplacent `{ $link }`
-    .hint = la supprimer, ou prendre pour `base_link` un segment immobile
+    .hint = supprimer `bending`, ou prendre pour `base_link` un segment immobile
 
-bending-without-mass = aucune masse n’est indiquée au-delà de l’articulation `{ $joint }` : aucune charge ne la fait fléchir
-    .hint = ajouter <inertial> à ses segments
+bending-without-mass = `bending` de l’articulation `{ $joint }` exige une masse au-delà de cette articulation
+    .hint = ajouter <inertial> aux segments qu’elle porte
 
 parameter-name-doubled = deux paramètres s’appelleraient `{ $name }`
     .hint = renommer la cible : aucune cible ne peut porter le nom d’une articulation
 
-tool-link-missing = aucun membre ne porte les cibles
-    .hint = indiquer `tool_link = "..."`, ou un [[branch]] avec `tool_link` et `targets` pour chacun de plusieurs membres
+tool-link-missing = aucun segment ne porte les cibles
+    .hint = indiquer `tool_link = "..."`, ou un [[branch]] avec `tool_link` et `targets` pour chacun de plusieurs segments
 
-tool-link-beside-branches = `tool_link` et [[branch]] indiquent tous deux les membres des cibles
-    .hint = supprimer `tool_link`, et donner à son membre un [[branch]] avec `targets`
+tool-link-beside-branches = `tool_link` et [[branch]] indiquent tous deux les segments des cibles
+    .hint = supprimer `tool_link`, et donner à son segment un [[branch]] avec `targets`
 
 target-on-two-branches = la cible `{ $target }` est sur deux branches : `{ $first }` et `{ $second }`
     .hint = la supprimer dans `targets` de l’une d’elles
 
 target-on-no-branch = la cible `{ $target }` n’est sur aucune branche
-    .hint = l’ajouter à `targets` du [[branch]] dont le membre la porte
+    .hint = l’ajouter à `targets` du [[branch]] dont le segment la porte
 
 bending-in-branches = `bending` de l’articulation `{ $joint }` n’est pas modélisé : plusieurs branches la chargent
     .hint = supprimer l’articulation de `bending`
@@ -150,7 +150,7 @@ elastic-in-branches = `{ $key }` n’est pas modélisé : le robot a plusieurs 
     .hint = supprimer `{ $key }`, ou décrire la branche seule avec `tool_link`
 
 coupling-across-branches = l’articulation `{ $by }` ne déplace pas la branche `{ $link }`, dans laquelle `{ $joint }` lui est couplée
-    .hint = supprimer la paire de `coupling` : les deux articulations doivent se trouver sur le chemin vers chaque membre
+    .hint = supprimer la paire de `coupling` : les deux articulations doivent se trouver sur le chemin vers chaque segment
 
 key-of-other-model = `{ $key }` est sans objet pour ce modèle
     .hint = `{ $key }` appartient à `model = "{ $model }"`
@@ -186,7 +186,7 @@ kind-of-value = { $kind ->
        *[table] une table
     }
 
-unknown-variant = variante inconnue `{ $text }`
+unknown-variant = valeur inconnue `{ $text }`
 
 key-missing = la clé `{ $key }` manque{ $has_section ->
         [yes] {" "}dans `{ $section }`
@@ -205,10 +205,10 @@ toml-invalid = { $reason }
 
 table-key-twice = cette table contient la clé deux fois{ $more ->
         [0] {""}
-        [one] , et { $more } clé ensuite
-       *[other] , et { $more } clés ensuite
+        [one] , et répète encore { $more } clé
+       *[other] , et répète encore { $more } clés
     }
-    .hint = une table parmi plusieurs commence par son en-tête entre doubles crochets, comme `[[joint]]` : manque-t-il avant ?
+    .hint = une table parmi plusieurs commence par son en-tête entre doubles crochets, comme `[[joint]]` : un en-tête manque-t-il avant cette clé ?
 
 unknown-key = { $count ->
         [one] clé inconnue { $keys }
@@ -217,11 +217,11 @@ unknown-key = { $count ->
 
 key-belongs-at-top = `{ $key }` doit figurer en tête, avant la première section
 
-table-head-missing = manque-t-il l’en-tête de leur table, comme `[section]` ou `[[joint]]` ?
+table-head-missing = l’en-tête de leur table manque-t-il, comme `[section]` ou `[[joint]]` ?
 
 key-remedy = { $key ->
         [station] les stations d’un instrument sont une colonne `station` d’un tableau d’observations : indiquer {"["}observations] au lieu d’exports et de journal
-       *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur rotation, et aucune orientation de la base n’est singulière
+       *[base_turn_y_deg] supprimer la clé : base_rx, base_ry et base_rz sont un vecteur de rotation, et aucune orientation de la base n’est singulière
     }
 
 urdf-no-robot = le fichier n’est pas un fichier URDF
