@@ -4,7 +4,7 @@ stream-not-in-all = l’enregistrement `{ $stream }` n’est pas dans toutes les
     .hint = donner le même nom, dans toutes les campagnes, à l’enregistrement d’une même trajectoire
 
 stream-commands-differ = les points commandés de l’enregistrement `{ $stream }` diffèrent : AT et RT ne sont pas comparées
-    .hint = utiliser la même trajectoire, le même référentiel et les mêmes `path_points` et `near_mm` dans toutes les campagnes
+    .hint = utiliser la même trajectoire, le même repère et les mêmes `path_points` et `near_mm` dans toutes les campagnes
 
 stream-few-passes = AT et RT de l’enregistrement `{ $stream }` reposent sur { $passes ->
         [one] { $passes } passage
@@ -12,7 +12,7 @@ stream-few-passes = AT et RT de l’enregistrement `{ $stream }` reposent sur { 
     } ; le test de changement a été validé avec { $validated } passages
     .hint = parcourir la trajectoire dix fois (ISO 9283)
 
-path-change-uncertain = déclarés changés : { $names } ; dans des essais simulés, les intervalles de AT contiennent la valeur vraie dans 93 % à 95 % des cas, ceux de RT dans 90 % à 98 %
+path-change-uncertain = changement significatif : { $names } ; dans des essais simulés, les intervalles de AT contiennent la valeur vraie dans 93 % à 95 % des cas, ceux de RT dans 90 % à 98 %
     .hint = répéter l’essai avant de conclure
 
 nothing-to-compare = les campagnes n’ont aucun résultat en commun
@@ -52,7 +52,7 @@ parameters-not-in-all = toutes les campagnes n’ont pas identifié { $parameter
     .hint = identifier les mêmes paramètres : des paramètres voisins ont pu absorber l’erreur des paramètres fixés
 
 nominal-values-differ = les valeurs nominales diffèrent entre les fichiers de robot : { $parameters }
-    .hint = utiliser le même fichier de robot : les paramètres fixés à leur valeur nominale agissent sur les autres
+    .hint = utiliser le même fichier de robot : les paramètres fixés influent sur les paramètres identifiés
 
 model-misfits = les résidus de { $campaigns } dépassent l’incertitude de l’instrument : les changements de paramètres et d’erreurs moyennes ne sont pas testés (sans valeur p) ; les intervalles des paramètres contiennent la composante entre séries (rapport de Birge jusqu’à { $birge })
     .hint = identifier avec un modèle qui décrit le robot, et mesurer chaque fois les mêmes poses
