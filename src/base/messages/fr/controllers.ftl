@@ -1,8 +1,8 @@
 ### Messages de controllers ; explications dans en/controllers.ftl.
 
-compensate-programs = un langage ou fabricant de programmes de robot : corriger ses programmes par `etalon compensate PROGRAM` ; `etalon cell` écrit son outil et son repère objet
+compensate-programs = un langage ou un fabricant de programmes de robot : corriger ses programmes par `etalon compensate PROGRAMME` ; `etalon cell` écrit l’outil et le repère objet
 
-controller-format-unknown = `{ $name }` n’est pas un format de commande
+controller-format-unknown = `{ $name }` n’est pas un format de contrôleur
 
 kind-hexapod = un hexapode (`hexapod`)
 
@@ -45,26 +45,26 @@ file-worse-than-nominal = le format `{ $format }` n’est pas écrit : { $reaso
     .hint = utiliser un format qui contient ces paramètres ; `etalon export --force` écrit le fichier
 
 error-near-nominal = { $case ->
-        [rms] erreur de position non nettement inférieure à celle des paramètres nominaux
-        [maximum] plus grande erreur de position supérieure à celle des paramètres nominaux
-       *[both] erreur de position non nettement inférieure à celle des paramètres nominaux, maximum supérieur
+        [rms] l’erreur de position n’est pas nettement inférieure à celle des paramètres nominaux
+        [maximum] la plus grande erreur de position est supérieure à celle des paramètres nominaux
+       *[both] l’erreur de position n’est pas nettement inférieure à celle des paramètres nominaux, et son maximum est supérieur
     } : poses { $set ->
         [validation] de validation
        *[other] d’étalonnage
-    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum), nominal { FIXED($nominal_mm, $decimals) } mm et { FIXED($nominal_max_mm, $decimals) } mm
+    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (maximum) ; nominal { FIXED($nominal_mm, $decimals) } mm et { FIXED($nominal_max_mm, $decimals) } mm
 
 file-near-nominal = { $formats_count ->
         [1] format
        *[other] formats
     } `{ $formats }` : { $reason }
-    .hint = comparer les erreurs dans controllers.json ; si des paramètres sont omis, utiliser un format qui les contient
+    .hint = comparer les erreurs dans controllers.json ; si le format omet des paramètres, utiliser un format qui les contient
 
 file-of-other-structure = format `{ $format }` : les axes de ce bras diffèrent de ceux des bras Universal Robots : { $difference }
     .hint = vérifier convention, ordre et signes dans robot.toml ; pour un bras d’un autre fabricant, choisir un autre format : `etalon export --help` les énumère
 
 structure-angle = les axes { $first } et { $second } forment un angle de { FIXED($deg, 1) }° au lieu de { FIXED($expected, 0) }°
 
-structure-no-link = les axes { $first } et { $second } sont parallèles à { FIXED($mm, 1) } mm, sans corps entre eux
+structure-no-link = les axes { $first } et { $second } sont parallèles à { FIXED($mm, 1) } mm, sans segment entre eux
 
 structure-apart = les axes { $first } et { $second } passent à { FIXED($mm, 1) } mm l’un de l’autre au lieu de se couper
 
@@ -73,9 +73,9 @@ structure-wrist-meets = les axes 4 et 6 coupent l’axe 5 à { FIXED($mm, 1) } 
 structure-wrist-in-plane = le poignet est à { FIXED($mm, 1) } mm du plan de l’axe 1 au lieu d’un déport d’épaule
 
 covariance-missing = le format `{ $format }` ne contient pas { $parameters }, et parameters.json ne donne pas leur covariance
-    .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : elle identifie de nouveau sans ces paramètres
+    .hint = exécuter la campagne avec `controllers = ["{ $format }"]` : l’exécution identifie de nouveau sans ces paramètres
 
-parameters-not-converged = les paramètres ne conviennent pas à une commande : { $termination }
+parameters-not-converged = les paramètres ne conviennent pas à un contrôleur : { $termination }
     .hint = identifier de nouveau avant l’export
 
 covariance-not-finite = la covariance contient un nombre non fini
@@ -90,13 +90,13 @@ parameter-twice = il y a deux paramètres `{ $parameter }`
 parameter-names-collide = les paramètres `{ $first }` et `{ $second }` s’appellent tous deux `{ $name }` en { $language }
     .hint = renommer l’un des deux ou utiliser un autre format
 
-parameter-missing = les paramètres n’ont pas de `{ $parameter }`
-    .hint = indiquer le robot.toml avec lequel ils ont été identifiés
+parameter-missing = le paramètre `{ $parameter }` manque
+    .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés
 
-positions-not-measured = le format `{ $format }` exige des positions mesurées, et les paramètres n’en sont pas accompagnés
+positions-not-measured = le format `{ $format }` exige des positions mesurées, et les paramètres sont donnés sans ces positions
     .expected = le parameters.json du dossier de sortie d’une campagne qui a mesuré des positions
 
-recording-failed = l’enregistrement ne peut pas être écrit : { $reason }
+recording-failed = l’enregistrement ne peut pas être écrit : { $reason }
 
 robot-missing = ce format a besoin du modèle du robot
     .hint = indiquer le robot.toml : `--robot FICHIER`
@@ -108,7 +108,7 @@ deviation-steep = l’écart varie de { $change } entre { $from } et { $to }
     .expected = au plus 5 % de la distance
     .hint = indiquer positions et écarts dans la même unité, mm ou deg
 
-axis-table-too-long = { $positions } positions : trop pour { $controller }
+axis-table-too-long = { $positions } positions sont trop nombreuses pour { $controller }
     .expected = au plus { $most }
 
 axis-table-too-short = une table SINUMERIK a { $positions ->
@@ -123,19 +123,19 @@ axis-positions-uneven = les positions ne sont pas équidistantes
 plane-steps-differ = la grille a des pas différents selon ses axes
     .expected = { $step_mm } mm selon les deux
 
-galil-value-too-large = `{ $parameter }` est trop grand pour une variable d’une commande Galil
+galil-value-too-large = `{ $parameter }` est trop grand pour une variable d’un contrôleur Galil
     .hint = utiliser un format à virgule flottante
 
-galil-constant-too-large = { $name } = { FIXED($value, 6) } est trop grand pour la cinématique inverse sur une commande Galil
+galil-constant-too-large = { $name } = { FIXED($value, 6) } est trop grand pour la cinématique inverse sur un contrôleur Galil
     .expected = au plus { $most }
 
-galil-rounding = `{ $parameter }` perd { SCIENTIFIC($rounding, 1) } { $unit } par arrondi sur une commande Galil ; son incertitude-type est { SCIENTIFIC($uncertainty, 1) } { $unit }
+galil-rounding = `{ $parameter }` perd { SCIENTIFIC($rounding, 1) } { $unit } par arrondi sur un contrôleur Galil ; son incertitude-type est de { SCIENTIFIC($uncertainty, 1) } { $unit }
     .hint = utiliser un format à virgule flottante
 
-galil-axes = { $joints } articulations : trop pour une commande Galil
+galil-axes = { $joints } articulations sont trop nombreuses pour un contrôleur Galil
     .expected = au plus huit
 
-galil-counts-out-of-range = cible { $target } : { $counts } impulsions hors plage
+galil-counts-out-of-range = cible { $target } : { $counts } impulsions sont hors plage
     .expected = au plus { $most } impulsions
 
 certificate-date-missing = un certificat d’étalonnage exige la date des mesures
@@ -143,9 +143,9 @@ certificate-date-missing = un certificat d’étalonnage exige la date des mesur
     .hint = indiquer la date et relancer la campagne
 
 targets-not-finite = une valeur du plan n’est pas finie
-    .hint = vérifier le plan : aucune cible n’est écrite
+    .hint = vérifier les plages des articulations et les conditions du plan ; aucune cible n’est écrite
 
-targets-format-unknown = `{ $file }` n’indique aucun format de cibles
+targets-format-unknown = la terminaison de `{ $file }` n’est pas un format de cibles
     .expected = un nom qui se termine par `.json` ou `.h`
     .hint = pour CSV, utiliser `--poses`
 
@@ -187,14 +187,14 @@ quaternion-length = le quaternion de { $target } a pour norme { FIXED($length, 4
 
 template-without-holds = le gabarit n’indique pas les paramètres que contient son fichier
     .expected = une première ligne comme `{"{#"} holds: theta_* {"#}"}`
-    .hint = nommer les paramètres ; `*` remplace un texte quelconque, et `holds: *` tous les paramètres
+    .hint = nommer les paramètres ; `*` remplace un texte quelconque, et `holds: *` tous les paramètres
 
 template-holds-unknown = aucun paramètre ne correspond à `{ $pattern }`
 
 template-name = le nom du gabarit `{ $file }` ne se termine pas par `.j2`
-    .hint = renommer le gabarit : NOM.j2 écrit le fichier NOM
+    .hint = renommer le gabarit : NOM.j2 écrit le fichier NOM
 
-controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
+controller-template-failed = le gabarit ne peut pas être rempli : { $reason }
     .hint = corriger cette ligne
 
 measuring-language-unknown = le langage de { $file } est inconnu
@@ -216,14 +216,14 @@ measuring-output-unsuited = `{ $output }` n’est pas une sortie numérique de {
     }
 
 measuring-axes-missing = un programme en { $language } demande la lettre de chacun des { $joints } axes
-    .hint = les indiquer dans l’ordre des articulations : `--axes LETTRES` (parmi XYZABCUVW)
+    .hint = les indiquer dans l’ordre des articulations : `--axes LETTRES` (parmi XYZABCUVW)
 
 measuring-pulses-missing = un programme en { $language } demande les impulsions par deg ou mm de chacune des { $joints } articulations
-    .hint = les indiquer dans l’ordre des articulations : `--pulses P1,P2,...`
+    .hint = les indiquer dans l’ordre des articulations : `--pulses P1,P2,...`
 
 
-linuxcnc-distant-normal = les axes { $first } et { $second } sont presque parallèles : `genserkins` place leur normale commune à { FIXED($away_mm, 0) } mm, si bien que des valeurs arrondies déplacent la bride
+linuxcnc-distant-normal = les axes { $first } et { $second } sont presque parallèles : `genserkins` place leur normale commune à { FIXED($away_mm, 0) } mm, si bien que des valeurs arrondies déplacent la bride
     .hint = utiliser le format `linuxcnc-component`, qui contient l’angle de Hayati et les axes de vissage
 
-linuxcnc-joint-offsets = `genserkins` n’a pas de décalages articulaires : sans eux, la bride s’écarte de { FIXED($off_mm, 1) } mm aux valeurs articulaires nulles. Décalages par articulation de LinuxCNC (deg) : { $offsets_deg }
+linuxcnc-joint-offsets = `genserkins` n’a pas de décalages articulaires : sans eux, la bride s’écarte de { FIXED($off_mm, 1) } mm aux valeurs articulaires nulles. Décalages par articulation de LinuxCNC (deg) : { $offsets_deg }
     .hint = les ajouter à HOME_OFFSET, HOME, MIN_LIMIT et MAX_LIMIT de [JOINT_n], ou utiliser `linuxcnc-component`
