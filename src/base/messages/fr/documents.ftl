@@ -3,10 +3,10 @@
 action-load-or-compensate = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
-    } dans votre propre logiciel ; pour une commande à géométrie nominale, corriger ses programmes par `etalon compensate`
+    } dans votre propre logiciel ; pour un contrôleur à géométrie nominale, corriger ses programmes par `etalon compensate`
 
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
-    .hint = vérifier chaque robot séparément ; ensemble, ils donnent l’interchangeabilité
+    .hint = essayer chaque robot séparément ; seule l’interchangeabilité est évaluée sur tous les robots ensemble
 
 few-cycles = moins de { $least } cycles { $count ->
         [one] à la pose { $poses }
@@ -26,14 +26,14 @@ instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caracté
     }
     .hint = utiliser les valeurs comme majorants, ou mesurer avec un meilleur instrument
 
-positions-drift = la position de la pose { $pose } change de { FIXED($change_mm, 3) } mm du premier au dernier cycle : AP et RP contiennent cette dérive
-    .hint = indiquer `drift_set` dans [poses] (`--drift-set`), ou chauffer le robot avant l’essai
+positions-drift = la position de la pose { $pose } change de { FIXED($change_mm, 3) } mm du premier au dernier cycle : AP et RP contiennent cette dérive
+    .hint = indiquer `drift_set` dans [poses] (`--drift-set`), ou mettre le robot en température avant l’essai
 
 several-approaches = plusieurs directions d’approche { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
-    .hint = utiliser les valeurs de chaque direction d’approche : celles de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
+    .hint = utiliser les valeurs de chaque direction d’approche : les valeurs de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
 
 positions-in-other-unit = { $axes } des positions { $table ->
         [commanded] commandées
@@ -42,16 +42,16 @@ positions-in-other-unit = { $axes } des positions { $table ->
     } { $count ->
         [one] est
        *[other] sont
-    } en { $unit }, et non en mm : multiplié par { $length_mm }, l’accord avec l’autre tableau est obtenu
+    } en { $unit }, et non en mm : après multiplication par { $length_mm }, l’accord avec l’autre tableau est obtenu
     .hint = nommer les colonnes par leur unité (`x_m`), ou les convertir en mm
 
-poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des référentiels différents : après un décalage du centre de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des repères différents : après un décalage du centre de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
         [turned] {" "}et une rotation de { FIXED($turn_deg, 1) } deg
        *[shifted] {""}
     }, il reste { FIXED($left_mm, 3) } mm
-    .hint = exprimer les deux tableaux dans un même référentiel ; AP et AT contiennent l’écart des référentiels, RP et RT non
+    .hint = exprimer les deux tableaux dans un même repère ; AP et AT contiennent l’écart entre les repères, RP et RT ne le contiennent pas
 
-deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, autant que l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }
+deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, soit l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }
     .hint = vérifier les noms des poses et les colonnes des deux tableaux
 
 angles-not-separable = les angles { $first } et { $second } { $place } { $order ->
@@ -77,13 +77,13 @@ angles-of-standstills = { $count ->
 
 path-without-pass = l’enregistrement ne contient aucun passage de la trajectoire commandée
     .expected = un mouvement à travers { $planes } plans, chacun à moins de { $near_mm } mm de la trajectoire
-    .hint = vérifier le référentiel et le sens de l’enregistrement et de la trajectoire ; `--near-mm` admet de plus grands écarts
+    .hint = vérifier le repère et le sens de l’enregistrement et de la trajectoire ; `--near-mm` admet de plus grands écarts
 
 samples-too-fast = { $count ->
         [one] { $count } échantillon omis
        *[other] { $count } échantillons omis
-    } : vitesse impossible pour un robot
-    .hint = vérifier ces lignes : { $lines }
+    } : vitesse supérieure à celle d’un robot
+    .hint = vérifier l’enregistrement à ces lignes : { $lines }
 
 weave-velocity-not-compared = la vitesse commandée n’est pas comparée : la trajectoire est la ligne médiane d’un balayage
     .hint = parcourir la trajectoire sans balayage pour évaluer les vitesses
@@ -104,9 +104,9 @@ zone-proved-locally = il est prouvé seulement que la zone minimale est la plus 
     .hint = comparer son écart de forme à celui de l’ajustement par moindres carrés
 
 zone-unproved = une zone plus étroite de l’élément { $element } ne peut être exclue
-    .hint = mesurer une plus grande partie de la surface : des points aussi dispersés caractérisent mal l’élément
+    .hint = mesurer une plus grande partie de la surface : l’élément se distingue à peine de la dispersion des points
 
-hold-another = pour fixer un autre paramètre du groupe, l’indiquer sous `hold` dans [identify] ; par défaut, c’est celui dont la tolérance déplace le moins les cibles
+hold-another = pour fixer un autre paramètre du groupe, l’indiquer sous `hold` dans [identify] ; par défaut, le paramètre fixé est celui dont la tolérance déplace le moins les cibles
 
 set-up-origin = { $origin ->
         [unit] `unit` de l’export
@@ -121,34 +121,34 @@ plan-cube = le plus grand { $shape ->
     } dans l’espace de travail indiqué, arêtes parallèles aux axes ; C1 à C4 à partir des plus petits x et y
 plan-poses = P1 : centre ; P2 à P5 : sur les diagonales du plan d’essai, à 10 % de leur longueur des sommets, dans l’ordre des sommets
 plan-clauses = P1 à P5, charges, vitesses et 30 cycles suivent le texte de la norme ; les trajectoires, les autres nombres et l’ordre des sommets n’ont pas été comparés à un exemplaire acheté
-plan-reach-not-examined = non examiné : si le robot atteint les poses, et si toutes les articulations bougent entre elles
-plan-reach = portée : d’après les paramètres nominaux et les limites du fichier de robot ; entre plusieurs modes de travail, celui qui atteint le plus de poses d’une liste est conservé pour toute la liste ; { $moves ->
-        [all] toutes les articulations bougent entre P1 et P5
-       *[some] certaines articulations ne bougent pas entre P1 et P5, alors que la norme l’exige de toutes
+plan-reach-not-examined = ni le mouvement de toutes les articulations entre les poses ni l’accessibilité des poses n’ont été examinés
+plan-reach = accessibilité : d’après les paramètres nominaux et les limites du fichier de robot ; un seul mode de travail par liste de poses, celui qui en atteint le plus ; { $moves ->
+        [all] toutes les articulations bougent entre les poses P1 à P5
+       *[some] certaines articulations ne bougent pas entre les poses P1 à P5, alors que la norme l’exige
     }
-covariance-not-square = sa covariance n’est pas carrée, avec { $identified } lignes, une par paramètre identifié
+covariance-not-square = sa covariance n’est pas une matrice carrée à { $identified } lignes, une par paramètre identifié
 uncertainty-negative = une incertitude-type ou une variance est négative ou n’est pas un nombre
 parameter-listed-twice = il contient deux fois le paramètre `{ $parameter }`
 
 method-levenberg-marquardt = Levenberg-Marquardt avec QR par blocs et colonnes mises à l’échelle, terminé par Gauss-Newton
 method-enclosing = plus petit élément englobant, défini par { $points } points
 method-minimum-zone = zone minimale (Tchebychev)
-action-add-cycles = mesurer { $count ->
+action-add-cycles = atteindre { $count ->
         [one] la pose { $poses }
        *[other] les poses { $poses }
     } au moins { $required } fois
-action-add-cycles-reason = le plus petit nombre de positionnements à une pose est { $least } : les intervalles de AP et de RP sont donc larges
+action-add-cycles-reason = une pose n’a que { $least } positionnements : les intervalles de AP et de RP sont donc larges
 action-add-effect = ajouter `{ $line }` à robot.toml
 action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
 action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
-action-add-validation-reason = les erreurs aux seules poses d’étalonnage sont plus petites qu’aux nouvelles poses
-action-agree-rule = convenir avec le client d’une règle de décision : { $limit }
-action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de mesures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
-action-compensate = si la commande calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
+action-add-validation-reason = les erreurs aux poses d’étalonnage sont plus petites que les erreurs à de nouvelles poses
+action-agree-rule = convenir avec le client d’une règle de décision : { $limit }
+action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de lectures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
+action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
-action-verify = vérifier le chargement : à quelques poses, comparer la pose affichée par la commande avec `etalon kinematics direct` pour parameters.json. Si elles diffèrent, rétablir le fichier que la commande avait
-action-verify-reason = sauvegarder ce fichier avant le chargement. Plus tard, `etalon verify` indique à partir de quelques poses mesurées si la base ou le robot ont changé ; `--candidates` choisit ces poses
-action-finer-instrument = mesurer avec une incertitude élargie d’au plus { $uncertainty }
+action-verify = vérifier le chargement : à quelques poses, comparer la pose affichée par le contrôleur avec `etalon kinematics direct` pour parameters.json. Si elles diffèrent, rétablir le fichier précédent du contrôleur
+action-verify-reason = sauvegarder ce fichier avant le chargement. Plus tard, `etalon verify` indique à partir de quelques poses mesurées si la base ou le robot ont changé ; `--candidates` choisit ces poses
+action-finer-instrument = mesurer avec une incertitude élargie d’une position de { $uncertainty } au plus
 action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->
         [one] la pose { $poses } dépasse
        *[other] les poses { $poses } dépassent
@@ -162,14 +162,14 @@ action-load = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
     }
-action-load-reason = erreur quadratique moyenne ({ $quantity }) sur { $count } poses { $set ->
+action-load-reason = moyenne quadratique de l’erreur ({ $quantity }) aux { $count } poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    } : nominale { $nominal }, identifiée { $expected }
+    } : nominale { $nominal }, identifiée { $expected }
 action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
-    } dans un système de commande simulé, non dans un robot : les données sont synthétiques
+    } dans un contrôleur simulé, non dans un robot : les données sont synthétiques
 action-measure-again = mesurer de nouveau { $count ->
         [one] la pose { $poses }
        *[other] les poses { $poses }
@@ -180,7 +180,7 @@ action-measure-again = mesurer de nouveau { $count ->
     }
 action-measure-again-reason = la pose { $pose } est en désaccord avec les autres : { $error }, { $times } σ
 action-measure-quantity = mesurer la grandeur de `{ $limit }` aux poses décisives, ou supprimer la limite
-action-measure-quantity-reason = la limite d’une grandeur non mesurée ne peut pas être évaluée
+action-measure-quantity-reason = une limite sur une grandeur non mesurée ne peut pas être évaluée
 action-meet-limit = chercher la cause des erreurs : { $limit }
 action-meet-limit-at-pose = chercher la cause de l’erreur à la pose { $pose } : { $limit }
 action-meet-limit-reason = { $value }, limite { $limit } : dépassement de { $beyond }
@@ -188,7 +188,7 @@ action-prove-effects = indiquer `{ $line }` dans [identify]
 action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
 action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut { $required }
-action-resolve = traiter cet avertissement
+action-resolve = décider de la suite à donner à cet avertissement
 action-state-limits = indiquer la tolérance de l’application dans [limits]
 action-state-limits-reason = sans limites, il n’y a pas de verdict
 action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
@@ -201,15 +201,15 @@ field-of-other-robot = le champ résiduel est celui d’un autre robot : `{ $na
 field-inconsistent = le champ résiduel est incohérent
     .hint = relancer la campagne
 
-field-needs-positions = les lectures d’un champ résiduel sont des positions de cibles, sans conditions, pièces rigides, plateformes ni covariances indiquées
+field-needs-positions = les lectures d’un champ résiduel sont des positions de cibles, sans conditions, pièces rigides, plates-formes ni covariances indiquées
 field-needs-poses = { $poses ->
         [one] { $poses } pose
        *[other] { $poses } poses
-    } ; un champ résiduel en demande { $needed }
+    } ; un champ résiduel en exige { $needed }
 field-readings-suspect = à la pose réservée { $pose }, l’erreur avec le champ est de { FIXED($error_mm, 3) } mm, plus de 8 fois la médiane de toutes les poses : ses lectures sont douteuses
 field-undetermined = les positions ne déterminent pas les paramètres dans chaque partie des poses
-field-not-shown = les résidus ne dépendent pas visiblement des articulations : la vraisemblance augmente de { FIXED($rise, 1) }, et { FIXED($threshold, 1) } est requis (−2 ln L)
-field-not-proven = aux poses réservées, l’erreur de position est de { FIXED($without_mm, 3) } mm sans le champ et de { FIXED($with_mm, 3) } mm avec lui (moyenne quadratique) ; le gain est de { FIXED($gain, 1) } fois son incertitude-type, et 2,3 sont requis
+field-not-shown = les résidus ne dépendent pas significativement des articulations : la vraisemblance augmente de { FIXED($rise, 1) }, alors que { FIXED($threshold, 1) } est exigé (−2 ln L)
+field-not-proven = aux poses réservées, l’erreur de position est de { FIXED($without_mm, 3) } mm sans le champ et de { FIXED($with_mm, 3) } mm avec lui (moyenne quadratique) ; le gain est de { FIXED($gain, 1) } fois son incertitude-type, alors que 2,3 fois sont exigées
 
 zeros-of-the-joints = zéros des articulations
 geometry = géométrie
