@@ -10,13 +10,13 @@ input-missing = le fichier `{ $file }` n’existe pas
 
 simulate-the-file = l’écrire à partir de truth.toml : `etalon simulate { $folder }`
 
-place-the-file = copier le fichier à cet endroit, ou indiquer un autre chemin : ceux de campaign.toml partent de son dossier, ceux d’une commande du dossier courant
+place-the-file = copier le fichier à cet endroit, ou indiquer un autre chemin : les chemins de campaign.toml partent de son dossier, les chemins d’une ligne de commande partent du dossier courant
 
 name-a-file = le dossier contient { $files }
 
 line-too-long = `{ $file }` : la ligne { $line } dépasse { $most_mib } Mio
-    .hint = exporter le fichier en texte avec des lignes : c’est peut-être un enregistrement binaire ou une archive
-database-unreadable = la base SQLite ne se lit pas comme un enregistrement de rosbag2 : { $fault ->
+    .hint = exporter les mesures en texte, une ligne par mesure : le fichier est peut-être un enregistrement binaire ou une archive
+database-unreadable = la base SQLite ne se lit pas comme un enregistrement de rosbag2 : { $fault ->
         [log] elle a un journal d’écriture (WAL)
         [tables] les tables `topics` et `messages` y manquent
         [encoding] ses textes sont en UTF-16
@@ -25,9 +25,9 @@ database-unreadable = la base SQLite ne se lit pas comme un enregistrement de ro
        *[record] un enregistrement est malformé
     }
     .hint = { $fault ->
-        [log] intégrer le journal : sqlite3 FICHIER "PRAGMA journal_mode=DELETE"
+        [log] intégrer le journal : sqlite3 FICHIER "PRAGMA journal_mode=DELETE"
         [tables] exporter sa table en texte, et indiquer les colonnes
-       *[record] copier de nouveau le fichier ; `ros2 bag reindex DOSSIER` répare un enregistrement interrompu
+       *[record] copier de nouveau le fichier ; `ros2 bag reindex DOSSIER` répare un enregistrement interrompu
     }
 
 file-not-text = `{ $file }` est { $kind ->
@@ -62,11 +62,11 @@ file-not-text = `{ $file }` est { $kind ->
        *[pdf] exporter les points en texte
     }
 
-vertices-of-mesh = les points sont les sommets d’un maillage, pas des points mesurés
+vertices-of-mesh = les points sont les sommets d’un maillage, et non des points mesurés
     .hint = exporter les points mesurés en PLY ou en texte
 
-positions-of-program = les positions d’un programme de robot sont des consignes, pas des mesures
-    .hint = les utiliser comme poses de consigne
+positions-of-program = les positions d’un programme de robot sont commandées, et non mesurées
+    .hint = les utiliser comme poses commandées
 
 encoding-differs = le fichier commence par la marque d’ordre des octets (BOM) de { $of_file } ; la campagne indique { $stated }
     .hint = supprimer `encoding` : la marque du fichier indique déjà l’encodage
@@ -93,7 +93,7 @@ unpacked-too-large = { $kind ->
         [workbook] le classeur décompressé dépasse
         [arrays] les tableaux décompressés du fichier dépassent
        *[recording] l’enregistrement décompressé dépasse
-    } { $most_mib } Mio
+    } { $most_mib } Mio
     .hint = { $kind ->
         [workbook] enregistrer la feuille seule, ou comme texte
         [arrays] enregistrer seuls les tableaux de la mesure
@@ -212,7 +212,7 @@ spatialanalyzer-fields = `collection, group, target, x, y, z`, ou les cinq, quat
 
 three-to-eight-numbers = trois à huit nombres séparés par des virgules
 
-propose-format = vérifier le séparateur de colonnes, le séparateur décimal et les guillemets de la ligne, et si le fichier est tronqué ; `etalon formats FICHIER` propose une lecture du fichier
+propose-format = vérifier le séparateur de colonnes, le séparateur décimal et les guillemets de la ligne, et que le fichier n’est pas tronqué ; `etalon formats FICHIER` propose une lecture du fichier
 
 quote-names = mettre entre guillemets les noms qui contiennent des espaces, ou indiquer le séparateur et les colonnes : `format = {"{"} delimiter = .., columns = .. {"}"}`
 
@@ -249,7 +249,7 @@ not-a-number = `{ $text }` n’est pas un nombre
            *[other] {" "}et `{ $thousands }` entre groupes de trois chiffres
         }
 
-number-marks = si le fichier écrit ainsi les nombres, indiquer { $first }{ $second ->
+number-marks = si les nombres du fichier sont écrits ainsi, indiquer { $first }{ $second ->
         [none] {""}
        *[other] {" "}ou { $second }
     }
@@ -262,7 +262,7 @@ number-empty = un nombre manque
            *[other] {" "}et `{ $thousands }` entre groupes de trois chiffres
         }
 
-save-computed-workbook = la formule n’a pas de valeur : enregistrer le classeur dans le programme qui la calcule
+save-computed-workbook = la formule n’a pas de valeur : enregistrer le classeur dans le programme qui la calcule
 
 number-too-long = `{ $start }...` a { $characters } caractères
     .expected = un nombre d’au plus { $most } caractères
@@ -331,7 +331,7 @@ direction-notation-differs = la direction est écrite comme { $found ->
     .hint = indiquer `format = "{ $format }"`
 
 unit-differs = le fichier est en { $of_file } ({ $how }) ; l’unité indiquée est { $stated }
-    .hint = si l’en-tête du fichier est faux, le corriger dans le fichier ; sinon indiquer l’unité du fichier
+    .hint = si l’en-tête du fichier est faux, le corriger dans le fichier ; sinon indiquer l’unité du fichier
 
 default-of-format = pas de `{ $record }` : valeur par défaut du format
 
@@ -377,7 +377,7 @@ label-pattern-invalid = { $fault ->
     .expected = du texte avec {"{"}target{"}"}, {"{"}pose{"}"} et {"{"}cycle{"}"}, chacun au plus une fois
     .hint = corriger `label`
 
-state-encoding = indiquer l’encodage du fichier : il a été lu avec un autre
+state-encoding = indiquer l’encodage du fichier : il a été lu avec un autre encodage
 
 several-data-sets = un second `{ $record }` : le fichier a plusieurs jeux de données
     .hint = le diviser en un fichier par jeu de données, chacun avec un [[export]]
@@ -409,7 +409,7 @@ line-number-differs = les colonnes 73 à 80 contiennent `{ $digits }` : un num�
 feature-without-points = `{ $feature }` n’a pas de points utilisables : { $message }
 
 compensation-mixed = les points n’ont pas tous la même correction de palpeur
-    .hint = faire des ajustements séparés pour ces points
+    .hint = ajuster ces points séparément
 
 reference-broken = `{ $name }` renvoie à { $id }, qui n’est pas un élément `{ $kind }` de ce fichier
 
@@ -435,11 +435,11 @@ recording-unreadable = l’enregistrement ne peut pas être lu : { $fault ->
         [size] un bloc dépasse 256 Mio
         [unpack] un bloc ne peut pas être décompressé
         [channel] un message n’a pas de canal
-       *[end] il se termine au milieu d’un élément
+       *[end] le fichier se termine au milieu d’un élément
     }
     .hint = le réparer avec `mcap recover FICHIER -o REPARE`, ou le copier de nouveau
 
-recording-missing = le fichier n’est pas un enregistrement MCAP et ne contient donc pas de topic `{ $topic }`
+recording-missing = le fichier n’est pas un enregistrement MCAP : il n’a pas de topic `{ $topic }`
     .hint = indiquer le fichier .mcap du dossier de l’enregistrement, ou omettre `topic`
 
 topic-not-stated = le fichier est un enregistrement (MCAP), et `topic` manque
@@ -491,13 +491,13 @@ array-lengths-differ = `{ $first }` a { $count } nombres et `{ $second }` en a {
     .expected = des colonnes de même longueur
     .hint = indiquer des tableaux d’un même enregistrement ; une matrice dont les colonnes sont des instants a ses articulations en lignes
 
-arrays-unreadable = le fichier ne peut pas être lu comme tableaux de { $format ->
+arrays-unreadable = le fichier ne peut pas être lu comme des tableaux de { $format ->
         [numpy] NumPy (.npz, .npy)
        *[matlab] MATLAB (.mat au format -v6 ou -v7)
     }
     .hint = l’enregistrer de nouveau, ou corriger `format`
 
-sheet-not-stated = un classeur dont la feuille n’est pas indiquée ; il contient { $sheets }
+sheet-not-stated = la feuille du classeur n’est pas indiquée ; le classeur contient { $sheets }
     .hint = indiquer la feuille (`sheet`)
 
 state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
@@ -506,7 +506,7 @@ state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} {
 row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesurée : pas de coordonnées
-row-cell-empty = non mesurée : { $column } est vide
+row-cell-empty = non mesurée : { $column } est vide
 row-invisible = non mesurée : 0 0 0 avec le quaternion 0 0 0 0
 row-not-measured = non mesurée : { $column } est `{ $cell }`
 characteristic-of-no-axis = pas une coordonnée : le nom de la caractéristique ne se termine pas par X, Y ou Z
