@@ -28,7 +28,7 @@ probe-side-needs-direction = intérieur et extérieur ne sont pas définis pour 
 
 probe-side-needs-inside = une direction ne donne pas le côté du palpeur pour l’élément { $element }
     .expected = inside (alésage) ou outside (arbre)
-    .hint = indiquer où était la bille : inside ou outside
+    .hint = indiquer le côté du palpeur : inside ou outside
 
 probe-direction-zero = le vecteur de direction { $direction } vers le palpeur est nul
     .expected = trois nombres finis, non tous nuls
@@ -66,12 +66,12 @@ held-axis-zero = l’axe fixé { $axis } n’a pas de direction
     .expected = trois nombres, non tous nuls
     .hint = indiquer l’axe
 
-element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
+element-ambiguous = un autre élément { $element } s’ajuste presque aussi bien aux points
     .hint = mesurer plus de points là où l’élément n’est pas couvert, ou fixer l’axe
 
 element-not-determined = aucun élément { $element } n’a pu être ajusté : { $termination }
     .expected = des points qui déterminent un élément { $element }
-    .hint = vérifier les points : arc trop court, trop droit, ou autre élément ; sinon fixer le rayon ou l’axe
+    .hint = vérifier les points (arc trop court, points alignés, autre élément), ou fixer le rayon ou l’axe
 
 zone-flat = pas de zone minimale pour l’élément { $element } : un plan s’ajuste aussi bien aux points
     .expected = des points sur une partie de la surface dont la hauteur dépasse l’écart de forme
@@ -123,7 +123,7 @@ weights-unusable = les { $weights } poids de l’élément { $element } ne convi
     .expected = un poids positif et fini par point, le rapport de deux poids ne dépassant pas 1e12
     .hint = utiliser 1/u² de chaque point ; omettre un point au lieu de lui donner un poids nul
 
-element-without-redundancy = l’élément { $element } n’a pas de point surabondant : les résidus sont nuls et son incertitude est inconnue
+element-without-redundancy = l’élément { $element } n’a pas de point redondant : les résidus sont nuls et son incertitude est inconnue
     .hint = mesurer plus de points que le minimum
 
 radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
@@ -142,19 +142,19 @@ cone-is-plane = l’angle au sommet du cône n’est pas significativement diff�
     .hint = ajuster un plan
 
 points-set-aside = { $count ->
-        [one] 1 point est écarté
-       *[other] { $count } points sont écartés
+        [one] 1 point est exclu
+       *[other] { $count } points sont exclus
     } : { $points }
-    .hint = ils s’éloignent de l’élément ajusté à tous les autres plus que le bruit ne l’explique
+    .hint = ils sont plus loin de l’élément ajusté à tous les autres que le bruit ne l’explique
 
 foreign-points = { $count ->
         [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
        *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
     } l’ajustement de { FIXED($shift, 1) } incertitudes-types
-    .hint = les examiner ; `--robust` les écarte
+    .hint = les examiner ; `--robust` les exclut
 
 robust-few-points = un ajustement robuste de l’élément { $element } exige { $needed } points, et non { $points }
-    .hint = mesurer plus de points, ou les ajuster tous sans en écarter
+    .hint = mesurer plus de points, ou les ajuster tous sans en exclure
 method-principal-directions = directions principales des points centrés
 method-orthogonal-distance = distance orthogonale, Gauss-Newton dans une région de confiance
 method-circle-in-plane = plan des moindres carrés, projection, cercle dans le plan par distance orthogonale
