@@ -51,7 +51,7 @@ thousands-mark-ambiguous = le séparateur de milliers `{ $mark }` est aussi le {
     .hint = supprimer ou corriger `thousands`
 
 column-role-twice = `columns` mentionne `{ $role }` deux fois
-    .hint = corriger l’une des deux ; une colonne qui n’est pas lue est `-`
+    .hint = corriger l’une des deux ; le rôle `-` désigne une colonne qui n’est pas lue
 
 coordinates-of-two-kinds = `columns` mentionne à la fois des coordonnées de type fixe et c1, c2, c3
     .expected = soit x, y, z ou des angles et des distances, soit c1, c2, c3
@@ -59,14 +59,14 @@ coordinates-of-two-kinds = `columns` mentionne à la fois des coordonnées de ty
 row-types-missing = les colonnes c1, c2, c3 ont besoin d’une colonne `type` et de la clé `types`
     .hint = par exemple `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
 
-row-type-incomplete = `{ $key }` n’indique pas ce que sont c1, c2 et c3
+row-type-incomplete = `{ $key }` n’indique pas la signification de c1, c2 et c3
     .expected = trois coordonnées, et c1, c2, c3 dans `columns`
 
 not-coordinates = `{ $key }` mentionne { $count ->
         [0] aucune coordonnée
        *[other] { $names }, qui ne sont pas les coordonnées d’un point
     }
-    .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou angle de site, et distance
+    .expected = x et y, et z dans l’espace ; rayon, azimut et z ; ou azimut, angle zénithal ou angle d’élévation, et distance
 
 angle-unit-missing = `{ $key }` mentionne des angles sans unité
     .hint = indiquer `angle_unit` (option `--angle-unit`) : "deg", "rad" ou "gon"
@@ -86,7 +86,7 @@ header-not-stated = `columns` mentionne l’en-tête `{ $column }`, mais aucune 
     .hint = indiquer `header = 1`, ou donner le numéro de la colonne
 
 header-is-data = la ligne { $rows } de l’en-tête contient des nombres dans les colonnes de coordonnées
-    .hint = les lignes vides et les commentaires ne comptent pas : indiquer `header = { $fewer }`
+    .hint = les lignes vides et les commentaires ne comptent pas comme lignes : indiquer `header = { $fewer }`
 
 expression-malformed = impossible de lire l’expression `{ $expression }` : { $fault ->
         [too-long] elle dépasse 1000 caractères
@@ -99,7 +99,7 @@ expression-malformed = impossible de lire l’expression `{ $expression }` : { 
     }
     .expected = des en-têtes, `$3` pour la troisième colonne et des nombres, avec + - * / et des parenthèses
 
-column-unknown = il n’y a pas de colonne `{ $column }`
+column-unknown = la colonne `{ $column }` manque
 
 table-failed = impossible de construire le tableau : { $reason }
 
@@ -124,13 +124,13 @@ rows-left-out = { $count ->
 count-value-missing = `{ $key }` n’indique pas la valeur d’une impulsion : les tableaux Galil contiennent des impulsions de codeur
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count dans l’unité de la clé
 
-galil-array-hole = le tableau de `{ $column }` présente une lacune
-    .hint = relire le tableau dans la commande
+galil-array-hole = le tableau de `{ $column }` a une cellule vide avant sa fin
+    .hint = relire le tableau dans le contrôleur
 
 galil-array-ended = valeur absente : le tableau de { $columns } est terminé
 
 galil-array-empty = l’un des tableaux est vide
-    .hint = relire les tableaux dans la commande après la fin de l’enregistrement
+    .hint = relire les tableaux dans le contrôleur après la fin de l’enregistrement
 
 not-a-count = { $value } n’est pas un nombre d’impulsions de codeur
     .expected = un nombre entier de 32 bits
@@ -143,7 +143,7 @@ rsi-cycles-missing = { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
     } où `IPOC` n’avance pas de { $step_ms } ms
-    .hint = des télégrammes ont été perdus : l’ordinateur d’acquisition était en retard
+    .hint = des télégrammes ont été perdus, car l’ordinateur d’acquisition était trop lent ; enregistrer de nouveau si les lacunes gênent
 
 ros-joints-change = l’articulation { $number } est `{ $found }` dans cette ligne et `{ $first }` dans la première
     .hint = deux émetteurs partagent le topic : enregistrer chacun dans un fichier séparé
@@ -170,7 +170,7 @@ log-key-inapplicable = `{ $key }` ne s’applique pas à { $column ->
        *[other] les voies d’un export TwinCAT ont leurs propres instants : supprimer `{ $key }`
     }
 
-column-unit-differs = `{ $key }` indique { $stated }, `{ $column }` est en { $known ->
+column-unit-differs = `{ $key }` indique { $stated }, mais `{ $column }` est en { $known ->
         [wall-clock] secondes entières de l’heure du jour ; l’horloge de ce journal est `IPOC`
        *[other] { $known }
     }
@@ -204,11 +204,11 @@ state-delimiter = indiquer `delimiter = "{ $delimiter }"` et `decimal = "{ $deci
 
 state-delimiter-of-rows = indiquer `delimiter` et `decimal` des lignes
 
-header-holds-numbers = la ligne qui devrait indiquer les colonnes contient des nombres
+header-holds-numbers = la ligne d’en-tête contient des nombres au lieu de noms
     .hint = si le fichier n’a pas d’en-tête, indiquer `header = false` et désigner les colonnes par leur numéro
 
 column-by-number = une colonne de ce format ne peut pas être désignée par son numéro : { $format ->
-        [galil] les tableaux sont en ordre alphabétique, quelle que soit leur articulation
+        [galil] les tableaux sont en ordre alphabétique, et non dans l’ordre des articulations
         [ros] l’ordre des articulations est arbitraire
        *[twincat] l’ordre des voies change d’un export à l’autre
     }
@@ -224,7 +224,7 @@ heading-repeated = l’en-tête a { $times ->
     .expected = `occurrence` de 1 à { $times }
     .hint = indiquer laquelle : `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
 
-log-row-needs-values = relire le journal de la commande, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
+log-row-needs-values = relire le journal du contrôleur, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
 
 assembly-mode-invalid = le mode d’assemblage est { $value }
     .expected = 1 ou -1
@@ -253,7 +253,7 @@ log-columns-missing = `columns` de ce journal ne mentionne aucune voie
 twincat-two-scales = la voie `{ $channel }` a un facteur d’échelle, et son unité en a un aussi
     .hint = exporter des valeurs mises à l’échelle et indiquer `values = "scaled"`
 
-twincat-scale-undecided = la voie `{ $channel }` a un facteur d’échelle (facteur et décalage { $scale }, de l’unité { $unit_scale }) : on ignore s’il est déjà appliqué
+twincat-scale-undecided = la voie `{ $channel }` a un facteur d’échelle (facteur et décalage { $scale }, de l’unité { $unit_scale }) : on ignore si ce facteur est déjà appliqué
     .hint = indiquer `values = "raw"` ou `values = "scaled"`, selon le réglage de l’export
 
 channel-resumes = la voie `{ $channel }` reprend après sa fin
@@ -298,9 +298,9 @@ columns-not-read = non lues : { $count ->
        *[other] colonnes
     } { $columns }
 
-joint-direction-missing = `backlash` de l’articulation `{ $joint }` exige le sens d’approche
+joint-direction-missing = `backlash` de l’articulation `{ $joint }` exige le sens d’approche de l’articulation
     .expected = une colonne `{ $column }` : +1 pour une approche par valeurs croissantes, -1 par valeurs décroissantes
-    .hint = une campagne le déduit d’un journal avec horodatage ; ou retirer l’articulation de `backlash` du fichier de robot
+    .hint = utiliser un journal horodaté, ou retirer l’articulation de `backlash` du fichier de robot
 
 joint-direction-invalid = `{ $column }` { $value ->
         [missing] manque
@@ -344,7 +344,7 @@ angles-not-compensated = les cibles de référence ne corrigent pas la dérive d
     .hint = indiquer l’ordre : `--rotation-order "Rz(c) Ry(b) Rx(a)"`, dans une campagne `rotation_order`
 
 cycle-before-reference-targets = le cycle { $cycle } a été mesuré avant toute cible de référence
-    .hint = mesurer les cibles de référence avant l’essai ; les premières sont du cycle { $first }
+    .hint = mesurer les cibles de référence avant l’essai ; leur première mesure est du cycle { $first }
 
 reference-target-twice = la cible de référence `{ $target }` a été mesurée deux fois au cycle { $cycle }
     .hint = supprimer l’une des lignes, ou corriger son nom
@@ -362,7 +362,7 @@ heading-twice = l’en-tête mentionne `{ $column }` plusieurs fois
     .hint = renommer ou supprimer l’une des colonnes
 
 stated-and-in-table = `{ $key }` est indiquée, mais le tableau a aussi une colonne de ce nom
-    .hint = supprimer l’un des deux
+    .hint = supprimer l’une des deux
 
 no-row-selected = `only` et `without` ne retiennent aucune ligne
     .hint = comparer leurs cellules à celles du fichier
@@ -379,7 +379,7 @@ log-constant-invalid = la constante { $value } ne peut pas être la colonne `{ $
 computed-not-finite = la valeur calculée de `{ $column }` est { $value }
     .hint = vérifier l’expression : division par zéro ou dépassement de capacité
 
-name-is-formula = le nom `{ $name }` dans la colonne `{ $column }` serait une formule dans un tableur
+name-is-formula = un tableur prendrait le nom `{ $name }` de la colonne `{ $column }` pour une formule
     .hint = utiliser un nom qui ne commence pas par = + - ou @
 
 file-empty = le fichier est vide
@@ -399,7 +399,7 @@ file-without-points = c’est { $kind ->
         [certificate] indiquer le fichier des points mesurés
         [roughness] indiquer le fichier des points mesurés
         [diadem] convertir l’en-tête et les valeurs en CSV, comme KUKA.Trace les exporte
-       *[other] écrire les nombres en CSV : une ligne par point ou pose, les noms des colonnes au-dessus
+       *[other] écrire les nombres en CSV : une ligne par point ou par pose, sous une ligne avec les noms des colonnes
     }
 
 no-rows-of-numbers = { $file ->
@@ -408,9 +408,9 @@ no-rows-of-numbers = { $file ->
     } de lignes de deux nombres ou plus
     .hint = exporter les points en texte, une ligne par point
 
-robot-does-not-test = un robot du modèle `{ $model }` ne permet pas de vérifier la proposition : la pose de sa bride dans l’espace n’est pas libre
+robot-does-not-test = un robot du modèle `{ $model }` ne permet pas de vérifier la proposition : sa bride n’a pas de pose libre dans l’espace
 
-robot-not-tested = la proposition n’est pas vérifiée avec le robot nominal : il faut au moins { $fewest } lignes avec des valeurs articulaires et des coordonnées réparties dans l’espace
+robot-not-tested = la proposition ne peut pas être vérifiée avec le robot nominal : il faut au moins { $fewest } lignes avec des valeurs articulaires et des coordonnées réparties dans l’espace
 
 robot-contradicts = le robot nominal ne reproduit { $points } avec aucun ordre, sens ni unité des articulations essayés{ $known ->
         [yes] {" "}; le plus petit résidu est de { FIXED($rms_mm, 2) } mm (moyenne quadratique)
@@ -423,15 +423,15 @@ robot-units-ambiguous = les données ne déterminent pas les unités des articul
 
 robot-finds-targets = avec une cible propre à chaque valeur de { $column }, le robot nominal reproduit les coordonnées
 
-robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, mais la cinématique du robot nominal correspond à { $unit }
+robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, mais la cinématique du robot nominal concorde avec { $unit }
 
-robot-contradicts-order = le robot nominal correspond avec les articulations dans l’ordre { $columns }, contre les numéros des en-têtes : vérifier les en-têtes et le fichier du robot
+robot-contradicts-order = le robot nominal concorde avec les données si les articulations sont dans l’ordre { $columns }, contrairement aux numéros des en-têtes : vérifier les en-têtes et le fichier de robot
 
-robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le robot nominal correspond avec le signe opposé
+robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le robot nominal concorde avec le signe opposé
 
-robot-orders = le robot nominal correspond avec les articulations dans l’ordre { $columns }
+robot-orders = le robot nominal concorde avec les données si les articulations sont dans l’ordre { $columns }
 
-robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible libres)
+robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible ajustées)
 robot-orders-quaternion = les orientations du robot nominal s’accordent au quaternion dont le scalaire est { $scalar ->
         [first] en premier
        *[last] en dernier
@@ -460,17 +460,17 @@ file-is = `{ $file }` : { $kind }, { $rows ->
 
 files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne correspondante dans `{ $log }` (clé : { $by })
 
-files-not-joined = aucune clé ne relie tous les exports aux { $rows } lignes de `{ $log }`
-recording-not-joined = les instants ne relient pas `{ $log }` : les arrêts d’au moins 1 s sont moins nombreux que les points ({ $standstills }), et aucun décalage des horloges ne donne à chaque point sa propre ligne
+files-not-joined = aucune clé ne joint tous les exports aux { $rows } lignes de `{ $log }`
+recording-not-joined = les instants ne joignent pas `{ $log }` : les arrêts d’au moins 1 s sont moins nombreux que les points ({ $standstills }), et aucun décalage des horloges ne donne à chaque point sa propre ligne
 
-doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
+doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
 
-doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte
+doubt-array-columns = `{ $array }` a { $count } colonnes : des articulations, des coordonnées, ou les deux côte à côte
 zero-count-alone = `zero_count` est sans effet sans `per_count`
 
-payload-column-missing = `payload` du fichier du robot exige la colonne `{ $column }`
+payload-column-missing = `payload` du fichier de robot exige la colonne `{ $column }`
     .expected = `load_kg`, et le centre de masse dans la bride : `load_x_mm`, `load_y_mm`, `load_z_mm`
-    .hint = ajouter la colonne, avec 0 dans les lignes sans charge, ou supprimer `payload` du fichier du robot
+    .hint = ajouter la colonne, avec 0 dans les lignes sans charge, ou supprimer `payload` du fichier de robot
 
 payload-invalid = `{ $column }` { $value ->
         [missing] manque
@@ -479,19 +479,19 @@ payload-invalid = `{ $column }` { $value ->
     .expected = une masse en kg d’au moins 0, ou une longueur en mm
     .hint = indiquer 0 lorsque le robot ne porte rien
 
-torque-column-missing = `torque` du fichier du robot nomme l’articulation `{ $joint }`, et la colonne `{ $column }` manque
-    .hint = ajouter la colonne, ou retirer l’articulation de `torque` dans le fichier du robot
+torque-column-missing = `torque` du fichier de robot mentionne l’articulation `{ $joint }`, et la colonne `{ $column }` manque
+    .hint = ajouter la colonne, ou retirer l’articulation de `torque` dans le fichier de robot
 
 torque-invalid = `{ $column }` { $value ->
         [missing] manque
        *[other] vaut { $value }
     }
-    .expected = un couple en N·m
+    .expected = un couple en N·m
     .hint = corriger la cellule, ou exclure la ligne
 
-temperature-column-missing = `drift` ou `expansion` du fichier du robot exige la colonne `{ $column }`
+temperature-column-missing = `drift` ou `expansion` du fichier de robot exige la colonne `{ $column }`
     .expected = la température du robot en °C
-    .hint = ajouter la colonne, ou retirer `drift` et `expansion` du fichier du robot
+    .hint = ajouter la colonne, ou retirer `drift` et `expansion` du fichier de robot
 
 temperature-invalid = `{ $column }` { $value ->
         [missing] manque
@@ -504,6 +504,6 @@ approach-unknown = direction d’approche inconnue : { $visits }{ $count ->
         [one] {""}
        *[other] {""} ; { $count } en tout
     } ; la lecture de la pose précédente manque
-    .hint = si le robot n’est passé par aucune autre pose, nommer les directions d’approche dans une colonne `approach`
+    .hint = si le robot n’est passé par aucune autre pose, indiquer les directions d’approche dans une colonne `approach`
 
 visit-of-cycle = pose { $pose } du cycle { $cycle }
