@@ -1,6 +1,6 @@
 ### Messages de identify ; explications dans en/identify.ftl.
 
-no-observations = il n’y a pas d’observations pour identifier les paramètres
+no-observations = il n’y a pas d’observations à partir desquelles identifier les paramètres
     .hint = vérifier quelles poses sont choisies et lesquelles sont exclues
 
 pose-residuals-without-uncertainty = les résidus de la pose mêlent mm et rad : ils nécessitent l’incertitude-type d’une coordonnée
@@ -22,7 +22,7 @@ readings-without-uncertainty = { $without } des { $readings } lectures n’ont p
 
 pose-residuals-not-planar = les résidus de la pose ne s’appliquent qu’aux robots plans, et non à `{ $model }`
 
-tool-part-missing = le point de l’outil est indiqué dans le référentiel de { $part ->
+tool-part-missing = le point d’outil est indiqué dans le repère de { $part ->
         [flange] la bride
        *[platform] la plate-forme
     } : `{ $model }` n’en a pas
@@ -62,9 +62,9 @@ solver-ended = { $termination ->
        *[converged] convergence, mais le résultat n’est pas unique
     }
 
-readings-contradict = la plupart des lectures concordent, celles de { $poses } non{ $count ->
+readings-contradict = la plupart des lectures concordent, mais non celles de { $poses }{ $count ->
         [0] {""}
-       *[other] {" "}: les valeurs articulaires des poses { $pairs } sont échangées
+       *[other] {" "}: les valeurs articulaires des poses { $pairs } sont échangées
     }
 
 named-poses = { $count ->
@@ -72,11 +72,11 @@ named-poses = { $count ->
        *[other] { $count } poses ({ $poses })
     }
 
-poses-unreachable = le robot nominal ne peut pas prendre les valeurs articulaires de { $poses }
+poses-unreachable = le robot nominal n’a pas de pose aux valeurs articulaires de { $poses }
 
-extents-differ = les points mesurés s’étendent sur { FIXED($measured_mm, 0) } mm, ceux du modèle sur { FIXED($model_mm, 0) } mm
+extents-differ = l’étendue des points mesurés est de { FIXED($measured_mm, 0) } mm, celle des points prédits de { FIXED($model_mm, 0) } mm
 
-assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage pour { $poses } : à la pose { $worst }, l’écart est de { FIXED($stated_mm, 1) } mm avec le mode indiqué { $stated }, de { FIXED($other_mm, 1) } mm avec le mode { $other }
+assembly-mode-contradicted = la position mesurée contredit le mode d’assemblage pour { $poses } : à la pose { $worst }, le résidu est de { FIXED($stated_mm, 1) } mm avec le mode indiqué { $stated }, de { FIXED($other_mm, 1) } mm avec le mode { $other }
 
 scale-unobserved = aucune observation ne contient de longueur : l’échelle du robot est celle de ses longueurs nominales{ $lengths ->
         [none] {""}
@@ -86,21 +86,21 @@ scale-unobserved = aucune observation ne contient de longueur : l’échelle du
 
 readings-weighted = { $own } des { $readings } lectures sont pondérées par leurs propres incertitudes-types : { FIXED($least_mm, 4) } à { FIXED($most_mm, 4) } mm par coordonnée
 
-rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : de `{ $first }` à `{ $second }`, { FIXED($found_mm, 4) } mm { $by ->
-        [identification] identifiés sans elles
-       *[measurement] mesurés
-    }, { FIXED($stated_mm, 4) } mm indiqués
+rigid-part-contradicted = { $places } de { $targets } contredisent les mesures au-delà de leur incertitude : distance de `{ $first }` à `{ $second }` { $by ->
+        [identification] identifiée sans elles
+       *[measurement] mesurée
+    } { FIXED($found_mm, 4) } mm, indiquée { FIXED($stated_mm, 4) } mm
 
 stated-positions = les positions indiquées
 
 comparison-without-uncertainty = une comparaison avec des paramètres donnés nécessite l’incertitude-type d’une coordonnée
     .hint = indiquer l’incertitude de l’instrument
 
-robot-not-at-joints = le robot ne peut pas prendre ces valeurs articulaires avec les paramètres { $parameters ->
+robot-not-at-joints = le robot n’a pas de pose à ces valeurs articulaires avec les paramètres { $parameters ->
         [nominal] nominaux
        *[given] donnés
     }
-    .hint = vérifier l’unité, le signe et le décalage des valeurs articulaires, et si les paramètres sont ceux de ce robot
+    .hint = vérifier l’unité, le signe et le décalage des valeurs articulaires, et que les paramètres sont ceux de ce robot
 
 covariance-not-positive-definite = la covariance des paramètres n’est pas définie positive
     .hint = utiliser la covariance telle que l’identification l’a fournie
@@ -111,7 +111,7 @@ no-redundant-observations = il y a autant d’équations que de paramètres : l
 pose-residuals-correlated = les résidus d’une même pose sont corrélés : les incertitudes-types sont estimées d’après la dispersion des poses et valent { FIXED($ratio, 1) } fois celles que donne l’instrument
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument a des erreurs communes aux lectures d’une pose
 
-series-not-estimated = les incertitudes ne contiennent pas la dispersion entre séries : moins de huit poses, ou des mesures communes à plusieurs poses
+series-not-estimated = les incertitudes ne contiennent pas la dispersion entre séries : moins de huit poses, ou des mesures communes à plusieurs poses
 
 instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
     .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; les erreurs communes à toutes les poses n’apparaissent pas dans les résidus
@@ -123,60 +123,60 @@ residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l�
     } ({ FIXED($inflation, 1) } fois celles que donne l’instrument, en médiane)
     .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
-parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et restent à leur valeur nominale : { $parameters }
+parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et sont fixés à leur valeur nominale : { $parameters }
 
-parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il reste à sa valeur nominale
+parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il est fixé à sa valeur nominale
 
-parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` reste à sa valeur nominale
+parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` est fixé à sa valeur nominale
 
 parameter-separable-poorly = `{ $parameter }` n’est séparable de { $others } qu’avec une incertitude-type de { FIXED($uncertainty, 2) }{ $unit ->
         [mm] {" "}{ $unit }
         [deg] {" "}{ $unit }
        *[other] {""}
     } : { $held ->
-        [placed] il reste à sa première estimation
-       *[nominal] il reste à sa valeur nominale, mieux connue
+        [placed] il garde sa valeur de départ
+       *[nominal] il reste à sa valeur nominale, plus exacte
     }
     .hint = mesurer des poses dans lesquelles ces paramètres agissent différemment
 
-tool-targets-collinear = les cibles ne définissent pas de référentiel pour le point de l’outil : il en faut trois non alignées dans l’espace, ou deux dans le plan
-    .hint = indiquer le point dans le référentiel de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
+tool-targets-collinear = les cibles ne définissent pas de repère pour le point d’outil : il faut trois cibles non alignées pour un robot tridimensionnel, deux pour un robot plan
+    .hint = indiquer le point dans le repère de la bride, ou utiliser la première cible elle-même ([0, 0, 0])
 
 nominal-robot-far = le robot nominal s’écarte des mesures de { FIXED($left_mm, 3) } mm (moyenne quadratique, base et cibles ajustées) ; les tolérances admettent { FIXED($allowed_mm, 3) } mm
     .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
-nominal-robot-not-at-joints = le robot nominal ne peut pas prendre ces valeurs articulaires
+nominal-robot-not-at-joints = le robot nominal n’a pas de pose à ces valeurs articulaires
     .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales, et la jointure des valeurs articulaires et des points
 
-placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, les points mesurés s’étendent sur { FIXED($spread_mm, 1) } mm
+placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, l’étendue des points mesurés est de { FIXED($spread_mm, 1) } mm
     .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, les paramètres fixés de la base et des cibles, et les paramètres nominaux du robot
 
-reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
-    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément ou mesurer de nouveau
+reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément ou mesurer de nouveau
 
-target-shifted = à partir de la pose { $pose }, la cible `{ $target }` est décalée de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm dans le repère de la bride) par rapport à sa place jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
-    .hint = la cible a bougé sur son support : lui donner un autre nom à partir de cette pose, ou mesurer de nouveau
+target-shifted = à partir de la pose { $pose }, la cible `{ $target }` est décalée de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm dans le repère de la bride) par rapport à la position qu’elle avait jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
+    .hint = la cible a bougé sur son support : lui donner un autre nom à partir de cette pose, ou mesurer de nouveau
 
 poses-exchanged = { $count ->
         [one] les valeurs articulaires des poses { $pairs } sont échangées
-       *[other] les valeurs articulaires de { $count } paires de poses sont échangées : { $pairs }
-    } : avec l’échange, elles ne sont plus aberrantes
+       *[other] les valeurs articulaires de { $count } paires de poses sont échangées : { $pairs }
+    } : une fois échangées, elles ne sont plus aberrantes
     .hint = vérifier l’ordre des lignes du journal et les noms des poses
 
 set-up-contradicted = les mesures contredisent le montage déclaré
     .hint = vérifier les modifications qui expliquent les mesures
 
-set-up-untested = non contrôlé par ces données : { $changes }
-    .hint = les vérifier sur le robot, ou mesurer une seconde cible à l’écart de l’axe de la dernière articulation, dans des poses qui meuvent toutes les articulations
+set-up-untested = non contrôlé par ces données : { $changes }
+    .hint = les vérifier sur le robot, ou mesurer une seconde cible à l’écart de l’axe de la dernière articulation, à des poses qui font bouger toutes les articulations
 
-untested-change = { $change } (écart-type d’une coordonnée { FIXED($changed_mm, 3) } mm au lieu de { FIXED($stated_mm, 3) } mm ; la bride diffère de { FIXED($flange_mm, 0) } mm et { FIXED($flange_deg, 0) } deg au plus)
+untested-change = { $change } (écart-type d’une coordonnée { FIXED($changed_mm, 3) } mm au lieu de { FIXED($stated_mm, 3) } mm ; la bride s’écarte de { FIXED($flange_mm, 0) } mm et { FIXED($flange_deg, 0) } deg au plus)
 pair-of-poses = { $first } et { $second }
 
 parameters-weakly-identifiable = { $groups } sont faiblement identifiables à partir de ces poses : incertitudes-types { $uncertainties } (corrélation { FIXED($correlation, 6) })
 
 parameter-groups-weakly-identifiable = { $count } groupes de paramètres sont faiblement identifiables à partir de ces poses (plus grandes incertitudes-types : { $uncertainties } ; au sein d’un groupe, les erreurs se compensent au voisinage de ces poses) : { $groups }
 
-uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
+uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
 
 uncertainty-of-ratio = u({ $parameter }) = { SCIENTIFIC($u, 1) }
 
@@ -191,24 +191,24 @@ separate-parameters-by-joints = mesurer des poses sur une plus grande plage de {
 too-many-positions = impossible de choisir { $positions } positions parmi { $candidates } candidates
     .expected = un nombre de 1 à { $candidates }
 
-start-pose-unknown = la pose de départ { $pose } n’est pas une candidate
-    .hint = utiliser des poses du tableau des candidates
+start-pose-unknown = la pose de départ { $pose } n’est pas une pose candidate
+    .hint = utiliser des poses du tableau des poses candidates
 
-start-too-large = le choix de départ compte { $start } candidates, plus que les { $positions } positions à choisir
-    .hint = partir de moins de poses, ou en choisir plus
+start-too-large = le choix de départ compte { $start } poses candidates, plus que les { $positions } positions à choisir
+    .hint = indiquer moins de poses de départ, ou choisir plus de positions
 
 study-too-few-positions = { $positions } positions ne suffisent pas à déterminer tous les paramètres
     .hint = choisir plus de positions
 
-no-candidates = il n’y a pas de candidates
-    .hint = vérifier le tableau des candidates
+no-candidates = il n’y a pas de poses candidates
+    .hint = vérifier le tableau des poses candidates
 
-candidates-unreachable = aucune candidate n’est à portée : pose { $pose } ({ $reason })
+candidates-unreachable = aucune pose candidate n’est à portée : pose { $pose } ({ $reason })
     .hint = vérifier les valeurs articulaires, leurs unités et les limites du robot
 
 candidates-left-out = { $count ->
-        [one] { $count } candidate est hors de portée et n’est jamais choisie
-       *[other] { $count } candidates sont hors de portée et ne sont jamais choisies
+        [one] { $count } pose candidate est hors de portée et n’est jamais choisie
+       *[other] { $count } poses candidates sont hors de portée et ne sont jamais choisies
     } : { $candidates }
 
 candidate-violation = pose { $pose } ({ $reason })
@@ -217,8 +217,8 @@ at-geometric-step = { $step ->
         [lead-1] pas de l’actionneur 1
         [lead-2] pas de l’actionneur 2
         [lead-3] pas de l’actionneur 3
-        [base] référentiel de la base
-        [mobile] référentiel mobile
+        [base] repère de la base
+        [mobile] repère mobile
         [shaft] arbre
        *[offsets] décalages
     } : { $message }
@@ -250,7 +250,7 @@ points-undetermined = ces points ne déterminent pas l’élément ajusté
 slip-reversed = { $joint } inversé
 
 slip-exchanged = { $first } et { $second } intervertis
-slip-branches-exchanged = les cibles de { $first } et { $second } échangées
+slip-branches-exchanged = les cibles de { $first } et { $second } interverties
 
 slip-joint-order = les articulations { $order ->
         [reversed] dans l’ordre inverse
@@ -282,7 +282,7 @@ slip-unit-of-targets = les points mesurés de { $targets } { $slip ->
     }
 
 slip-points = { $change ->
-        [mirrored] les points mesurés en miroir (un référentiel indirect, ou deux coordonnées interverties)
+        [mirrored] les points mesurés inversés par symétrie (un repère indirect, ou deux coordonnées interverties)
         [exchanged] x et y des points mesurés intervertis
         [x] x des points mesurés inversé
        *[y] y des points mesurés inversé
@@ -297,7 +297,7 @@ slip-neighbour = les valeurs articulaires de chaque pose prises à la pose { $ne
 
 slip-convention = { $convention }
 
-slip-world-frame = le référentiel atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
+slip-world-frame = le repère atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 
 slip-pair = { $first }, et { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
@@ -311,11 +311,11 @@ set-up-slip = { $others ->
         [none] une modification explique les mesures : { $first }
        *[other] chacune de ces modifications explique les mesures : { $first } ; { $others }
     }. { $stated ->
-        [unreachable] Sans modification, des poses sont hors de portée ; avec elle, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm
-        [angles] L’écart-type des orientations passe de { FIXED($stated_deg, 2) } deg à { FIXED($changed_deg, 2) } deg
-        [tolerances] Avec la modification, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm, et les paramètres restent dans leurs tolérances
-       *[residuals] L’écart-type d’une coordonnée passe de { FIXED($stated_mm, 3) } mm à { FIXED($changed_mm, 3) } mm
-    } (aux poses exclues de l’identification) : le vérifier d’abord
+        [unreachable] Sans modification, des poses sont hors de portée ; avec elle, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm
+        [angles] L’écart-type des orientations passe de { FIXED($stated_deg, 2) } deg à { FIXED($changed_deg, 2) } deg
+        [tolerances] Avec la modification, l’écart-type d’une coordonnée est de { FIXED($changed_mm, 3) } mm, et les paramètres restent dans leurs tolérances
+       *[residuals] L’écart-type d’une coordonnée passe de { FIXED($stated_mm, 3) } mm à { FIXED($changed_mm, 3) } mm
+    } (aux poses exclues de l’identification) : le vérifier d’abord
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m paramètres, n configurations ; jacobienne en mm par mm, rad et 1
 index-o2 = O2 = smin / smax ; jacobienne en mm par mm, rad et 1
