@@ -9,11 +9,11 @@ ask-log-of-format = s’il s’agit de ceci : { $what } (`[log]` avec `format =
 ask-number-with-gaps = si { $column } est le numéro de la pose, comme proposé : il passe de { $before } à { $after }, le numéro de la ligne en est donc un autre
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
 ask-points-in-row = si les { $numbers } nombres d’une ligne sont { $count } points de trois coordonnées, comme proposé : rien ne les nomme
-ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première est supposée
+ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première colonne est supposée l’être
 ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
-ask-rotation = si les trois nombres sont un vecteur rotation, ou des angles, et dans quel ordre ceux-ci tournent
+ask-rotation = si les trois nombres sont un vecteur de rotation, ou des angles, et dans quel ordre ceux-ci tournent
 ask-seconds = si `{ $name }` est en secondes (sinon `time_ms`, `time_ns`)
-ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second } : leurs en-têtes sont égaux ou leurs valeurs presque égales : deux cibles, ou des coordonnées de consigne et mesurées
+ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second }, dont les en-têtes sont égaux ou les valeurs presque égales : deux cibles, ou des coordonnées commandées et mesurées
 ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
 ask-time-unit = l’unité des temps dans { $column } : le pas est { $step }
@@ -41,7 +41,7 @@ because-line = la ligne { $line } { $is ->
     }
 because-log = un journal : { $reason }
 because-numbers = chaque ligne a { $count } nombres, dont aucun triplet n’est un vecteur unitaire
-because-recording = c’est un enregistrement de ROS 2 : { $storage ->
+because-recording = c’est un enregistrement de ROS 2 : { $storage ->
         [db3] une base SQLite avec des topics
        *[mcap] il commence comme un fichier MCAP
     }
@@ -53,29 +53,30 @@ because-topic = le topic `{ $topic }` a { $count ->
        *[other] { $count } messages
     } du type { $message_type }
 because-unit-stated = la ligne { $line } indique l’unité : { $how }
-doubt-all-commanded = toutes les coordonnées portent le nom de valeurs commandées : ce ne sont pas des mesures
+doubt-all-commanded = les en-têtes de toutes les coordonnées indiquent des valeurs commandées : le fichier ne contient pas de coordonnées mesurées
 doubt-bare-metre = les en-têtes se terminent par `_m` : mètres, ou « mesuré »
 doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
         [0] {""}
+        [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     }
 doubt-controller-pose = les coordonnées de `{ $body }` sont peut-être celles que calcule le contrôleur : un instrument mesure une cible
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
 doubt-decimal-mark = aucun nombre n’a de séparateur décimal : `{ $mark }` est supposé
-doubt-direction-length = la direction n’a pas la norme 1 à toutes les lignes
-doubt-encoding = le fichier n’est pas en UTF-8 ; vérifier que ses lettres sont lisibles en { $encoding }
+doubt-direction-length = la direction n’est pas un vecteur unitaire à toutes les lignes
+doubt-encoding = le fichier n’est pas en UTF-8 et est lu en { $encoding } : vérifier que ses lettres (°, µ, accents) sont justes
 doubt-first-increases = la colonne 1 augmente à chaque ligne : un instant, ou une coordonnée
 doubt-four-joints = quatre articulations q0 à q3 auraient les mêmes en-têtes
 doubt-in-line = ligne { $line } : { $problem }
 doubt-joints-without-headings = { $count } nombres sans en-têtes : des articulations, ou des coordonnées et des angles
-doubt-matrix-order = une matrice sans en-têtes : lue ligne par ligne, elle transforme les vecteurs du corps vers le référentiel atelier
+doubt-matrix-order = une matrice sans en-têtes : lue ligne par ligne, elle transforme les vecteurs du corps vers le repère atelier
 doubt-more-problems = et { $count ->
         [one] 1 autre problème
        *[other] { $count } autres problèmes
     } de ce genre
 doubt-one-row = une ligne de { $count } nombres sans en-têtes : un programme a écrit un tableau sur une ligne, et rien ne montre son découpage
-doubt-order-of-joints = les articulations ne sont pas dans l’ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
+doubt-order-of-joints = les articulations ne suivent aucun ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
 doubt-orientation-of-body = l’orientation `{ $body }` est prise pour celle du point mesuré : ses en-têtes nomment un autre corps
 doubt-origin = ligne { $line } : 0 0 0, considéré comme « non mesuré » sauf indication contraire de `missing`
 doubt-other-reading = { $reading }, { $columns ->
@@ -97,8 +98,8 @@ doubt-rows-not-read = { $count ->
 doubt-rows-refused = ligne { $line } : { $reason } ; autres lignes : { $more }
 doubt-scanned = les nombres après x, y, z sont pris pour l’intensité et la couleur : des entiers jusqu’à 255
 doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
-doubt-sets-by-difference = les colonnes { $difference } sont dans toutes les lignes la différence des colonnes { $measured } et { $commanded } : lue comme mesuré moins consigne
-doubt-several-logs = { $count } journaux : { $first } identifie le robot, les autres lui sont comparés ; les lignes d’un même enregistrement réparties sur plusieurs fichiers sont à réunir en un seul
+doubt-sets-by-difference = les colonnes { $difference } sont, à toutes les lignes, la différence des colonnes { $measured } et { $commanded } : elles sont lues comme valeur mesurée moins valeur commandée
+doubt-several-logs = { $count } journaux : { $first } identifie le robot, les autres lui sont comparés ; les lignes d’un même enregistrement réparties sur plusieurs fichiers sont à réunir en un seul
 doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
 doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
 doubt-stationary-points = ses { $count } points sont pris pour des points fixes : leurs noms pourraient être des poses, mais un autre fichier a { $poses } poses
@@ -116,7 +117,7 @@ is-commanded-poses = des poses commandées, ou candidates pour `etalon plan`
 is-compliance-test = un essai de compliance statique
 is-dmis = une sortie DMIS, d’après son premier enregistrement
 is-drilled-plate = un tableau de trous percés en colonnes de largeur fixe, d’après son en-tête
-is-galil-arrays = des tableaux lus dans une commande Galil (upload) : seulement des nombres entiers, sous des noms en ordre alphabétique
+is-galil-arrays = des tableaux lus dans un contrôleur Galil (upload) : seulement des nombres entiers, sous des noms en ordre alphabétique
 is-geopak-scan = un scan de GEOPAK-Win, d’après son premier enregistrement
 is-kuka-rsi = un enregistrement de KUKA RSI : son en-tête contient le compteur `IPOC`
 is-leica-at960 = un export d’un Leica AT960 ou AT930 en six degrés de liberté, d’après son en-tête
@@ -127,7 +128,7 @@ is-stl = un fichier STL, d’après ses triangles
 is-pcd = un fichier PCD, d’après les lignes FIELDS et DATA
 is-e57 = un fichier E57 d’un scanner, d’après ses premiers octets
 is-c3d = un fichier C3D de capture de mouvement, d’après ses premiers octets
-is-fanuc-ls = un programme d’une commande FANUC, d’après sa première ligne
+is-fanuc-ls = un programme d’un contrôleur FANUC, d’après sa première ligne
 is-abb-rapid = un module ABB RAPID, d’après MODULE et ENDMODULE
 is-ptx = un scan PTX, d’après ses dix lignes d’en-tête
 is-leica-gsi = un fichier Leica GSI, d’après les mots de ses lignes
@@ -170,7 +171,7 @@ means-quaternion = quaternion { $component }
 means-rotation = rotation, nombre { $number } sur trois
 means-target = nom de la cible
 means-temperature = température
-means-text = un texte qui n’est pas utilisé
+means-text = un texte qui n’est pas lu
 means-time = instant
 means-time-of-day = heure
 means-uncertainty = incertitude-type, numéro { $number }
@@ -207,7 +208,7 @@ why-heading-ordered = son en-tête ; elle ne diminue jamais
 why-heading-unordered = son en-tête, bien qu’elle n’augmente pas
 why-in-unit = { $why }, en { $unit }
 why-increases = elle augmente à chaque ligne, les autres non
-why-kinematics-fit = la cinématique du robot nominal convient si elle est en { $unit }{ $way ->
+why-kinematics-fit = la cinématique du robot nominal concorde si cette colonne est en { $unit }{ $way ->
         [reversed] , comptée dans le sens opposé
        *[forward] {""}
     }
@@ -228,7 +229,7 @@ why-repeats-as-texts = son en-tête mentionne des répétitions, et elle contien
 why-robot-computes = le robot nominal la calcule à l’arrondi près
 why-robot-reproduces = le robot nominal reproduit les trois colonnes
 why-row-0001 = la ligne 0 0 0 1
-why-targets-fit = avec une cible pour chacune de ses valeurs, le robot nominal convient
+why-targets-fit = avec une cible pour chacune de ses valeurs, le robot nominal concorde avec les données
 why-text-before = un texte avant les nombres
 why-text-behind = un texte après des nombres
 why-texts-differ = des textes différents d’une ligne à l’autre, avant les nombres
