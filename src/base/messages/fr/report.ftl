@@ -49,18 +49,18 @@ at-location = point de AT
 at-of-angles = AT des angles (deg)
 at-position = { $value }, à { $position } mm
 at-rt-diamonds = Losanges : plus grandes valeurs de AT et de RT, avec leurs intervalles. Le maximum de nombreuses valeurs dispersées est biaisé vers le haut : RT peut dépasser l’intervalle valable pour une infinité de passages.
-at-tool-point = Au point de l’outil : { $count ->
+at-tool-point = Au point d’outil : { $count ->
         [one] { $count } pose
        *[other] { $count } poses
     }
 attached-accuracy = Erreurs avant et après
 attached-campaign = Indications de la campagne
-attached-cell = Référentiels de la cellule
+attached-cell = Repères de la cellule
 attached-certificate = Certificat d’étalonnage numérique (DCC), projet
 attached-changes = Changements entre les campagnes
 attached-characteristics = Caractéristiques de l’ISO 9283
-attached-compliance = Souplesse statique
-attached-controllers = Fichiers pour la commande
+attached-compliance = Compliance statique
+attached-controllers = Fichiers pour le contrôleur
 attached-distributions = Distributions des résultats
 attached-geometric = Étalonnage géométrique
 attached-parameters = Paramètres identifiés, covariance, provenance
@@ -89,7 +89,7 @@ base-motion-explains-most = les paramètres ne sont plus valables : un mouvemen
 base-moved = la base a bougé de { $by } (k = 2)
 base-rotation = rotation de la base
 base-shift = déplacement de la base
-batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécises, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
+batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécidées, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
 batch-synthetic = { $count ->
     [one] { $count } campagne porte
    *[other] { $count } campagnes portent
@@ -105,7 +105,7 @@ both = les deux
 box-of-poses = La boîte englobe les poses ; ses arêtes sont parallèles aux axes.
 branch-and-bound-nodes = nœuds de séparation et évaluation
 budget-note = Contributions aux incertitudes-types (k = 1), dans l’unité de chaque ligne. La dernière colonne est la racine carrée de la somme de leurs carrés. Les effets communs à plusieurs lectures sont traités comme corrélés.
-budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, référentiels, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
+budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, repères, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
 budget-of-parameters = Bilan d’incertitude des paramètres
 budget-shares-description = Une barre par résultat : carrés des contributions, en pour cent de la variance.
 budget-shares-title = Parts des sources d’incertitude dans la variance
@@ -144,29 +144,29 @@ candidates = candidates
 candidates-and-chosen-positions = Candidates et positions choisies
 candidates-and-configurations = { $candidates }, { $configurations } configurations
 candidates-chosen = { $chosen } candidates sur { $candidates } sont choisies. La taille d’une marque indique le nombre de configurations qui l’atteignent.
-candidates-drawn = { $candidates } sur { $draws } tirages ; écartées : { $limits } au-delà des limites, { $region } hors de la boîte, { $sight } tournées à l’opposé
+candidates-drawn = { $candidates } sur { $draws } tirages ; exclues : { $limits } au-delà des limites, { $region } hors de la boîte, { $sight } tournées à l’opposé
 candidates-hidden = { $count } cachées par { $obstacle }
 cause-column = Cause
 cell-controller-lines = Lignes pour { $maker }
 cell-controller-written = Sortie de `--controller { $maker }` ; les mêmes nombres que dans les tableaux.
-cell-frames = Référentiels et points
-cell-frames-note = U : incertitude élargie (k = 2) de chaque coordonnée, et d’une petite rotation autour de x, y et z du référentiel de base.
-cell-head-frame = référentiel
+cell-frames = Repères et points
+cell-frames-note = U : incertitude élargie (k = 2) de chaque coordonnée, et d’une petite rotation autour de x, y et z du repère de référence.
+cell-head-frame = repère
 cell-head-length = longueur
 cell-head-measure = grandeur
 cell-measure-orientation = orientation
 cell-measure-position = position
-cell-motion-by-value = mouvement par valeur de l’axe
-cell-residuals-note = Mesuré moins prédit ; orientations en vecteur de rotation. p : probabilité d’un résidu au moins aussi grand dû au bruit.
+cell-motion-by-value = mouvement par unité de la valeur de l’axe
+cell-residuals-note = Mesuré moins prédit ; orientations en vecteurs de rotation. p : probabilité d’un résidu au moins aussi grand, dû au bruit seul.
 cell-residuals-title = Résidus des lectures
-cell-step-choose = Afficher les lignes pour la commande du robot : répéter la commande avec `--controller NAME`.
-cell-step-choose-reason = `etalon cell --help` énumère les commandes de robots ; chacune a ses unités et son ordre des angles.
+cell-step-choose = Afficher les lignes pour le contrôleur : répéter la commande avec `--controller NOM`.
+cell-step-choose-reason = `etalon cell --help` énumère les contrôleurs ; chacun a ses unités et son ordre des angles.
 cell-step-load = Charger les lignes pour { $maker }.
 cell-step-load-reason = Avant la production, vérifier une lecture qui n’est pas dans le tableau.
 cell-step-measure = Mesurer davantage de lectures.
 cell-step-measure-reason = Les lectures n’ont pas de redondance : rien ne vérifie le résultat.
 cell-step-messages = Traiter d’abord les avertissements.
-cell-step-messages-reason = Chaque avertissement dit ce qu’il affecte.
+cell-step-messages-reason = Chaque avertissement indique ce qu’il affecte.
 cell-subtitle = Cellule de robot, { $readings ->
         [one] une lecture
        *[other] { $readings } lectures
@@ -174,17 +174,17 @@ cell-subtitle = Cellule de robot, { $readings ->
 cell-title = { $solve ->
         [tool-point] Centre d’outil
         [tool-reflector] Réflecteur sur l’outil
-        [tool-axes] Référentiel d’outil
-        [hand-eye] Main et œil
+        [tool-axes] Repère d’outil
+        [hand-eye] Étalonnage main-œil
         [object] Objet de travail
         [three-points] Objet de travail par trois points
         [linear-axis] Axe linéaire
        *[rotary-axis] Axe rotatif
     }
 cell-verdict-axis = échelle { $scale } ± { $u } (k = 2)
-cell-verdict-known = { $frame } : U = { $um } µm selon x, y, z{ $turned ->
+cell-verdict-known = { $frame } : U = { $um } µm selon x, y, z{ $turned ->
         [no] {""}
-       *[yes] {" "}et { $deg } deg autour de x, y, z
+       *[yes] {" "}et { $deg } deg autour de x, y, z
     } (k = 2)
 cell-verdict-unknown = { $frame } : l’incertitude est inconnue
 cell-verdict-warnings = { $count ->
@@ -192,7 +192,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } avertissements limitent le résultat
     }
 certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
-certificate-parameters = Paramètres, identifiés et tenus
+certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 change = écart
@@ -208,12 +208,12 @@ checklist-field = champ
 checklist-key = clé
 checklist-keys = Clés et articles
 checklist-note = { $count ->
-    [one] Un champ manque. Indiquez-le dans campaign.toml et relancez la campagne.
-   *[other] { $count } champs manquent. Indiquez-les dans campaign.toml et relancez la campagne.
+    [one] Un champ manque. L’indiquer dans campaign.toml et relancer la campagne.
+   *[other] { $count } champs manquent. Les indiquer dans campaign.toml et relancer la campagne.
 }
 checklist-title = À compléter avant signature
 checks-of-the-model = Vérifications du modèle
-checksums-of-files = Fichiers de commande et leurs sommes de contrôle
+checksums-of-files = Fichiers pour le contrôleur et leurs sommes de contrôle
 chi-square = khi-deux
 choice = Choix
 choice-gap = inférieur d’au plus { $percent } % au meilleur choix possible
@@ -245,12 +245,12 @@ clause-pose-accuracy = exactitude de pose
 clause-pose-repeatability = répétabilité de pose
 clause-posing-time = temps minimal de positionnement
 clause-reorientation = exactitude de trajectoire lors d’une réorientation
-clause-stabilisation = temps de stabilisation
+clause-stabilisation = temps de stabilisation de pose
 clause-tested = essayé
 clause-velocity = caractéristiques de vitesse sur trajectoire
 clause-weaving = écarts de balayage
 clauses-note = Le rapport ne vaut que pour les articles essayés. `etalon selftest` répète les comparaisons avec le programme indépendant.
-clauses-summary = Articles de l’ISO 9283:1998 essayés : { $tested }. Non essayés : { $untested }.
+clauses-summary = Articles de l’ISO 9283:1998 essayés : { $tested }. Non essayés : { $untested }.
 clauses-title = Articles de l’ISO 9283:1998
 colours = Couleurs
 command = commande
@@ -277,52 +277,52 @@ confounded-with = confondu avec
 contact = contact
 contents = Sommaire
 controlled-by = contrôlée par
-controller = système de commande
-controller-files = Fichiers de commande
+controller = contrôleur
+controller-files = Fichiers pour le contrôleur
 convention-angles = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : { $order }
 convention-angles-not-drift-compensated = la dérive des positions est corrigée par les cibles de référence, celle des angles ne l’est pas
-convention-angles-of-motion = les angles { $angles } sont suivis le long du mouvement et traités séparément
+convention-angles-of-motion = les angles { $angles } sont rendus continus le long du mouvement et traités séparément
 convention-angles-of-unknown-order = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : non indiqué
 convention-ap-interval = AP : intervalle de la différence, obtenu à partir des deux intervalles (MOVER, Zou & Donner 2008)
 convention-ap-rp = AP : moyenne moins position commandée ; RP : rayon moyen + 3 s, s avec n - 1 ; intervalles à 95 %, dispersion gaussienne
-convention-approach = approche : depuis la pose précédente de la trajectoire ; règle des 25 % avec U à k = { $k } ; positions dans le référentiel atelier ({ $frame })
-convention-at-rt = AT : intervalle de la différence, obtenu à partir des deux intervalles, comme pour AP ; RT : de même, à l’échelle logarithmique, autour des milieux des deux intervalles, qui représentent une infinité de passages ; selon le type de dispersion, les intervalles du bootstrap contiennent la valeur vraie dans 90 à 98 % des essais simulés de dix passages, et non dans 95 % de tous
-convention-birge = si le modèle ne convient pas, les intervalles des changements de paramètres sont élargis par le rapport de Birge de tous les paramètres du robot des deux campagnes, au moins 1, car les paramètres absorbent ce que le modèle omet aux poses mesurées
-convention-change-of-parameters = paramètres : changement divisé par la racine carrée de u1² + u2², selon la loi de Student avec les degrés de liberté de Welch si les incertitudes sont estimées à partir des résidus ; les deux campagnes sont supposées indépendantes
+convention-approach = approche : depuis la pose précédente de la trajectoire ; règle des 25 % avec U à k = { $k } ; positions dans le repère atelier ({ $frame })
+convention-at-rt = AT : intervalle de la différence, obtenu à partir des deux intervalles, comme pour AP ; RT : même méthode, à l’échelle logarithmique, autour des centres des deux intervalles, qui estiment RT pour une infinité de passages ; dans des essais simulés de dix passages, les intervalles du bootstrap contiennent la valeur vraie dans 90 % à 98 % des cas au lieu de 95 %, selon le type de dispersion
+convention-birge = erreur du modèle : les intervalles des changements de paramètres sont élargis par le rapport de Birge (au moins 1) de tous les paramètres du robot des deux campagnes ; en effet, les paramètres absorbent l’erreur du modèle aux poses mesurées
+convention-change-of-parameters = paramètres : changement divisé par la racine carrée de u1² + u2², loi de Student avec les degrés de liberté de Welch si les incertitudes sont estimées à partir des résidus ; les deux campagnes sont supposées indépendantes
 convention-compared-with = chaque campagne est comparée à la première et à la précédente, dans l’ordre donné
-convention-compliance = compliance : déplacement suivant la force par unité de force, moindres carrés passant par la position sans charge
+convention-compliance = compliance : déplacement suivant la force par unité de force, par moindres carrés, droite passant par la position sans charge
 convention-compliance-clause = l’article 10 n’a pas été comparé à un exemplaire acheté de la norme
-convention-different-instruments = les campagnes ont des instruments différents : une différence systématique entre eux, qu’aucune dispersion ne montre, apparaît comme un changement du robot
+convention-different-instruments = les campagnes ont des instruments différents : une différence systématique entre instruments, que la dispersion ne révèle pas, apparaît comme un changement du robot
 convention-drift-compensated = la dérive des positions et des orientations est corrigée par les cibles de référence
-convention-f-test = paramètres dans leur ensemble : test F ; si les incertitudes sont estimées à partir des erreurs des poses, il est approché, et avec une ou deux coordonnées mesurées par pose, il indique trop de changements
-convention-first-robot = sur { $count } robots : tout se rapporte à `{ $robot }`, sauf l’interchangeabilité
-convention-guarded-acceptance = conformité : acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2) et intervalle à 95 % : prouvée seulement si l’intervalle entier est d’un côté de la limite
+convention-f-test = paramètres dans leur ensemble : test F ; le test est approché si les incertitudes sont estimées à partir des erreurs des poses ; il est alors trop souvent significatif si une pose n’a qu’une ou deux coordonnées mesurées
+convention-first-robot = { $count } robots : tous les résultats, sauf l’interchangeabilité, se rapportent à `{ $robot }`
+convention-guarded-acceptance = conformité : acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2) : limite respectée ou non respectée seulement si l’intervalle à 95 % est entièrement d’un côté de la limite
 convention-intervals-instrument = les intervalles tiennent compte de l’échantillonnage et de l’incertitude élargie de l’instrument pour une coordonnée, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = les intervalles ne tiennent compte que de l’échantillonnage : aucune incertitude de l’instrument n’est indiquée
 convention-limit-band = bande limite : { $band } mm autour de la moyenne de l’arrêt
-convention-mean-errors = erreurs moyennes : test t de Welch, autant d’erreurs que de poses ; si les deux campagnes ont mesuré les mêmes poses, il indique plutôt trop peu de changements que trop
-convention-mean-positions = positions moyennes : test t de Welch de chaque coordonnée, d’après la seule dispersion des positionnements : l’incertitude avec laquelle le référentiel a été retrouvé n’est pas comprise
+convention-mean-errors = erreurs moyennes : test t de Welch, avec une erreur par pose ; le test est conservateur (trop rarement significatif) si les deux campagnes ont mesuré les mêmes poses
+convention-mean-positions = positions moyennes : test t de Welch de chaque coordonnée, d’après la dispersion des positionnements ; l’incertitude des repères de mesure n’est pas comprise
 convention-motion-clauses = les articles 7.4, 7.5, 8, 9 et 11 n’ont pas été comparés à un exemplaire acheté de la norme
-convention-no-commanded-poses = pas de poses commandées : AP, distances et dérive ne sont pas déterminées
+convention-no-commanded-poses = pas de poses commandées : AP, distances et dérive ne sont pas évaluées (null)
 convention-path = trajectoire : plans normaux en { $points } points commandés, milieux de parties égales ; pour chaque plan, la dernière traversée à moins de { $near } mm
-convention-path-corners = aucun plan à moins de { $near } mm d’un angle (au plus un quart de son côté) ; l’angle est évalué à part
-convention-path-intervals = AT et RT : intervalles par bootstrap paramétrique sur les passages, pour AT et RT d’une infinité de passages ; dans les essais simulés de dix passages, ils contiennent la valeur vraie dans 90 à 98 % des cas selon le type de dispersion
+convention-path-corners = aucun plan à moins de { $near } mm d’un angle (au plus un quart de son côté) ; les angles sont évalués à part
+convention-path-intervals = AT et RT : intervalles pour une infinité de passages, par bootstrap paramétrique sur les passages ; dans des essais simulés de dix passages, ils contiennent la valeur vraie dans 90 % à 98 % des cas, selon le type de dispersion
 convention-path-velocities = vitesses entre les plans dans les { $percent } % centraux de la trajectoire
-convention-planar = les positions commandées n’ont pas de z : toutes les caractéristiques, sauf la coplanarité, sont dans le plan xy
+convention-planar = les positions commandées n’ont pas de z : toutes les caractéristiques, sauf la coplanéité, sont évaluées dans le plan xy
 convention-positions-drift-compensated = la dérive des positions est corrigée par les cibles de référence
-convention-readings-averaged = les lectures d’un positionnement sont moyennées ; leur dispersion est le bruit de l’instrument
+convention-readings-averaged = la moyenne des lectures de chaque positionnement est utilisée ; leur dispersion est le bruit de l’instrument
 convention-rotation-vectors = AP rx à rz : vecteur de rotation de l’orientation commandée à l’orientation moyenne, autour de x, y, z du tableau ; RP rx à rz : trois écarts-types des rotations par rapport à l’orientation moyenne ; AD r, RD r, vAP r : angles entre orientations
 convention-rp-clause = RP suit le texte de la norme (7.2.2) ; les autres articles n’ont pas été comparés à un exemplaire acheté
 convention-rp-ratio = RP : test F du rapport, avec les degrés de liberté de l’intervalle en forme explicite (dispersion gaussienne)
-convention-set-up = les paramètres de la base et des cibles changent à chaque installation : un changement n’y vient pas forcément du robot
-convention-shared-instrument = toutes les campagnes ont le même instrument { $instrument } : ses erreurs constantes sont dans chaque valeur et s’annulent dans les changements, mieux connus que ne l’indique u si ces erreurs en font partie ; sa dérive entre les campagnes apparaît comme un changement du robot
-convention-shared-risk = conformité : risque partagé (JCGM 106:2012, 8.2.1) : décision si l’incertitude élargie est au plus le quart de la limite
-convention-significance = un changement est significatif si sa probabilité d’être dû au hasard, corrigée du nombre de grandeurs de sa famille dans une paire de campagnes, est inférieure à 5 % : pour les paramètres, d’après la loi du plus grand changement, avec leurs covariances (Westfall & Young 1993), pour les autres grandeurs, d’après Holm (1979) ; les intervalles sont à 95 %, non corrigés
+convention-set-up = les paramètres de la base et des cibles changent à chaque montage : leur changement ne vient pas forcément du robot
+convention-shared-instrument = toutes les campagnes ont le même instrument { $instrument } : ses erreurs constantes s’annulent dans les changements, dont l’incertitude est surestimée si u contient ces erreurs ; la dérive de l’instrument entre les campagnes apparaît comme un changement du robot
+convention-shared-risk = conformité : acceptation à risque partagé (JCGM 106:2012, 8.2.1) : décision si l’incertitude élargie est au plus le quart de la limite
+convention-significance = un changement est significatif si sa valeur p, corrigée du nombre de grandeurs de sa famille dans une paire de campagnes, est inférieure à 5 % ; paramètres : correction par la loi du plus grand changement, avec les covariances (Westfall & Young 1993) ; autres grandeurs : correction de Holm (1979) ; les intervalles à 95 % ne sont pas corrigés
 convention-simple-acceptance = conformité : acceptation simple (ILAC-G8:09/2019, 4.2.1)
-convention-standing = arrêt : à moins de { $radius } mm de la moyenne pendant { $duration } s ou plus ; une pose est atteinte à moins de { $near } mm ; sa position est la moyenne de la moitié centrale de l’arrêt
-convention-tables = règle des 25 % avec U à k = { $k } ; positions dans le référentiel des tableaux
+convention-standing = arrêt : à moins de { $radius } mm de la moyenne pendant { $duration } s ou plus ; un arrêt à moins de { $near } mm d’une pose est un positionnement à cette pose ; position atteinte : moyenne de la moitié centrale de l’arrêt
+convention-tables = règle des 25 % avec U à k = { $k } ; positions dans le repère des tableaux
 convention-times-as-stamped = instants : horodatage de l’enregistrement
-convention-times-by-rate = instants : échantillons à la fréquence indiquée de { $rate } Hz
+convention-times-by-rate = instants : d’après la fréquence d’échantillonnage indiquée, { $rate } Hz
 conventions = conventions
 conventions-and-drift = Conventions, dérive de l’enregistrement
 cooks-distance = distance de Cook
@@ -336,7 +336,7 @@ coordinate-uncertainty-in-common = { $uncertainty } mm (k = 1) par coordonnée,
 coordinates = coordonnées
 coplanarity = Coplanéité
 coplanarity-of-pose = distance de la position moyenne au plan des trois autres
-coplanarity-peak-to-valley = coplanarité, crête à creux
+coplanarity-peak-to-valley = coplanéité, crête à creux
 copy = Copier
 corner = angle
 corners = sommets
@@ -406,7 +406,7 @@ deviation-of-the-mean-path = écart de la trajectoire moyenne
 deviations-from-the-method = écarts par rapport à la méthode
 difference = différence
 difference-over-u = différence / u
-different-instruments = Instruments de mesure différents : { $instruments }. Leurs différences systématiques apparaissent comme des changements.
+different-instruments = Instruments de mesure différents : { $instruments }. Les différences systématiques entre ces instruments apparaissent comme des changements.
 different-models = Modèles différents : { $counts } paramètres ont été identifiés. Les paramètres fixés dans un modèle influent sur les autres.
 different-set-ups = Montages différents : { $differences }.
 differs = diffère
@@ -434,12 +434,12 @@ download-csv = Télécharger CSV
 download-svg = Télécharger SVG
 draft-mark = PROJET
 draws-agree = La propagation linéaire concorde avec { $draws } tirages de Monte-Carlo pour les { $parameters } paramètres.
-draws-differ = La propagation linéaire et { $draws } tirages de Monte-Carlo diffèrent pour { $differing } des { $parameters } paramètres (de plus d’une demi-unité du deuxième chiffre de l’incertitude-type).
+draws-differ = La propagation linéaire et { $draws } tirages de Monte-Carlo diffèrent pour { $differing } paramètres sur { $parameters } (de plus d’une demi-unité du deuxième chiffre de l’incertitude-type).
 draws-of-stated = Les tirages couvrent les incertitudes indiquées, et non l’erreur du modèle.
 draws-too-few = Trop peu de tirages pour assurer deux chiffres significatifs de chaque incertitude-type : en augmenter le nombre.
-draws-without-model-bootstrap = Le bootstrap couvre l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le bootstrap. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
-draws-without-model-both = Les incertitudes-types du rapport et le bootstrap couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
-draws-without-model-report = Les incertitudes-types du rapport couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
+draws-without-model-bootstrap = Le bootstrap couvre l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le bootstrap. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
+draws-without-model-both = Les incertitudes-types du rapport et le bootstrap couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
+draws-without-model-report = Les incertitudes-types du rapport couvrent l’erreur du modèle ; les tirages d’un paramètre la couvrent s’ils concordent avec le rapport. Les tirages des erreurs ne couvrent que les incertitudes indiquées.
 drift = Dérive
 drift-title = Dérive de l’exactitude et de la répétabilité de pose
 effect = effet
@@ -447,7 +447,7 @@ effect-at-worst-pose = déplacement à la pose la plus sensible ({ $unit })
 effect-tooltip = { $name } : { $value } ± { $half } { $unit } à la pose { $pose }
 effective-parameters = Paramètres effectifs et non physiques : { $names }. Les résidus dépassent l’incertitude de l’instrument, et l’incertitude de ces valeurs provient surtout de l’erreur du modèle. Elles décrivent les poses mesurées, mais peuvent différer des dimensions du robot.
 effects-cross-validated = Effets : validation croisée à { $folds } blocs sur { $poses } poses, répétitions : { $repeats }
-effects-description = Déplacement du point mesuré que chaque paramètre déplace le plus, pour la différence entre valeur identifiée et valeur nominale ; tous les autres paramètres inchangés. { $count } paramètres sur { $total }.
+effects-description = Chaque barre : déplacement du point mesuré qui se déplace le plus, pour la valeur identifiée du paramètre moins sa valeur nominale, les autres paramètres étant inchangés. { $count } paramètres sur { $total }.
 effects-of-all = Effets de tous les paramètres
 effects-reduce-errors = effets qui réduisent les erreurs aux poses omises : { $effects }
 effects-section = Paramètres selon leur effet
@@ -457,7 +457,7 @@ ellipsoid-semi-axis-1 = ellipsoïde, demi-axe 1
 ellipsoid-semi-axis-2 = ellipsoïde, demi-axe 2
 ellipsoid-semi-axis-3 = ellipsoïde, demi-axe 3
 enclosing-circle-radius = cercle circonscrit dans x, y, rayon
-enclosing-sphere-radius = sphère englobante, rayon
+enclosing-sphere-radius = sphère circonscrite, rayon
 end-of-report = Fin du rapport
 environment = environnement
 error = erreur
@@ -481,11 +481,11 @@ error-log = erreur ({ $unit }), logarithmique
 error-left-out = erreur RMS aux poses omises : { $nominal } mm avec les paramètres nominaux, { $all } mm avec tous les paramètres, { $recommended } mm avec les paramètres recommandés
 error-map-description = Marques aux positions mesurées : couleur et taille de 0 à { $top }, même échelle avant et après ; erreur maximale { $largest }.
 error-map-own-scale = Marques aux positions mesurées : couleur et taille de 0 à { $top }, échelle propre à cette figure ; erreur maximale { $largest }.
-error-of-platform = pose mesurée du centre C de la plate-forme (d’après les billes) moins la pose prédite à partir des valeurs articulaires ; positions : C dans le référentiel de la base
-error-of-positions = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; positions : cibles dans le référentiel atelier
+error-of-platform = pose mesurée du centre C de la plate-forme (d’après les billes) moins la pose prédite à partir des valeurs articulaires ; positions : C dans le repère de la base
+error-of-positions = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; positions : cibles dans le repère atelier
 error-of-quantities = valeur mesurée moins valeur prédite de chaque grandeur mesurée (distance, distance à une surface ou à un logement, coordonnée isolée), d’après les valeurs articulaires
-error-of-targets = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; orientation : rotation entre les cibles mesurées et prédites ; positions : cibles dans le référentiel atelier
-error-of-tool = erreur : position vraie de { $point } dans le référentiel de la base moins la position calculée par le système de commande
+error-of-targets = position mesurée moins position prédite de chaque cible, d’après les valeurs articulaires ; orientation : rotation entre les cibles mesurées et prédites ; positions : cibles dans le repère atelier
+error-of-tool = erreur : position vraie de { $point } dans le repère de la base moins la position calculée par le contrôleur
 error-sizes-after = Distribution des erreurs après étalonnage : { $quantity }
 error-sizes-before = Distribution des erreurs avant étalonnage : { $quantity }
 error-tooltip = pose { $pose }, cycle { $cycle }, { $target } ({ $set }) : { $before } avant, { $after } après
@@ -505,7 +505,7 @@ errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
 errors-draws-confirm = Les tirages confirment l’incertitude rapportée des { $errors } erreurs aux poses de validation.
-errors-draws-larger = Pour { $differing } des { $errors } erreurs aux poses de validation, l’incertitude des tirages est plus grande et décide (JCGM 101:2008, article 8).
+errors-draws-larger = Pour { $differing } erreurs sur { $errors } aux poses de validation, l’incertitude des tirages est la plus grande et fait foi (JCGM 101:2008, article 8).
 errors-hold-among = { $region ->
         [beyond] Certaines poses de validation sont hors de la région mesurée ; leurs erreurs sont comprises
        *[within] Ces valeurs s’appliquent à la région mesurée
@@ -529,7 +529,7 @@ expected-label = attendu :
 expected-of-parameters = attendu, paramètres (k = 1)
 expected-standard = attendu (k = 1)
 expected-value = { $value }, attendu { $expected }
-expired = périmé
+expired = expiré
 explained = expliqué
 explanations-of-messages = Explications de ces messages
 export = export
@@ -537,19 +537,19 @@ fail = non conforme
 features = Éléments géométriques
 field-components = Composantes du champ et leur incertitude
 field-deviation = écart-type
-field-gain = Aux poses réservées, avec paramètres et champ des autres poses, l’erreur de position (moyenne quadratique) passe de { $without } à { $with } µm. Le champ décrit { $share } % de l’erreur quadratique moyenne ; le gain est de { $gain } fois son incertitude-type.
-field-held-out-caption = Chaque pose est prévue par les paramètres et le champ des autres poses (cinq parties).
+field-gain = Aux poses réservées, avec les paramètres et le champ tirés des autres poses, l’erreur de position (moyenne quadratique) passe de { $without } à { $with } µm. Le champ décrit { $share } % de l’erreur quadratique moyenne ; le gain est de { $gain } fois son incertitude-type.
+field-held-out-caption = Chaque pose est prédite par les paramètres et le champ tirés des autres poses (cinq parties).
 field-held-out-description = Erreurs de position des poses réservées, sans et avec le champ résiduel.
 field-held-out-title = Erreur de position des poses réservées, sans et avec le champ
 field-inputs = dépend de, avec la plage mesurée
-field-note = Le champ décrit les erreurs des articulations que les paramètres laissent. Au-delà des plages mesurées il s’éteint, et les erreurs sont celles des seuls paramètres.
+field-note = Le champ décrit les erreurs dépendant des articulations que les paramètres ne décrivent pas. Au-delà des plages mesurées, il décroît vers zéro : seules les erreurs des paramètres s’appliquent.
 field-refused-because = Aucun champ résiduel n’est utilisé : { $reason }.
-field-uncertainty = { $coverage } % des coordonnées des poses réservées sont à moins de 1,96 incertitude-type prévue. L’incertitude-type du champ est multipliée par { $factor } pour concorder avec ces erreurs.
+field-uncertainty = { $coverage } % des coordonnées des poses réservées sont à moins de 1,96 incertitude-type prédite. L’incertitude-type du champ est multipliée par { $factor } afin de concorder avec ces erreurs.
 figure = résultat
 figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Toutes les valeurs se rapportent au point de mesure : { $point }.
-figures-with-field = Les erreurs après sont celles avec le champ.
-figures-without-field = Les autres valeurs de ce rapport sont sans le champ.
+figures-with-field = Les erreurs après étalonnage tiennent compte du champ.
+figures-without-field = Les autres valeurs de ce rapport ne tiennent pas compte du champ.
 file = fichier
 filter = Filtre
 filter-rows = Filtrer les lignes
@@ -557,19 +557,19 @@ first-cycle = premier cycle
 fit = ajustement
 fit-and-observability = Ajustement et observabilité
 fits = Ajustements
-fixed-in-the-world = Éléments fixes dans le référentiel atelier
+fixed-in-the-world = Éléments fixes dans le repère atelier
 folder = dossier
 folds-over-u = écart-type entre blocs / u
 force-up-to = force jusqu’à
 formats = formats
 formats-without-all-parameters = Ces formats ne peuvent pas contenir tous les paramètres identifiés. Leurs fichiers contiennent une seconde identification, les autres paramètres étant fixés à leurs valeurs nominales. Erreurs de position : RMS et maximum.
-formula-sources = référentiels et identification : moindres carrés pondérés (A. Joubair, thèse, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : ISO 9283:1998 ; incertitudes : JCGM 100:2008, JCGM 101:2008
-frame-as-exported = les coordonnées des exports sont dans le référentiel atelier
+formula-sources = repères et identification : moindres carrés pondérés (A. Joubair, thèse, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : ISO 9283:1998 ; incertitudes : JCGM 100:2008, JCGM 101:2008
+frame-as-exported = les coordonnées des exports sont dans le repère atelier
 frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
 frame-from-targets = ajustement aux cibles { $targets } : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
 frame-from-targets-each = ajustement aux cibles { $targets }, mesurées de nouveau à chaque pose : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
-frames-and-features = Référentiels et éléments géométriques
-frames-of-poses = référentiels des poses
+frames-and-features = Repères et éléments géométriques
+frames-of-poses = repères des poses
 from = de
 from-cycle-on = à partir du cycle
 from-distance = de
@@ -579,24 +579,24 @@ from-pose-named = depuis la pose { $pose }
 from-residuals = d’après les résidus (traités comme indépendants)
 from-residuals-by-pose = d’après les résidus, regroupés par pose
 from-residuals-by-region = des paramètres effectifs, d’après la dispersion entre régions de l’espace de travail{ $series ->
-        [0] { " " }; les différences entre installations n’y sont pas
-       *[other] { " " }et entre { $series } séries ; { $percent ->
-            [0] aucune différence au-delà ne peut être montrée
-           *[other] celles-ci apportent { $percent } % des variances
+        [0] {" "}; les différences entre montages n’y sont pas comprises
+       *[other] { " " }et entre { $series } séries ; { $percent ->
+            [0] aucune différence supplémentaire n’est décelable
+           *[other] celles-ci apportent { $percent } % des variances
         }
     }
 from-the-instrument = d’après l’instrument
 gain-over-u = gain / u
-generated-candidates = candidates tirées
+generated-candidates = poses candidates tirées
 geometric = géométrique
-geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée à des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont mis à zéro ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d’après les points, propagées à travers tous les ajustements et référentiels ; d’après les résidus là où leur dispersion dépasse l’incertitude indiquée de l’instrument. Erreurs : moyennes de la pose mesurée moins la pose prédite, nominale et géométrique, dans le référentiel de la base déterminé géométriquement
-geometric-u-note = u (k = 1) comprend l’incertitude du référentiel de la base. Elle est commune à toutes les répétitions ; leur écart-type ne la contient donc pas.
+geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée à des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont fixés à zéro ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d’après les points, propagées à travers tous les ajustements et repères ; d’après les résidus là où leur dispersion dépasse l’incertitude indiquée de l’instrument. Erreurs : moyennes de la pose mesurée moins la pose prédite, nominale et géométrique, dans le repère de la base déterminé géométriquement
+geometric-u-note = u (k = 1) comprend l’incertitude du repère de la base. Cette incertitude est commune à toutes les répétitions ; l’écart-type des répétitions ne la contient donc pas.
 geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
 geometry-beside-identification = Géométrie seule, comparée à l’identification
-geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule : un facteur { $improvement }.
+geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule (facteur { $improvement }).
 guarded-acceptance = acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2)
-guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U la dépasse ; sinon indécidé
+guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U dépasse la limite ; sinon indécidé
 head-along = suivant
 head-and = et
 head-between = entre
@@ -653,9 +653,9 @@ instrument = instrument de mesure
 instrument-calibration = étalonnage de l’instrument
 instrument-expanded-uncertainty = incertitude de mesure élargie de l’instrument
 instrument-good-enough = Aptitude de l’instrument
-instrument-good-for-all = Apte : à aucune pose l’incertitude de mesure ne dépasse 25 % de AP ni de RP.
-instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant pour le robot.
-instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant pour le robot. Instrument apte aux poses : { $good }.
+instrument-good-for-all = Apte : l’incertitude de mesure est au plus 25 % de AP et de RP à toutes les poses.
+instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
+instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
 instrument-uncertainty = incertitude de l’instrument
 instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
 instrument-uncertainty-with-k = U = { $uncertainty } µm par coordonnée (k = { $k })
@@ -673,11 +673,11 @@ iso9283-characteristics = Résultats : caractéristiques de performance (ISO 92
 iso9283-report = Rapport d’essai selon l’ISO 9283:1998 : { $characteristics }
 item-customer-traceability = Objet, client, traçabilité
 joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l’articulation { $joint } de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by } (k = 2)
+joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by } (k = 2)
 joints = articulations
 kind = type
 knee-at = coude : { $count }
-knee-caption = Coude : point de la courbe le plus éloigné au-dessus de la droite qui joint sa première et sa dernière valeur.
+knee-caption = Coude : point de la courbe situé le plus haut au-dessus de la droite qui joint sa première et sa dernière valeur.
 known-points = points connus
 laboratory = laboratoire
 lack-of-fit = Dispersion des répétitions : { $repeats } µm par coordonnée ({ $degrees_of_freedom } degrés de liberté). Erreur du modèle au-delà de cette dispersion : { $model } µm par pose (test F de défaut d’ajustement : { $probability }).
@@ -685,7 +685,7 @@ largest = plus grande contribution
 largest-displacement = plus grand déplacement
 largest-distance = plus grande distance
 largest-error = plus grande erreur
-largest-error-drawn = `max` est l’erreur de la mesure dont l’erreur est la plus grande dans les données. Chaque tirage répète cette mesure. La colonne de concordance indique « non » si l’incertitude des tirages est plus grande.
+largest-error-drawn = `max` est l’erreur de la mesure dont l’erreur est la plus grande dans les données. Chaque tirage répète cette mesure. La colonne de concordance indique « non » si l’incertitude des tirages est plus grande.
 largest-errors-drawn = La plus grande erreur est tracée à chacune des { $places } positions (sur { $total } erreurs).
 largest-errors-of-poses = Erreurs par pose, les plus grandes d’abord
 largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
@@ -761,9 +761,9 @@ mean-of-identifications = Moyenne de { $runs } identifications. Valeurs : voir 
 mean-plus-3s = moyenne + 3 s
 mean-plus-3s-of-distance = moyenne + 3 s de la distance à la position moyenne (µm)
 mean-positions = Positions moyennes
-mean-positions-changed = Les positions moyennes ont changé : à cause du robot ou de la détermination de son référentiel.
+mean-positions-changed = Les positions moyennes ont changé : à cause du robot ou de la détermination de son repère.
 mean-radius-plus-3s = rayon moyen + 3 s des passages
-mean-radius-three-s = rayon moyen + 3 s
+mean-radius-three-s = rayon moyen + 3 s
 mean-tooltip = moyenne { $approach } : x { $x }, y { $y }, z { $z } µm
 mean-velocity = vitesse moyenne
 meaning-and-sign = signification et signe
@@ -832,7 +832,7 @@ no-messages = Aucun.
 no-messages-but-routine = Aucun, sauf { $count ->
         [one] une remarque de routine
        *[other] { $count } remarques de routine
-    }, par exemple sur des paramètres tenus à leur valeur nominale : voir l’annexe du rapport.
+    }, par exemple sur des paramètres fixés à leur valeur nominale : voir l’annexe du rapport.
 no-noise-stated = aucun bruit indiqué
 no-quantity-changed = Changements significatifs : 0 grandeur du robot sur { $total }.
 no-significant-change = pas de changement significatif
@@ -886,9 +886,9 @@ one-scale = même échelle
 operator = opérateur
 operator-sheet = Fiche de l’opérateur
 operator-sheet-before = Avant la première pose
-operator-sheet-note = Les valeurs articulaires sont celles de la commande (deg, mm). Cocher chaque pose quand ses points sont enregistrés sous son étiquette.
+operator-sheet-note = Les valeurs articulaires sont celles du contrôleur (deg, mm). Cocher chaque pose quand ses points sont enregistrés sous son étiquette.
 operator-sheet-poses = Poses dans l’ordre de mesure
-order-of-poses = { $poses } ({ $percent } % du mouvement des articulations dans l’ordre de leurs noms)
+order-of-poses = { $poses } ({ $percent } % du mouvement des articulations dans l’ordre de leurs noms)
 order-of-the-measurement = ordre de mesure
 orientation = orientation
 orientation-after = après, orientation
@@ -918,7 +918,7 @@ parameter-named = Paramètre { $name }
 parameters = paramètres
 parameters-implausible = Ces paramètres ne sont pas plausibles pour le robot : ne pas les charger.
 parameters-left-out = paramètres omis
-one-pose-deviates = une pose contredit les paramètres (`{ $pose }`) ; sans elle ils sont valables
+one-pose-deviates = une pose contredit les paramètres (`{ $pose }`) ; sans elle ils sont valables
 parameters-no-longer-valid = les paramètres ne sont plus valables ; aucun mouvement de la base, d’une seule articulation ou d’une seule cible n’explique l’écart
 parameters-note = u : incertitude-type (k = 1) ; U = 2u : incertitude élargie. Les valeurs sont arrondies au deuxième chiffre de u. « Avant » : seules la base et les cibles sont ajustées. Écart : valeur identifiée moins valeur nominale.
 parameters-of-robot = Paramètres du robot
@@ -961,15 +961,15 @@ plane = plan
 plane-named = plan { $plane }
 platform-as-measured = centre de la plate-forme (d’après les billes)
 platform-centre = centre C de la plate-forme
-platform-in-base = centre C de la plate-forme dans le référentiel de la base
+platform-in-base = centre C de la plate-forme dans le repère de la base
 plot-ap-rp = AP et RP de chaque pose en mm
-plot-changes = Variation de chaque paramètre sur son incertitude-type
+plot-changes = Écart de chaque paramètre, divisé par son incertitude-type
 plot-errors-by-pose = Plus grande erreur de position de chaque pose en mm
 point = point
 point-error-in-common = l’erreur de l’instrument en un point est commune à toutes les observations de ce point
-point-in-flange = le point { $point } mm dans le référentiel de la bride
-point-in-platform = le point { $point } mm dans le référentiel de la plate-forme
-point-in-targets = le point { $point } mm dans le référentiel des cibles
+point-in-flange = le point { $point } mm dans le repère de la bride
+point-in-platform = le point { $point } mm dans le repère de la plate-forme
+point-in-targets = le point { $point } mm dans le repère des cibles
 points = points
 points-drawn = { $drawn } points sur { $total } sont tracés : une sélection régulière, valeur maximale comprise.
 points-of = { $set }, points
@@ -1017,7 +1017,7 @@ position-error-by-pose = Erreur de position par pose, avant et après étalonnag
 position-error-in = erreur de position ({ $unit })
 position-max = position, max.
 position-residuals-before-rms = résidus de position avant identification, RMS
-position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après l’instrument et les référentiels : { $expected } { $unit }.
+position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après l’instrument et les repères : { $expected } { $unit }.
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
 positions = positions
@@ -1026,11 +1026,11 @@ predicted-target-uncertainty = incertitude prédite des positions des cibles aux
 predicted-u = u prédite (k = 1)
 predicted-uncertainty-title = Incertitude prédite des paramètres
 prediction-behind = Là où des cellules se superposent, celle de plus grande valeur est tracée.
-prediction-description = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, même échelle pour les deux figures ; plus grande valeur { $largest }.
-prediction-difference-title = Point de l’outil : modèle nominal moins modèle identifié, plan { $plane }
-prediction-expected-title = Point de l’outil : erreur attendue avec les paramètres identifiés, plan { $plane }
-prediction-map-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; p95_mm : limite supérieure de 95 % des erreurs à un nœud, pour des erreurs de loi normale (Box 1954)
-prediction-own-scale = Une cellule tous les { $spacing } mm dans le référentiel de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, échelle propre à cette figure ; plus grande valeur { $largest }.
+prediction-description = Une cellule tous les { $spacing } mm dans le repère de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, même échelle pour les deux figures ; plus grande valeur { $largest }.
+prediction-difference-title = Point d’outil : modèle nominal moins modèle identifié, plan { $plane }
+prediction-expected-title = Point d’outil : erreur attendue avec les paramètres identifiés, plan { $plane }
+prediction-map-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1) ; contributions : covariance des paramètres, tolérance des paramètres que les données ne peuvent pas déterminer, erreur du modèle au-delà de l’incertitude de l’instrument, position du point sur l’outil ; p95_mm : limite supérieure de 95 % des erreurs à un nœud, pour des erreurs de loi normale (Box 1954)
+prediction-own-scale = Une cellule tous les { $spacing } mm dans le repère de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, échelle propre à cette figure ; plus grande valeur { $largest }.
 prediction-tooltip = x { $x }, y { $y }, z { $z } mm : nominal moins identifié { $difference } ; erreur attendue { $expected } (k = 1), à 95 % inférieure à { $largest }
 probability-by-chance = valeur p
 probability-of-errors = Probabilité d’erreurs aussi grandes, compte tenu de l’incertitude des paramètres et de la mesure : { $probability }.
@@ -1051,9 +1051,9 @@ rank-cut = seuil de rang { $value }
 ratio = rapport
 reached = atteint
 read-as = lu comme
-reading-uncertainty = { $uncertainty } mm (k = 1) par lecture
-reading-uncertainty-with-k = U = { $uncertainty } µm par lecture (k = { $k })
-reading-uncertainty-without-k = U = { $uncertainty } µm par lecture (facteur d’élargissement non indiqué)
+reading-uncertainty = { $uncertainty } mm (k = 1) par lecture
+reading-uncertainty-with-k = U = { $uncertainty } µm par lecture (k = { $k })
+reading-uncertainty-without-k = U = { $uncertainty } µm par lecture (facteur d’élargissement non indiqué)
 readings = lectures
 readings-not-judged = { $target } ({ $readings ->
         [one] { $readings } lecture
@@ -1068,19 +1068,19 @@ recommend-file = charger `{ $file }` de l’exécution : { $load } paramètres 
 recommend-further = ne rien charger encore : identifier d’abord { $effects }, qui réduisent de plus de 5 % les erreurs aux poses omises
 recommend-nominal = garder les paramètres nominaux : les paramètres identifiés ne sont pas nettement meilleurs à de nouvelles poses
 recommend-parameters = charger les paramètres identifiés de l’exécution : { $load } sur { $count } ; les autres restent aux valeurs nominales
-recommend-resolve = ne rien charger encore : le verdict de l’exécution ne permet de charger aucun fichier ; ses prochaines étapes viennent d’abord
+recommend-resolve = ne rien charger encore : le verdict de l’exécution ne permet de charger aucun fichier ; suivre d’abord ses prochaines étapes
 recommendation-title = Recommandation des paramètres à charger
 recorded = enregistré
 recorded-motion = Mouvement enregistré
 reference-targets = Cibles de référence
 refused = rejetées
 refused-rows = { $refused } lignes sur { $total } rejetées
-region-of-c = région de C, dans le référentiel de la base
+region-of-c = région de C, dans le repère de la base
 region-of-orientation = orientation de { $orientation } deg
 region-of-orientations = toute orientation de { $from } à { $to } deg
 relative-accuracy = Exactitude relative : distances entre poses ({ $set })
-relative-accuracy-note = Distance prédite moins distance mesurée d’une cible entre deux poses. La base n’a pas d’effet sur ces erreurs ; la cible n’en a pas si les deux poses ont la même orientation. U (k = 2) : instrument, référentiels et cibles ; les paramètres sont jugés et ne contribuent pas.
-relative-accuracy-selection = Une sélection régulière de { $pairs } paires sur { $available } est comptée ; le maximum est celui de la sélection.
+relative-accuracy-note = Distance prédite moins distance mesurée d’une cible entre deux poses. La base est sans effet sur ces erreurs ; la cible aussi si les deux poses ont la même orientation. U (k = 2) : instrument, repères et cibles ; les paramètres sont l’objet de l’essai et n’y contribuent pas.
+relative-accuracy-selection = Une sélection régulière de { $pairs } paires sur { $available } est évaluée ; le maximum est celui de cette sélection.
 relative-error = erreur relative
 relative-humidity = humidité relative
 relaxation-alone = relaxation seule
@@ -1088,7 +1088,7 @@ reliability-note = Fiabilité (Baarda 1968 ; niveau de signification { $signif
 repeatability = répétabilité
 repeatability-at-pose = Plus grande valeur de la répétabilité de pose RP : { $repeatability } µm, à la pose { $pose }.
 repeatability-from-one-approach = { $approaches ->
-        [one] Répétabilité pour la seule direction d’approche à plusieurs positionnements à la pose { $pose } : { $largest } µm ; toutes les directions ensemble : { $together } µm.
+        [one] Répétabilité pour la seule direction d’approche à plusieurs positionnements à la pose { $pose } : { $largest } µm ; toutes les directions ensemble : { $together } µm.
        *[other] Répétabilité pour une seule direction d’approche à la pose { $pose } ({ $approaches } directions) : { $smallest } à { $largest } µm ; toutes les directions ensemble : { $together } µm.
     }
 repeatability-over-cycles = Répétabilité de pose de chaque pose au cours de l’essai.
@@ -1108,19 +1108,19 @@ reservation-few-cycles = moins de { $required } cycles { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     }
-reservation-file-hardly-better = le fichier de commande pour { $formats } n’apporte pas d’amélioration notable par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
-reservation-file-not-written = au moins un fichier de commande n’a pas été écrit (voir les messages)
-reservation-given-refused = les paramètres ne doivent pas être utilisés : ils sont moins bons que les paramètres nominaux aux poses mesurées, ou ceux d’un autre robot
+reservation-file-hardly-better = le fichier pour le contrôleur ({ $formats }) n’apporte pas d’amélioration significative par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
+reservation-file-not-written = au moins un fichier pour le contrôleur n’a pas été écrit (voir les messages)
+reservation-given-refused = les paramètres ne doivent pas être utilisés : ils sont moins bons que les paramètres nominaux aux poses mesurées, ou ce sont ceux d’un autre robot
 reservation-hardly-better = les paramètres identifiés ne sont guère meilleurs que les paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
 reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de AP ou de RP { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
-reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne s’ajuste pas, et les erreurs aux poses de validation font foi
+reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne convient pas, et les erreurs aux poses de validation font foi
 reservation-set-up-untested = { $count ->
         [one] une erreur du montage n’est pas contrôlée
        *[other] { $count } erreurs du montage ne sont pas contrôlées
-    } par les mesures ; la bride différerait de { $flange_mm } mm et { $flange_deg } deg au plus
+    } par les mesures ; la bride pourrait s’écarter de { $flange_mm } mm et de { $flange_deg } deg au plus
 reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
 reservations = Réserves : { $reasons }.
 residual-field = Champ résiduel
@@ -1193,7 +1193,7 @@ scale-bars = Barres étalons
 scaling-label = Mise à l’échelle :
 seed = graine
 serial-number = numéro de série
-series-agree = Avec ces poses, aucune différence entre les { $series } séries ne peut être montrée.
+series-agree = Avec ces poses, aucune différence entre les { $series } séries n’est décelable.
 series-differ = Les différences entre les { $series } séries apportent en moyenne { $percent } % des variances des paramètres.
 set = ensemble
 set-of-cycles = série de cycles
@@ -1223,18 +1223,18 @@ shared-risk = acceptation à risque partagé (JCGM 106:2012, 8.2.1)
 shared-risk-explained = conforme si la valeur respecte la limite ; indécidé si U dépasse un quart de la limite
 sheet-all-together = Ensemble
 sheet-approach = approche depuis
-sheet-approach-above = { $joint } par le haut
-sheet-approach-below = { $joint } par le bas
+sheet-approach-above = { $joint } par valeurs décroissantes
+sheet-approach-below = { $joint } par valeurs croissantes
 sheet-between-series = Entre séries
 sheet-budget-of-errors = Bilan des erreurs
-sheet-cell-frames = Référentiels
+sheet-cell-frames = Repères
 sheet-cell-residuals = Résidus de la cellule
 sheet-clauses = Articles ISO 9283
-sheet-controller-values = Valeurs de la commande
+sheet-controller-values = Valeurs du contrôleur
 sheet-corners = Angles
 sheet-correlation = Corrélation
 sheet-covariance = Covariance
-sheet-detectable = Changements détectables
+sheet-detectable = Changements décelables
 sheet-distributions = Distributions
 sheet-distributions-of-errors = Distributions des erreurs
 sheet-done = fait
@@ -1246,20 +1246,20 @@ sheet-geometry-leads = Géométrie, pas
 sheet-geometry-methods = Géométrie, méthodes
 sheet-geometry-poses = Géométrie, poses
 sheet-geometry-quantities = Géométrie, grandeurs
-sheet-geometry-scale-bars = Géométrie, règles étalons
+sheet-geometry-scale-bars = Géométrie, barres étalons
 sheet-geometry-workspace = Géométrie, espace de travail
 sheet-influence-of-poses = Influence des poses
 sheet-inputs = Entrées
 sheet-instrument-at = instrument en (mm, base du robot)
 sheet-iso9283-approaches = ISO 9283 approches
-sheet-iso9283-compliance = ISO 9283 souplesse
+sheet-iso9283-compliance = ISO 9283 compliance
 sheet-iso9283-distances = ISO 9283 distances
 sheet-iso9283-drift = ISO 9283 dérive
 sheet-iso9283-poses = ISO 9283 poses
 sheet-iso9283-reference-targets = ISO 9283 cibles de référence
 sheet-iso9283-robot = ISO 9283 robot
 sheet-iso9283-variation = ISO 9283 variation
-sheet-iso9283-visits = ISO 9283 visites
+sheet-iso9283-visits = ISO 9283 positionnements
 sheet-label = étiquette
 sheet-messages = Messages
 sheet-moved-values = Valeurs déplacées
@@ -1270,11 +1270,11 @@ sheet-operator-date = date, opérateur
 sheet-packages = Paquets
 sheet-parameter-effects = Effets des paramètres
 sheet-path = Trajectoire
-sheet-posing = Mise en pose
+sheet-posing = Temps de positionnement
 sheet-predicted-errors = Erreurs prédites
 sheet-program = programme
 sheet-program-value = { $file } ({ $language })
-sheet-proven-effects = Effets prouvés
+sheet-proven-effects = Effets confirmés
 sheet-reference-data = Données de référence
 sheet-reflector-at = réflecteur { $name } en (mm, bride)
 sheet-reflector-axis = { $at } ; axe { $axis }, à moins de { $angle }° de l’instrument
@@ -1287,16 +1287,16 @@ sheet-rows-left-out = { $count ->
    *[other] { $count } autres lignes sont omises : les documents les contiennent toutes
 }
 sheet-singular-values = Valeurs singulières
-sheet-slips = Erreurs délibérées
+sheet-slips = Défauts introduits
 sheet-stabilisation = Stabilisation
 sheet-standstills = Arrêts
 sheet-step = étape
-sheet-step-frame = Points du référentiel atelier et des cibles de référence mesurés ; ils sont mesurés de nouveau après la dernière pose.
-sheet-step-instrument = Instrument en température, de niveau et vérifié selon son fabricant ; sa position est celle indiquée ci-dessus.
+sheet-step-frame = Points du repère atelier et des cibles de référence mesurés ; ils sont mesurés de nouveau après la dernière pose.
+sheet-step-instrument = Instrument en température, de niveau et vérifié comme l’exige son fabricant ; sa position est celle indiquée ci-dessus.
 sheet-step-reflectors = Réflecteurs en place, serrés et propres.
-sheet-step-slow = Toutes les poses une fois à petite vitesse : ni collision, ni câble tendu, ni visée coupée.
-sheet-step-zero = Les valeurs articulaires de la première pose affichées par la commande sont celles de cette fiche.
-sheet-streams = Flux
+sheet-step-slow = Toutes les poses une fois à petite vitesse : ni collision, ni câble tendu, ni visée coupée.
+sheet-step-zero = Les valeurs articulaires de la première pose affichées par le contrôleur sont celles de cette fiche.
+sheet-streams = Enregistrements
 sheet-study-parameters = Étude, paramètres
 sheet-study-positions = Étude, positions
 sheet-summary = Résumé
@@ -1306,8 +1306,8 @@ sheet-tool-point = Point d’outil
 sheet-trends-of-residuals = Tendances des résidus
 sheet-values = Valeurs
 sheet-wait = attente à chaque pose
-sheet-wait-seconds = { $seconds } s
-sheet-wait-trigger = { $seconds } s ; la sortie { $output } est active pendant la seconde moitié
+sheet-wait-seconds = { $seconds } s
+sheet-wait-trigger = { $seconds } s ; la sortie { $output } est active pendant la seconde moitié
 sheet-without-partner = Sans correspondance
 should-know = À savoir
 show = Afficher
@@ -1316,7 +1316,7 @@ show-more = Afficher plus
 signatures = Signatures
 significant-changes = Significatif : { $campaigns }.
 simple-acceptance = acceptation simple (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = conforme si valeur + U respecte la limite ; conforme sous réserve si seule la valeur la respecte
+simple-acceptance-explained = conforme si valeur + U respecte la limite ; conforme sous réserve si seule la valeur la respecte
 simulated-calibration-note = Données synthétiques : bruit gaussien de { $noise } µm sur chaque coordonnée ; moyenne de { $identifications } identifications. Les paramètres et les figures montrent l’une de ces moyennes. Les erreurs en fonction du nombre de positions sont des médianes de { $medians }. Les erreurs se rapportent à { $point } et sont évaluées sur { $configurations } configurations.
 simulated-calibration-title = Étalonnage simulé
 single-balls = Billes isolées, mesurées plusieurs fois
@@ -1328,7 +1328,7 @@ singular-values-description = Une marque par valeur singulière, en ordre décro
 singular-values-title = Valeurs singulières de l’identification
 sketch-title = Le modèle et ses paramètres
 skipped = ignorée
-smallest-sphere-and-circle = rayon de la plus petite sphère et du plus petit cercle englobants (µm)
+smallest-sphere-and-circle = rayon de la plus petite sphère et du plus petit cercle circonscrits (µm)
 solver = Solveur
 solver-gradient-vanished = convergence : les résidus sont orthogonaux à la jacobienne
 solver-iteration-limit = pas de convergence dans le nombre d’itérations permis : vérifier les valeurs de départ
@@ -1340,8 +1340,8 @@ solver-rounding = convergence à l’arrondi près : aucun pas plus court ne r�
 solver-step-vanished = convergence : le dernier pas a laissé les paramètres inchangés
 solver-too-few-equations = arrêt : moins d’équations que de paramètres ; mesurer plus de poses ou fixer des paramètres
 source-contact-meaning = répétabilité indiquée du contact du robot avec un point mesuré
-source-frame-meaning = points qui définissent le référentiel atelier (communs à toutes les poses)
-source-frame-of-poses-meaning = points du référentiel mesuré de nouveau à chaque pose
+source-frame-meaning = points qui définissent le repère atelier (communs à toutes les poses)
+source-frame-of-poses-meaning = points du repère mesuré de nouveau à chaque pose
 source-homing-meaning = valeurs articulaires après la prise d’origine (communes à toutes les poses)
 source-instrument-meaning = incertitude indiquée de chaque lecture
 source-known-points-meaning = positions et longueurs indiquées de points fixes
@@ -1354,7 +1354,7 @@ source-scale-meaning = échelle du système de mesure (commune à toutes les lon
 source-temperature-meaning = dilatation thermique du robot et de la pièce (commune à toutes les longueurs)
 sources-of-the-formulas = Sources des formules
 sphere-x-y-z = sphère x, y, z
-spheres-and-conventions = Sphères englobantes et conventions
+spheres-and-conventions = Sphères circonscrites et conventions
 stabilisation-and-overshoot = Temps de stabilisation et dépassement de pose
 stabilisation-path-length = longueur de trajectoire de stabilisation
 stabilisation-time = temps de stabilisation
@@ -1387,7 +1387,7 @@ target-movement-caption = Plus grand déplacement d’une cible depuis sa premi�
 target-named = la cible { $target }
 targets-as-measured = cibles mesurées
 targets-from-their-places = distance des cibles à leurs positions de référence
-targets-in-world = cibles dans le référentiel atelier
+targets-in-world = cibles dans le repère atelier
 targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance). U est celle des autres lectures.
 temperature = température
 temperature-range = de { $lowest } °C à { $highest } °C dans les exports
@@ -1404,9 +1404,9 @@ the-campaign-states-no-limits = Aucune limite n’est indiquée : aucun verdict
 their-standard-deviation = écart-type
 this-file-max = ce fichier, max.
 this-file-rms = ce fichier, RMS
-three-s-of-x = 3 s de x
-three-s-of-y = 3 s de y
-three-s-of-z = 3 s de z
+three-s-of-x = 3 s de x
+three-s-of-y = 3 s de y
+three-s-of-z = 3 s de z
 time-in-s = temps (s)
 time-since-entry = temps depuis l’entrée (s)
 times-for-each-cycle = { $count } fois, une par pose et cycle
@@ -1420,9 +1420,9 @@ to-hold = à fixer
 to-load = à charger
 to-pose = à la pose
 tolerance = tolérance
-tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1), d’après la covariance des paramètres, la tolérance des paramètres que les données ne peuvent pas déterminer, l’erreur du modèle au-delà de l’incertitude de l’instrument et la position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
+tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1) ; contributions : covariance des paramètres, tolérance des paramètres que les données ne peuvent pas déterminer, erreur du modèle au-delà de l’incertitude de l’instrument, position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
 tool-point-expected = Erreur attendue, RMS (k = 1) : paramètres { $parameters } µm ; paramètres que les données ne peuvent pas déterminer (tolérance) { $undetermined } µm ; erreur du modèle { $model } µm ; position du point sur l’outil { $point } µm. Plus grande incertitude élargie d’une pose (k = 2) : { $largest } µm.
-tool-point-headline = point de l’outil, RMS : nominal moins identifié → attendue
+tool-point-headline = point d’outil, RMS : nominal moins identifié → attendue
 traceability = traçabilité
 trend = tendance
 trend-description = Une marque par campagne avec son intervalle à 95 % ; losanges : changement significatif.
@@ -1431,7 +1431,7 @@ trend-of = Évolution de
 trend-of-all-quantities = Tendance non modélisée de toutes les grandeurs mesurées ensemble ({ $probability }).
 trends-note = Tests F des erreurs moyennes des poses d’étalonnage après identification : parabole contre constante ; valeurs p corrigées de la multiplicité des tests (Holm 1979). Une tendance est une erreur que le modèle ne décrit pas.
 trends-of-the-residuals = Tendances des résidus
-trends-suggest-field = Une tendance subsiste : `field = true` dans [identify] cherche un champ résiduel.
+trends-suggest-field = Les résidus présentent encore une tendance : `field = true` dans [identify] cherche un champ résiduel.
 true = vrai
 turn-down = Tourner vers le bas
 turn-left = Tourner à gauche
@@ -1442,7 +1442,7 @@ u-bootstrap = u, bootstrap
 u-draws = u, tirages
 u-linear = u, linéaire
 u-of-deviation = son u (k = 1)
-u-of-identified = u de l’identifié
+u-of-identified = u de la valeur identifiée
 u-over-ap = U / AP
 u-over-rp = U / RP
 u-report = u, rapport
@@ -1463,8 +1463,8 @@ unit = unité
 unjudged-by-misfit = Non jugées, car le modèle ne convient pas : { $count }.
 unjudged-without-uncertainty = Non jugées, car l’incertitude est inconnue : { $count }.
 unknown-without-redundancy = inconnue (nombres égaux d’équations et de paramètres)
-unshown-frame-points = erreurs des points qui définissent le référentiel atelier : sans redondance, elles ne font que déplacer le référentiel
-unshown-frame-targets = erreurs de position des cibles qui définissent le référentiel atelier : les positions mesurées sont la référence
+unshown-frame-points = erreurs des points qui définissent le repère atelier : sans redondance, elles ne font que déplacer le repère
+unshown-frame-targets = erreurs de position des cibles qui définissent le repère atelier : les positions mesurées sont la référence
 unshown-shift = une translation ou une rotation commune à toutes les lectures : absorbée par la base
 valid-until = valable jusqu’au
 valid-until-column = Valable jusqu’au
@@ -1534,10 +1534,10 @@ with-colon = { $label } :
 with-field = avec le champ
 without-field = sans le champ
 workspace = Espace de travail
-workspace-outlines = Contours de ces régions ; trait fort : accessible sous toutes les orientations.
+workspace-outlines = Contours de ces régions ; trait fort : atteignable avec toutes les orientations.
 workspace-plane = Espace de travail du centre C de la plate-forme, plan { $plane }
-world-frame = référentiel atelier
-world-frame-title = Référentiel atelier
+world-frame = repère atelier
+world-frame-title = Repère atelier
 worst-campaigns = Les { $worst } campagnes les moins bonnes sont affichées. Les { $left_out } autres apparaissent lorsque les scripts sont activés ; batch.parquet contient toutes les campagnes.
 written-by = écrit par
 x-y-z-rp = x, y, z (RP)
