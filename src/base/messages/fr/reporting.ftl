@@ -1,6 +1,6 @@
 ### Messages de report ; explications dans en/report.ftl.
 
-template-invalid = le modèle du rapport a une erreur : { $reason }
+template-invalid = le gabarit du rapport contient une erreur : { $reason }
 
 logo-unusable = `{ $file }` { $fault ->
         [size] est trop grand pour un logo
@@ -11,8 +11,8 @@ logo-unusable = `{ $file }` { $fault ->
 cannot-read-folder = impossible de lire le dossier `{ $folder }` : { $reason }
     .hint = vérifier le chemin et les droits
 
-no-templates = le dossier `{ $folder }` n’a pas de modèle
-    .hint = `etalon report --write-templates DOSSIER` écrit les modèles intégrés
+no-templates = le dossier `{ $folder }` n’a pas de gabarit
+    .hint = `etalon report --write-templates DOSSIER` écrit les gabarits intégrés
 
 typesetting-failed = report.pdf ne peut pas être composé : { $reason }
 
