@@ -9,7 +9,7 @@ uncertainty-source = { $section ->
        *[contact] toucher plusieurs fois le même point et prendre la dispersion des lectures des codeurs
     }
 
-key-uncertainty-implausible = `{ $key }` = { $value } n’est pas une incertitude d’une coordonnée mesurée en micromètres
+key-uncertainty-implausible = `{ $key }` = { $value } ne peut pas être l’incertitude d’une coordonnée mesurée en micromètres
     .expected = une valeur de { $least } à { $most }
     .hint = vérifier l’unité : 0,0027 mm font 2,7 µm
 
@@ -21,13 +21,13 @@ limit-without-result = la limite `{ $limit }` nécessite { $needs ->
         [commanded] {"["}repeatability] avec `commanded`, ou [poses]
        *[repeatability] {"["}repeatability] ou [poses]
     }
-    .hint = supprimer la limite, ou ajouter la section à laquelle elle s’applique
+    .hint = supprimer la limite, ou ajouter la section qui détermine la grandeur
 
-section-beside-observations = `{ $section }` figure à côté de [observations]
+section-beside-observations = `{ $section }` figure en plus de [observations]
     .hint = indiquer soit [observations], soit [[export]], [[log]] et [join]
 
 join-clock-missing = une jointure par le temps nécessite { $keys }
-    .hint = ajouter à [join] { $lines } : le décalage est l’instant de la mesure moins celui du journal. Si les horloges diffèrent, indiquer `clock_offset_s = "standstills"`, et dans [log] `{ $standstill }`
+    .hint = ajouter à [join] { $lines } : le décalage est l’instant de la mesure moins celui du journal. Si les horloges diffèrent, indiquer `clock_offset_s = "standstills"`, et dans [log] `{ $standstill }`
 
 standstills-missing = le décalage des horloges ne peut pas être estimé : le journal `{ $log }` n’a pas de [log.standstill]
     .hint = ajouter à [log] `{ $standstill }` (`within_mm` pour les articulations prismatiques), ou donner à `clock_offset_s` une valeur numérique
@@ -51,7 +51,7 @@ key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export e
     .hint = supprimer l’un des deux
 
 input-in-output-folder = le dossier de sortie contient l’entrée `{ $input }`
-    .expected = un dossier sans fichiers d’entrée : il est remplacé en entier
+    .expected = un dossier sans fichiers d’entrée : une exécution remplace le dossier entier
     .hint = indiquer un autre dossier, ou supprimer `output` : la valeur par défaut est `out`
 
 feature-element = l’élément `{ $feature }` doit désigner un seul élément géométrique
@@ -60,28 +60,28 @@ feature-element = l’élément `{ $feature }` doit désigner un seul élément 
 feature-label-twice = l’élément `{ $feature }` mentionne `{ $label }` deux fois
     .hint = indiquer chaque étiquette une fois
 
-nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du référentiel atelier vont de pair
+nominal-without-tolerance = `nominal_mm` et `tolerance_mm` du repère atelier vont de pair
     .hint = indiquer les positions du dessin technique et la plus grande distance admise entre un point et sa position
 
-world-frame-definition = le référentiel atelier doit être défini d’une seule manière
+world-frame-definition = le repère atelier doit être défini d’une seule manière
     .expected = `plane` avec `origin` et un axe, ou `targets`, ou `as_exported = true`
 
-key-of-other-frame = `{ $key }` est sans effet dans ce référentiel atelier
-    .hint = supprimer `{ $key }`, ou définir le référentiel par `{ $definition }`
+key-of-other-frame = `{ $key }` est sans effet dans ce repère atelier
+    .hint = supprimer `{ $key }`, ou définir le repère par `{ $definition }`
 
-frame-axis-without-direction = l’axe du référentiel atelier n’a pas de direction
+frame-axis-without-direction = l’axe du repère atelier n’a pas de direction
     .expected = deux étiquettes (de, à), ou un élément qui a une direction
 
-plane-frame-incomplete = un référentiel atelier défini par un plan exige `origin`, soit `x_axis` soit `y_axis`, et `towards`
+plane-frame-incomplete = un repère atelier défini par un plan exige `origin`, soit `x_axis` soit `y_axis`, et `towards`
     .hint = indiquer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
 
-date-invalid = `date` ne commence pas par une date
+date-invalid = `date` ne commence pas par une date du calendrier
     .expected = année-mois-jour (ISO 8601), par exemple 2026-01-31
 
-temperature-implausible = `temperature_c` = { $value } n’est pas une température d’un robot en degrés Celsius
+temperature-implausible = `temperature_c` = { $value } n’est pas la température d’un robot en degrés Celsius
     .expected = une valeur de { $least } à { $most }
     .hint = vérifier l’unité : 293,15 K font 20 °C
 
@@ -91,14 +91,14 @@ geometric-step-missing = il manque à [geometric] la clé `{ $missing }`, néces
 errors-table-incomplete = un tableau d’erreurs nécessite l’étalonnage géométrique complet et [identify]
     .hint = indiquer toutes les étapes de [geometric] et [identify], ou supprimer le tableau
 
-key-out-of-range = `{ $key }` = { $value } est en dehors de { $least } à { $most }
+key-out-of-range = `{ $key }` = { $value } est hors de la plage de { $least } à { $most }
 
 plausible-value = { $quantity ->
-        [scale] vérifier l’unité : 1 µm/m fait 1 ppm
-        [polar] vérifier l’unité : 10 ppm font 10 µm/m, 1 seconde d’arc fait 4,85 µm/m
+        [scale] vérifier l’unité : 1 µm/m vaut 1 ppm
+        [polar] vérifier l’unité : 10 ppm valent 10 µm/m, 1 seconde d’arc vaut 4,85 µm/m
         [expansion] vérifier l’unité : l’acier se dilate de `11.5e-6` par degré, l’aluminium de `23.5e-6`
         [temperature] l’indiquer en degrés Celsius
-        [coverage] indiquer le facteur d’élargissement : 2 correspond à un niveau de confiance d’environ 95 %
+        [coverage] indiquer le facteur d’élargissement : 2 correspond à une probabilité de couverture d’environ 95 %
        *[homing] faire plusieurs prises d’origine et prendre la dispersion de l’articulation à son interrupteur
     }
 
@@ -152,9 +152,9 @@ threads-failed = les campagnes ne peuvent pas être exécutées en parallèle :
         [ended] un fil d’exécution s’est terminé sans résultat
        *[other] { $reason }
     }
-    .hint = relancer avec moins de fils : `RAYON_NUM_THREADS=1`
+    .hint = relancer avec moins de fils d’exécution : `RAYON_NUM_THREADS=1`
 
-data-elsewhere = ses données sont sous ${ $name }, variable d’environnement non définie
+data-elsewhere = ses données sont dans le dossier ${ $name }, variable d’environnement non définie
 
 not-an-output-folder = `{ $folder }` n’est pas le dossier de sortie d’une exécution : manifest.json y manque
     .hint = indiquer un dossier écrit par `etalon run`, ou une campagne exécutée
@@ -201,10 +201,10 @@ valid-until-no-date = `valid_until` n’est pas une date : "{ $date }"
 valid-until-before-measurements = `valid_until` ({ $date }) précède les mesures ({ $measured })
     .hint = corriger `valid_until` ou `date`
 
-template-name-reserved = une évaluation écrit elle-même `{ $file }`
+template-name-reserved = une exécution écrit elle-même `{ $file }`
     .hint = renommer le gabarit
 
-controller-template = gabarit d’un format de commande
+controller-template = gabarit d’un format de contrôleur
 
 field-of-other-parameters = `{ $field }` n’appartient pas à `{ $parameters }` : l’empreinte des paramètres diffère
     .hint = indiquer les deux fichiers d’une même exécution
