@@ -8,9 +8,9 @@ selftest-folder-not-written = impossible d’écrire dans `{ $folder }` : { $re
 
 selftest-hash-expected = un SHA-256 : 64 chiffres hexadécimaux
 
-selftest-fits = Éléments géométriques : les ajustements concordent avec un programme indépendant (60 chiffres), les zones minimales et cercles englobants avec des valeurs exactes
+selftest-fits = Éléments géométriques : les ajustements concordent avec un programme indépendant (60 chiffres), les zones minimales et les cercles circonscrits avec des valeurs exactes
 selftest-solver = Solveur : des problèmes publiés de moindres carrés non linéaires atteignent leurs minima publiés
-selftest-frames = Référentiels : orientations et transformations concordent avec des valeurs exactes
+selftest-frames = Repères : orientations et transformations concordent avec des valeurs exactes
 selftest-kinematics = Cinématique : chaque modèle concorde avec un programme indépendant (60 chiffres), son inverse, des dérivées numériques et le code exporté
 selftest-identification = Identification : des observations exactes redonnent les paramètres ; une campagne entière redonne les valeurs vraies dans leur incertitude
 selftest-reference = Campagnes de référence : paramètres, covariance et erreurs concordent avec un programme indépendant (110 chiffres)
@@ -18,9 +18,9 @@ selftest-uncertainty = Incertitudes : les exemples publiés du GUM (H.1 à H.3)
 selftest-standards = ISO 9283 et ISO 230-2 : les caractéristiques concordent avec des programmes indépendants
 selftest-coverage = Couverture : les intervalles à 95 % contiennent la valeur vraie dans 95 % des campagnes simulées
 selftest-formats = Exports des systèmes de mesure : des textes connus donnent leurs coordonnées ; chaque format se relit comme il a été écrit
-selftest-exports = Fichiers de commande : les valeurs écrites se relisent sans changement
+selftest-exports = Fichiers pour le contrôleur : les valeurs écrites se relisent sans changement
 selftest-threads = Fils d’exécution : la même entrée donne les mêmes octets sur un et sur plusieurs fils
-selftest-nist = Données de référence du NIST : les éléments ajustés concordent avec ceux publiés
+selftest-nist = Données de référence du NIST : les éléments ajustés concordent avec les éléments publiés
 
 selftest-not-made = { $name } : impossible : { $reason }
 selftest-fit-point = { $name } : point
@@ -35,8 +35,8 @@ selftest-solution = { $name } : paramètres au minimum
 selftest-covariance = { $name } : covariance
 selftest-quaternion = quaternion d’une rotation
 selftest-quaternion-back = rotation d’un quaternion
-selftest-rotation-vector = matrice de rotation d’un vecteur rotation
-selftest-rotation-vector-back = vecteur rotation d’une matrice de rotation
+selftest-rotation-vector = matrice de rotation d’un vecteur de rotation
+selftest-rotation-vector-back = vecteur de rotation d’une matrice de rotation
 selftest-rpy = matrice de rotation de roulis, tangage, lacet
 selftest-rpy-back = roulis, tangage, lacet d’une matrice de rotation
 selftest-apply = transformation d’un point
@@ -48,15 +48,15 @@ selftest-jacobian = { $name } : dérivées moins dérivées numériques
 selftest-inverse-none = { $name } : l’inverse ne trouve aucune valeur articulaire
 selftest-direct-of-inverse = { $name } : direct(inverse(pose)) moins pose
 selftest-inverse-of-direct = { $name } : inverse(direct(articulations)) moins articulations
-selftest-code = { $name } : position par le `{ $format }` exporté
+selftest-code = { $name } : position calculée par le code `{ $format }` exporté
 selftest-recovered = { $name } : positions par les paramètres identifiés à partir d’observations exactes
-selftest-truth = { $name } : plus grand écart d’un paramètre à sa valeur vraie, rapporté à son incertitude
-selftest-chi-square = chi carré sur degrés de liberté
+selftest-truth = { $name } : plus grand écart d’un paramètre à sa valeur vraie, divisé par son incertitude
+selftest-chi-square = khi-deux divisé par les degrés de liberté
 selftest-certified-values = { $name } : { $count } paramètres
 selftest-certified-uncertainties = { $name } : incertitudes-types
 selftest-certified-status = { $name } : paramètres fixés ou identifiés à tort
 selftest-certified-covariance = { $name } : covariance
-selftest-certified-residuals = { $name } : moyenne quadratique et chi carré
+selftest-certified-residuals = { $name } : moyenne quadratique et khi-deux
 selftest-certified-errors = { $name } : erreurs avant et après
 selftest-gum = { $name }
 selftest-draws-mean = { $name } : moyenne des tirages
@@ -64,15 +64,15 @@ selftest-draws-u = { $name } : incertitude-type des tirages
 selftest-draws-interval = { $name } : intervalle à { $percent } %
 selftest-draws-shortest = { $name } : plus court intervalle à { $percent } %
 selftest-linear-u = { $name } : incertitude-type au premier ordre
-selftest-chi-square-table = quantiles du chi carré
+selftest-chi-square-table = quantiles du khi-deux
 selftest-f-table = quantile de la loi F
 selftest-conformity = probabilité de conformité
 selftest-characteristic = { $name }
 selftest-shares = part des intervalles qui contiennent la valeur vraie, { $parameters } paramètres, { $draws } campagnes
-selftest-mean-chi-square = moyenne du chi carré sur degrés de liberté, { $draws } campagnes
+selftest-mean-chi-square = moyenne du khi-deux divisé par les degrés de liberté, { $draws } campagnes
 selftest-read = { $name } en { $unit } : texte connu
 selftest-written-read = { $name } en { $unit } : écrit et relu
-selftest-listed = { $format } : valeurs à côté de leurs noms
+selftest-listed = { $format } : valeurs placées à côté de leurs noms
 selftest-file-robot = { $format } : robot décrit par le fichier
 selftest-same-bytes = fichiers différents entre 1 et { $threads } fils d’exécution, sur { $files }
 selftest-files-written = tous les fichiers sont écrits
@@ -90,14 +90,14 @@ selftest-other-model = le robot était du modèle `{ $before }` et est du modèl
 
 selftest-title = Validation de l’installation
 selftest-subtitle = etalon { $version } sous { $system } { $architecture } ; validation du logiciel avant utilisation (ISO/IEC 17025:2017, 7.11.2)
-selftest-passed = { $checks } essais de { $requirements } exigences réussis ; { $slips } erreurs sur { $slips } ont été détectées
+selftest-passed = { $checks } essais de { $requirements } exigences réussis ; { $slips } défauts introduits sur { $slips } ont été détectés
 selftest-failed = { $failed ->
         [one] { $failed } essai sur { $checks } a échoué
        *[other] { $failed } essais sur { $checks } ont échoué
     }
 selftest-slips-missed = { $missed ->
-        [one] { $missed } erreur sur { $slips } n’a pas été détectée
-       *[other] { $missed } erreurs sur { $slips } n’ont pas été détectées
+        [one] { $missed } défaut introduit sur { $slips } n’a pas été détecté
+       *[other] { $missed } défauts introduits sur { $slips } n’ont pas été détectés
     }
 selftest-program-changed = le fichier du programme n’a pas le SHA-256 déclaré
 selftest-program-unreadable = le fichier du programme ne peut pas être lu
@@ -107,12 +107,12 @@ selftest-values-moved = { $moved ->
         [one] campagne { $campaign } : { $moved } valeur diffère du document conservé
        *[other] campagne { $campaign } : { $moved } valeurs diffèrent du document conservé
     }
-selftest-statement = Ce protocole s’applique au fichier de programme qui a ce SHA-256, sur cette machine.
+selftest-statement = Ce procès-verbal s’applique au fichier de programme qui a ce SHA-256, sur cette machine.
 selftest-overview = Exigences
 selftest-failed-tests = Essais échoués
 selftest-installation = Installation (QI)
 selftest-operation = Fonctionnement (QO)
-selftest-slips = Erreurs à détecter
+selftest-slips = Défauts introduits à détecter
 selftest-performance = Performance (QP)
 selftest-program-hash = SHA-256 du programme
 selftest-stated-hash = SHA-256 déclaré
@@ -133,10 +133,10 @@ selftest-permissible = admissible
 selftest-result = résultat
 selftest-result-pass = conforme
 selftest-result-fail = non conforme
-selftest-slip = erreur
+selftest-slip = défaut introduit
 selftest-tests-failed = essais échoués
 selftest-as-it-must = échoue comme prévu
-selftest-missed = non détectée
+selftest-missed = non détecté
 selftest-reference-data = données de référence
 selftest-package = paquet
 selftest-version = version
