@@ -24,16 +24,16 @@ truth-repeatability-without-campaign = [repeatability] figure dans les valeurs v
 truth-home-count = `home` a { $values } valeurs articulaires, le robot { $joints } articulations
     .hint = indiquer une valeur par articulation
 
-simulate-not-written = `simulate` ne peut pas écrire { $what }
-    .hint = indiquer un autre fichier pour simuler, puis le vrai fichier
+simulate-not-written = `etalon simulate` ne peut pas écrire { $what }
+    .hint = indiquer un fichier qui peut être simulé, et le remplacer ensuite par le vrai fichier
 
-several-tables = `simulate` n’accepte pas plusieurs tableaux d’observations
+several-tables = `etalon simulate` n’écrit qu’un tableau d’observations, et non plusieurs
     .hint = simuler une campagne avec un seul d’entre eux
 
 simulated-kind = { $kind ->
         [twincat] un export TwinCAT
         [moving-log] un journal enregistré pendant le mouvement
-        [period-log] un journal dont les instants résultent de sa période, pour une jointure par le temps
+        [period-log] un journal avec `period_s` pour une jointure par le temps
         [repeated-columns] un journal qui mentionne deux fois une colonne
         [workbook-sheet] une feuille de classeur
         [encoding] un tableau dans un autre encodage que UTF-8
@@ -41,7 +41,7 @@ simulated-kind = { $kind ->
         [computed-columns] un tableau d’observations à colonnes calculées, numérotées ou constantes, à filtres, ou dont l’en-tête n’est pas d’une ligne
         [unmodelled] un tableau d’observations avec des erreurs de {"["}unmodelled]
         [circumstances] un journal d’un robot à jeu dont les lectures indiquent une charge, des couples ou une température
-       *[backlash] un tableau d’observations d’un robot qui a du jeu
+       *[backlash] un tableau d’observations d’un robot à jeu
     }
 
 coordinates-of-other-kind = `coordinates` ne s’applique qu’au type `point` sans station
@@ -51,10 +51,10 @@ in-numbered-table = [[{ $table }]] { $number } : { $message }
 
 in-set = ensemble `{ $set }` : { $message }
 
-export-without-points = aucune des valeurs vraies ne va dans l’export `{ $file }`
+export-without-points = les valeurs vraies n’ont aucun point pour l’export `{ $file }`
     .hint = ajouter un [[point]] avec cet `export`, ou `label` ou `target` à l’export de la campagne
 
-simulate-utf8 = `simulate` écrit en UTF-8
+simulate-utf8 = `etalon simulate` écrit en UTF-8
     .hint = omettre `encoding` de cet export
 
 simulated-rows-lost = seules { $read } lignes sur { $rows } de `{ $file }` seraient lues
@@ -75,22 +75,22 @@ observe-without-table = les valeurs vraies contiennent [[observe]], mais la camp
     .hint = indiquer le tableau dans campaign.toml : `[observations]` avec `file`
 
 table-without-observe = les valeurs vraies ne contiennent pas de [[observe]] pour le tableau de [observations]
-    .hint = indiquer ce qui est observé : kind = "point", target = "ball" ... ; docs/observations.md énumère les types
+    .hint = indiquer les observations : kind = "point", target = "ball" ... ; docs/observations.md énumère les types
 
 campaign-not-synthetic = la campagne n’indique pas que ses données sont synthétiques : ses fichiers sont peut-être des mesures
     .hint = indiquer `synthetic = "origine des données"` dans campaign.toml ; `etalon init --synthetic DOSSIER` écrit une telle campagne avec ses valeurs vraies
 
-truth-decimals = { $decimals } décimales : plus qu’un nombre n’en contient
+truth-decimals = { $decimals } décimales dépassent la précision d’un nombre
     .expected = 0 à { $most }
 
 joints-and-points-together = un fichier qui contient à la fois articulations et points ne peut pas être simulé
     .hint = indiquer un export et un [log] séparés
 
-point-label-formula = l’étiquette `{ $label }` d’un [[point]] est une formule dans un tableur
+point-label-formula = un tableur prendrait l’étiquette `{ $label }` d’un [[point]] pour une formule
     .hint = utiliser une étiquette qui ne commence pas par = + - ou @
 
 truth-parameters-missing = [parameters] n’indique pas { $parameters }
-    .hint = indiquer la position des objets fixes observés
+    .hint = indiquer les positions vraies des points fixes et des surfaces observés
 
 unmodelled-joint-unknown = [unmodelled] mentionne `{ $joint }`, qui n’est pas une articulation de ce robot
 
@@ -106,7 +106,7 @@ study-set-empty = un ensemble ne contient aucune pose que le robot atteigne
 study-not-by-position = `{ $model }` ne peut pas être positionné par des coordonnées
     .hint = indiquer `joints`, ou un tableau dans `file`
 
-truth-not-touching = pose { $pose } : aucune valeur articulaire proche des valeurs vraies n’établit le contact
+truth-not-touching = pose { $pose } : aucune valeur articulaire proche des valeurs vraies ne réalise le contact
     .hint = indiquer des valeurs articulaires plus proches du contact, ou une plage de tirage plus large
 
 angle-uncertainty-missing = l’incertitude d’un angle manque
@@ -114,8 +114,8 @@ angle-uncertainty-missing = l’incertitude d’un angle manque
 
 truth-geometric-without-campaign = [geometric] figure dans les valeurs vraies, mais pas dans la campagne, ou son robot n’est pas un PreXYT
     .hint = indiquer [geometric] dans campaign.toml : cette section donne les étiquettes
-study-error-in-base = pose vraie de l’outil dans le référentiel de la base moins la pose commandée
-study-error-in-world = pose vraie de l’outil dans le référentiel atelier moins la pose commandée
+study-error-in-base = pose vraie de l’outil dans le repère de la base moins la pose commandée
+study-error-in-world = pose vraie de l’outil dans le repère atelier moins la pose commandée
 poses-in-set = poses de l’ensemble `{ $set }`
 positions-in-workspace = positions dans `workspace`
 counted-calibrations = étalonnages
