@@ -26,7 +26,7 @@ rigid-across-branches = la pièce rigide { $targets } s’étend sur plusieurs b
 limit-not-positive = `{ $key }` doit être un nombre positif
     .expected = { $key ->
             [drift_mm] le plus grand mouvement d’une cible fixe pendant la campagne, par exemple `0.02`
-           *[tolerance_mm] le plus grand écart d’une distance à sa médiane : quelques fois sa dispersion, par exemple `0.1`
+           *[tolerance_mm] le plus grand écart d’une distance à sa médiane : un multiple de la dispersion, par exemple `0.1`
         }
 
 rigid-uncertainty-without-places = `{ $key }` appartient à `places_mm`, qui manque
@@ -66,19 +66,19 @@ point-lies-at-another = ligne { $row } : `{ $point }` coïncide avec `{ $other 
     }
     .hint = si l’instrument visait l’autre cible ou si l’étiquette est fausse, la corriger ou exclure la ligne ; [[rigid]] rejette des lignes d’après leurs distances
 
-drift-few-readings = `{ $target }` n’est mesurée que { $count } fois : trop peu pour détecter une dérive
+drift-few-readings = `{ $target }` n’est mesurée que { $count } fois : trop peu pour déceler une dérive
     .expected = au moins { $least } fois
 
 reference-drifts = `{ $target }` dérive : entre les lignes { $first } et les lignes { $second }, elle se déplace de { FIXED($moved_mm, 4) } mm ; limite { $limit_mm } mm
-    .hint = vérifier la température et la fixation de l’instrument ; avec `targets` et `each = "pose"` dans [frame.world], le référentiel suit les cibles
+    .hint = vérifier la température et la fixation de l’instrument ; avec `targets` et `each = "pose"` dans [frame.world], le repère suit les cibles
 
-frames-differ = les points se rapportent au référentiel `{ $second }` ; ceux d’un autre export, au référentiel `{ $first }`
-    .hint = les exporter dans un même référentiel, ou ne pas les utiliser ensemble
+frames-differ = les points se rapportent au repère `{ $second }` ; ceux d’un autre export, au repère `{ $first }`
+    .hint = les exporter dans un même repère, ou ne pas les utiliser ensemble
 
 export-empty = `{ $file }` ne contient aucun point
     .hint = exporter de nouveau les points, ou supprimer cet [[export]] ; `etalon formats FICHIER` montre comment un fichier texte est lu
 
-target-formula = le nom de cible `{ $target }` serait une formule dans un tableur
+target-formula = un tableur prendrait le nom `{ $target }` pour une formule
     .hint = renommer la cible, ou indiquer un `label` qui omet le premier caractère
 
 target-without-pose = la ligne indique une cible, mais pas de pose
@@ -87,27 +87,27 @@ target-without-pose = la ligne indique une cible, mais pas de pose
 target-twice = la cible `{ $target }` apparaît deux fois à la pose { $pose }, cycle { $cycle }
     .hint = la première est { $file }:{ $line } ; { $numbered ->
             [by-row] indiquer `pose = "row + 100"` pour l’un des fichiers
-           *[by-label] numéroter les répétitions comme cycles, ou en supprimer une
+           *[by-label] donner à chaque répétition son propre numéro de cycle, ou en supprimer une
         }
 
 labels-unused = { $count ->
         [one] { $count } étiquette ne désigne aucune cible et n’est utilisée
        *[other] { $count } étiquettes ne désignent aucune cible et ne sont utilisées
-    } par aucun élément ni référentiel ; la première est `{ $label }`
-    .hint = corriger l’étiquette, ou `label` de cet export
+    } par aucun élément ni repère ; la première est `{ $label }`
+    .hint = corriger l’étiquette, ou le motif `label` de cet export
 
 column-step = { $column } à { $step } { $unit } près
 
-coordinates-rounded = les coordonnées de `{ $file }` sont arrondies ({ $columns }) : incertitude-type d’arrondi { FIXED($rounding_um, 1) } µm, instrument { FIXED($instrument_um, 1) } µm
+coordinates-rounded = les coordonnées de `{ $file }` sont arrondies ({ $columns }) : incertitude-type de l’arrondi { FIXED($rounding_um, 1) } µm, de l’instrument { FIXED($instrument_um, 1) } µm
     .hint = les exporter avec plus de décimales
-origin-not-measured = ligne { $line } de `{ $file }` : 0 0 0, considérée comme non mesurée
-    .hint = si c’est un point mesuré à l’origine du référentiel, indiquer un format avec `missing = [""]`
+origin-not-measured = la ligne { $line } de `{ $file }` est 0 0 0 : elle est considérée comme non mesurée
+    .hint = si c’est un point mesuré à l’origine du repère, indiquer un format avec `missing = [""]`
 
 labels-missing = aucun point n’a une étiquette de la forme `{ $pattern }`
     .hint = corriger le motif, ou ajouter l’export
 
 exclusion-option-without-reason = { $option } { $text } n’indique pas de raison
-    .expected = ce qui est exclu, et pourquoi : "13, 20-22: bille desserrée"
+    .expected = les poses ou lignes exclues, et la raison : "13, 20-22: bille desserrée"
 
 exclusion-poses = { $count ->
         [one] pose
@@ -118,12 +118,12 @@ exclusion-cycle = cycle { $cycle }
 
 exclusion-target = cible `{ $target }`
 
-excluded-readings = exclusion : { $count ->
-        [one] { $count } lecture
-       *[other] { $count } lectures
+excluded-readings = { $count ->
+        [one] { $count } lecture exclue
+       *[other] { $count } lectures exclues
     }, { $of } : { $reason }
 
-exclusions-leave-nothing = les exclusions ne laissent aucune lecture
+exclusions-leave-nothing = toutes les lectures sont exclues
     .hint = supprimer une exclusion
 
 exclusion-names-nothing = `{ $stated }` ne désigne aucune { $of ->
@@ -166,27 +166,27 @@ clock-from-standstills = l’horloge du journal `{ $log }` est calée sur { $cou
 pose-without-frame = { $count ->
         [one] { $count } pose
        *[other] { $count } poses
-    } sans référentiel atelier, exclues : { $poses }
-    .hint = les cibles du référentiel ont été rejetées ou n’ont pas été mesurées : voir import.json
+    } sans repère atelier, exclues : { $poses }
+    .hint = les cibles du repère ont été rejetées ou n’ont pas été mesurées : voir import.json
 
 join-contradicts = { $count ->
         [one] { $count } point mesuré a
        *[other] { $count } points mesurés ont
     } une autre valeur de { $column } que la ligne du journal `{ $log }` à laquelle ils sont joints : { $measured } et { $logged } (ligne { $line } du journal)
-    .hint = joindre par pose ; ou omettre `{ $column }` de `columns` du journal, si elle y compte autre chose
+    .hint = joindre par pose ; ou supprimer `{ $column }` de `columns` du journal, si cette colonne y a une autre signification
 
 row-counts-differ = `{ $file }` a { $rows } lignes, le journal `{ $log }` en a { $log_rows }
     .expected = le même nombre de lignes pour une jointure par ligne
-    .hint = compléter le fichier auquel il manque des lignes ; ou indiquer pose et cycle dans les deux, et s’en servir pour joindre
+    .hint = compléter le fichier auquel il manque des lignes ; ou indiquer pose et cycle dans les deux fichiers, et joindre par pose et cycle
 
 approach-direction-unknown = le journal `{ $log }` ne montre pas le sens d’approche de l’articulation `{ $joint }`
     .hint = `backlash` l’exige : indiquer l’instant de chaque ligne (`time_s` dans `columns`, ou `period_s`), ou `{ $column }` dans `columns` : +1 par valeurs croissantes, -1 par valeurs décroissantes
 
-backlash-direction-unknown = le journal `{ $log }` ne contient pas de mouvement d’une articulation à jeu avant ces poses, qui sont exclues : { $poses }
+backlash-direction-unknown = le journal `{ $log }` ne contient aucun mouvement d’une articulation à jeu avant les poses { $poses }, qui sont exclues
     .hint = commencer le journal avant la première pose, ou indiquer le sens d’approche
 
-targets-out-of-plane = les hauteurs des cibles du robot plan vont de { FIXED($low_mm, 3) } mm à { FIXED($high_mm, 3) } mm dans le référentiel atelier
-    .hint = vérifier z des exports (unité, signe, colonne) et les points qui définissent le plan du référentiel atelier
+targets-out-of-plane = les hauteurs des cibles du robot plan vont de { FIXED($low_mm, 3) } mm à { FIXED($high_mm, 3) } mm dans le repère atelier
+    .hint = vérifier z des exports (unité, signe, colonne) et les points qui définissent le plan du repère atelier
 
 column-empty = la colonne `{ $column }` est vide ou manque
     .hint = ajouter la colonne, ou compléter la cellule
@@ -195,9 +195,9 @@ targets-missing = des cibles manquent { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     }
-    .hint = les autres cibles de ces poses comptent ; une pose ou une orientation exige toutes les cibles
+    .hint = les autres cibles de ces poses sont utilisées ; une pose ou une orientation exige toutes les cibles
 
-row-is-a-pose = `{ $file }` indique `pose = "row"` : chaque ligne est alors une pose à part ; supprimer cette ligne si plusieurs cibles ont été mesurées à une même pose
+row-is-a-pose = `{ $file }` indique `pose = "row"` : chaque ligne est alors une pose à part ; supprimer cette ligne si plusieurs cibles ont été mesurées à une même pose
 
 key-in-lines = { $key } (lignes { $lines })
 
@@ -205,7 +205,7 @@ log-key-twice = le journal `{ $log }` contient { $count ->
         [one] { $count } clé
        *[other] { $count } clés
     } plus d’une fois : { $keys }
-    .hint = ajouter `cycle` à la clé, ou supprimer les lignes qui ne comptent pas
+    .hint = ajouter `cycle` à la clé, ou supprimer les lignes non valables
 
 keys-unmatched = { $count ->
         [one] { $count } clé
@@ -231,8 +231,8 @@ join-key-missing = la jointure exige `{ $key }`, absent de certaines lignes
 join-by-label-targets = une jointure par étiquette suppose un robot à une seule cible ; celui-ci en a { $count }
     .hint = indiquer une cible, ou choisir une autre clé par `by` dans [join]
 
-join-by-label-frame = une jointure par étiquette suppose un référentiel atelier unique pour toutes les poses
-    .hint = définir le référentiel par des points qui ne bougent pas
+join-by-label-frame = une jointure par étiquette suppose un repère atelier unique pour toutes les poses
+    .hint = définir le repère par des points qui ne bougent pas
 
 label-not-measured = aucun point mesuré n’a l’étiquette `{ $label }`
 
@@ -254,7 +254,7 @@ times-missing = { $of ->
 several-rows-near = { $count ->
         [one] { $count } point mesuré a
        *[other] { $count } points mesurés ont
-    } plusieurs lignes du journal `{ $log }` à moins de { $tolerance_s } s : la plus proche compte
+    } plusieurs lignes du journal `{ $log }` à moins de { $tolerance_s } s : la ligne la plus proche est utilisée
     .hint = réduire `tolerance_s` à moins de la moitié de la période du journal
 
 points-without-row = { $count ->
@@ -274,9 +274,9 @@ log-row-met-twice = la ligne { $row } du journal `{ $log }` est la plus proche d
     .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
 
 clock-offset-none = aucun décalage des horloges ne place tous les points mesurés dans des arrêts du journal : { $count ->
-        [one] le premier point (jusqu’à { $last_s } s) convient
-       *[other] les { $count } premiers points (jusqu’à { $last_s } s) conviennent avec un même décalage
-    }, le point à { $first_s } s ne convient pas
+        [one] le premier point (jusqu’à { $last_s } s) convient
+       *[other] les { $count } premiers points (jusqu’à { $last_s } s) conviennent avec un même décalage
+    }, le point à { $first_s } s ne convient pas
     .hint = supprimer les points mesurés en mouvement ; ou donner à `clock_offset_s` une valeur numérique : les lignes sans correspondance sont alors énumérées
 
 range-of-seconds = { FIXED($low_s, 3) } à { FIXED($high_s, 3) } s
@@ -299,7 +299,7 @@ distance-to-itself = la distance va de `{ $name }` à lui-même
     .hint = corriger `other`
 
 target-of-same-branch = `{ $target }` et `{ $name }` sont sur la même branche
-    .hint = indiquer une cible d’une autre branche ; la forme des cibles d’un membre est indiquée dans [[rigid]]
+    .hint = indiquer une cible d’une autre branche ; la disposition des cibles d’un même segment est indiquée dans [[rigid]]
 
 bar-without-other-hand = `{ $name }` n’est pas une cible d’une autre branche que `{ $target }`
     .hint = indiquer une cible d’une autre branche ; `kind = "distance"` convient à une barre dont une extrémité est fixe
@@ -314,7 +314,7 @@ number-missing = `{ $column }` manque ou n’est pas un nombre
         }
 
 row-without-pose = une ligne de type `{ $kind }` n’a pas de pose
-    .hint = seules les lignes sur des points fixes peuvent être sans pose : positions (`point`), distances (`distance`), et positions sur un `plane`, une `line` ou une `sphere`
+    .hint = les lignes sans pose indiquent des positions (`point`) et des distances (`distance`) de points fixes, et des points sur un `plane`, une `line` ou une `sphere`
 
 known-unsupported = [[known]] n’existe pas pour une ligne de type `{ $kind }`
     .expected = `point`, `distance`, `plane`, `line` ou `sphere`
@@ -336,7 +336,7 @@ name-on-few-rows = `{ $name }` n’est indiqué que dans { $count ->
     }, et `{ $meant }` dans { $meant_count }
     .hint = vouliez-vous dire `{ $meant }` ? sinon exclure les lignes de `{ $name }` : elles ne suffisent pas à le localiser
 
-base-moves = les articulations { $joints } déplacent `base_link` : les positions sont considérées comme mesurées dans un référentiel qui se déplace avec lui
+base-moves = les articulations { $joints } déplacent `base_link` : les positions sont considérées comme relatives à ce segment mobile
     .hint = si l’instrument est fixe dans l’atelier, prendre pour `base_link` la racine du fichier URDF
 
 names-of-fixed-things = donner aux cibles, aux points et aux plans des noms différents
@@ -344,27 +344,29 @@ names-of-fixed-things = donner aux cibles, aux points et aux plans des noms diff
 partial-coordinates = { $count ->
         [one] { $count } ligne donne
        *[other] { $count } lignes donnent
-    } une ou deux coordonnées d’une cible : chaque coordonnée compte séparément ({ $by ->
+    } une ou deux coordonnées d’une cible : chaque coordonnée compte comme une observation distincte ({ $by ->
         [line] ligne
        *[pose] pose
     } { $rows }{ $more ->
         [0] {""}
+        [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     })
 
 rows-not-measured = { $count ->
-        [one] { $count } ligne sans valeur d’axe ou sans coordonnées est omise
-       *[other] { $count } lignes sans valeur d’axe ou sans coordonnées sont omises
+        [one] { $count } ligne sans valeur articulaire ou sans coordonnées est omise
+       *[other] { $count } lignes sans valeur articulaire ou sans coordonnées sont omises
     } ({ $by ->
         [line] ligne
        *[pose] pose
     } { $rows }{ $more ->
         [0] {""}
+        [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     })
 
 station-missing = la colonne `station` est vide ici, alors que d’autres points en indiquent une
-    .hint = indiquer la station : les lignes sans station sont celles de la station du référentiel atelier, qui doit voir le robot à au moins { $least } poses
+    .hint = indiquer la station : les lignes sans station appartiennent à la station du repère atelier, qui doit observer le robot à au moins { $least } poses
 
 coordinates-unknown = `{ $text }` ne désigne pas de coordonnées
     .expected = des lettres parmi x, y et z : "z", "xy"
@@ -382,8 +384,8 @@ station-row-unsupported = { $fault ->
        *[uncertainties] des coordonnées mesurées par la station `{ $station }` ont leurs propres incertitudes
     }
     .expected = des lignes de type `point` avec x_mm, y_mm, z_mm et une incertitude `u_mm`, pour les stations autres que la première
-station-join-by-label = les points de la station `{ $station }` sont reliés par étiquette
-    .hint = les relier par pose, ligne ou temps : un point touché se mesure dans le référentiel atelier
+station-join-by-label = les points de la station `{ $station }` sont joints par étiquette
+    .hint = les joindre par pose, ligne ou temps : un point touché se mesure dans le repère atelier
 
 uncertainty-not-positive = `{ $column }` = { $value } n’est pas une incertitude-type
     .expected = un nombre positif
@@ -396,6 +398,7 @@ coordinates-of-rows-missing = { $axes } { $missing ->
        *[pose] pose
     } { $rows }{ $more ->
         [0] {""}
+        [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     }
     .hint = compléter la ligne ou l’omettre ; si seules les autres coordonnées ont été mesurées, indiquer leur incertitude-type : une colonne `u_mm`, `expanded_uncertainty_um` dans [instrument], ou --standard-uncertainty-um pour `etalon identify` et `etalon verify`
@@ -411,16 +414,17 @@ uncertainty-missing = { $count ->
        *[pose] pose
     } { $rows }{ $more ->
         [0] {""}
+        [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     }
     .hint = { $column ->
-            [urot_deg] indiquer `expanded_rotation_uncertainty_deg` dans [instrument], ou une colonne `urot_deg` ; pour `etalon identify` et `etalon verify` --rotation-uncertainty-deg
-           *[u_mm] indiquer `expanded_uncertainty_um` dans [instrument], ou une colonne `u_mm` ; pour `etalon identify` et `etalon verify` --standard-uncertainty-um
+            [urot_deg] indiquer `expanded_rotation_uncertainty_deg` dans [instrument], ou une colonne `urot_deg` ; pour `etalon identify` et `etalon verify` --rotation-uncertainty-deg
+           *[u_mm] indiquer `expanded_uncertainty_um` dans [instrument], ou une colonne `u_mm` ; pour `etalon identify` et `etalon verify` --standard-uncertainty-um
         }
 
 surface-axis-missing = { $kind ->
-        [line] la droite `{ $name }` exige l’axe du référentiel atelier le plus proche de sa direction
-       *[plane] le plan `{ $name }` exige l’axe du référentiel atelier le plus proche de sa normale
+        [line] la droite `{ $name }` exige l’axe du repère atelier le plus proche de sa direction
+       *[plane] le plan `{ $name }` exige l’axe du repère atelier le plus proche de sa normale
     }
     .expected = x, y ou z dans la colonne `axis`{ $kind ->
             [line] {""}
@@ -430,13 +434,13 @@ surface-axis-missing = { $kind ->
 offset-of-line = `offset_mm` ne s’applique qu’aux plans et aux sphères, et non à une droite
     .hint = laisser la cellule vide
 
-near-missing = une position sur { $kind } exige `near_mm`
-    .hint = indiquer sa position approximative dans le référentiel atelier
+near-missing = un point sur un élément de type { $kind } exige `near_mm`
+    .hint = indiquer sa position approximative dans le repère atelier
 
 load-direction-unknown = `{ $direction }` n’est pas une direction
     .expected = +x, -x, +y, -y, +z ou -z
 
-load-direction-unmeasured = la direction `{ $direction }` exige `z_mm` : aucun déplacement n’est mesuré dans cette direction
+load-direction-unmeasured = la direction `{ $direction }` exige `z_mm` : le déplacement dans cette direction n’a pas été mesuré
     .hint = ajouter la colonne `z_mm`, ou supprimer la ligne
 
 force-not-a-number = `{ $text }` n’est pas une force
@@ -446,21 +450,21 @@ drift-without-commanded = `drift_set` nécessite des poses commandées
     .hint = les indiquer : `commanded = "commanded.csv"`
 
 attained-poses-twice = [poses] et [repeatability] indiquent toutes deux des poses atteintes
-    .hint = garder la section qui correspond aux mesures : étiquettes ou tableau
+    .hint = garder [repeatability] pour des points étiquetés, ou [poses] pour un tableau
 
-limit-without-value = la limite `{ $limit }` ne peut pas être jugée : cette valeur manque à la pose { $pose }
-    .hint = atteindre chaque pose au moins deux fois, et indiquer sa pose commandée
+limit-without-value = la limite `{ $limit }` ne peut pas être jugée : elle n’a pas de valeur à la pose { $pose }
+    .hint = atteindre chaque pose au moins deux fois, et indiquer sa position commandée
 
 compensation-scatters = la dispersion des positions atteintes autour de la moyenne de leur pose est de { FIXED($after_mm, 4) } mm après correction par les cibles de référence, de { FIXED($before_mm, 4) } mm avant
     .hint = chercher une lecture erronée parmi les cibles de référence, ou les omettre
 
-reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { FIXED($rms_mm, 4) } mm (moyenne quadratique) d’un déplacement rigide de celles du premier cycle ; incertitude élargie { FIXED($expanded_mm, 4) } mm
-    .hint = l’une d’elles a bougé ou a été mal mesurée : la mesurer de nouveau, ou l’omettre
+reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { FIXED($rms_mm, 4) } mm (moyenne quadratique) d’un déplacement rigide depuis le premier cycle ; incertitude élargie { FIXED($expanded_mm, 4) } mm
+    .hint = une cible a bougé ou a été mal mesurée : mesurer de nouveau les cibles, ou exclure la cible erronée
 
-repeatability-frame = [repeatability] exige un référentiel atelier mesuré une seule fois
-    .hint = définir le référentiel par des points qui ne bougent pas
+repeatability-frame = [repeatability] exige un repère atelier mesuré une seule fois
+    .hint = définir le repère par des points qui ne bougent pas
 
-commanded-angle-unmeasured = `{ $column }` est commandé, mais les étiquettes ne donnent que des positions
+commanded-angle-unmeasured = `{ $column }` est commandé, mais les points étiquetés ne donnent que des positions
     .hint = supprimer la colonne, ou donner les poses atteintes avec leurs angles en tableau : [poses]
 
 commanded-pose-missing = aucune position commandée pour ces poses : { $poses }
@@ -471,19 +475,19 @@ commanded-pose-unmeasured = la pose { $pose } est commandée, mais rien n’y a 
 trajectory-empty = la trajectoire n’a pas de pose
     .hint = indiquer les poses d’un cycle dans leur ordre, par exemple [1, 2, 1, 3]
 
-coplanar-not-four = `coplanar` n’indique pas quatre poses de la trajectoire
-    .expected = quatre de ses poses, une fois chacune
+coplanar-not-four = `coplanar` doit indiquer quatre poses différentes de la trajectoire
+    .expected = quatre poses de la trajectoire, une fois chacune
 
 pose-not-in-trajectory = la pose { $pose } (cycle { $cycle }) n’est pas dans la trajectoire
     .hint = corriger l’étiquette, ou ajouter la pose à `trajectory`
 
-pose-of-several-targets = la pose { $pose } (cycle { $cycle }) a des lectures de `{ $target }` et d’une autre cible
+pose-of-several-targets = la pose { $pose } (cycle { $cycle }) a des positionnements de `{ $target }` et d’une autre cible
     .hint = indiquer dans `label` la seule cible de l’essai
 
 pose-of-cycle = pose { $pose } du cycle { $cycle }
 
 visit-count-differs = la pose { $pose } a été mesurée { $found } fois dans le cycle { $cycle }, alors que la trajectoire y passe { $count } fois
-    .hint = ajouter la lecture manquante, ou supprimer toutes celles de cette pose et de ce cycle : la direction d’approche des autres est inconnue
+    .hint = ajouter le positionnement manquant, ou supprimer tous les positionnements de cette pose et de ce cycle : leurs poses précédentes sont inconnues
 
 visits-missing = non mesurées : { $poses }{ $count ->
         [one] {""}
@@ -493,7 +497,7 @@ visits-missing = non mesurées : { $poses }{ $count ->
 homing-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la répétabilité de la prise d’origine, { FIXED($rp_mm, 4) } mm
     .hint = utiliser la valeur comme majorant, ou mesurer avec un meilleur instrument
 
-central-part-too-large = la valeur de { $option } dépasse la trajectoire entière
+central-part-too-large = la valeur de { $option } dépasse 100 %
     .expected = un nombre supérieur à 0 et au plus 100
 
 path-points-out-of-range = la valeur de { $option } est hors plage
@@ -517,7 +521,7 @@ in-candidate = pose { $pose } des candidates : { $message }
 
 in-feature = élément `{ $name }` : { $message }
 
-joints-of-pose-differ = les lignes de cette pose ont des valeurs articulaires différentes
+joints-of-pose-differ = les lignes d’une même pose et d’un même cycle ont des valeurs articulaires différentes
     .hint = les corriger, ou numéroter les répétitions dans la colonne `cycle`
 
 target-repeated = la cible `{ $target }` apparaît deux fois
@@ -528,7 +532,7 @@ arms-apart = avec les paramètres nominaux, les bras ne se rejoignent pas à ces
 
 assembly-mode-missing = le mode d’assemblage n’est pas indiqué
     .expected = 1 ou -1 dans la colonne `assembly`
-    .hint = les candidates peuvent aussi être des positions : `pose,x_mm,y_mm` sans valeurs articulaires donne tous les modes de travail
+    .hint = les poses candidates peuvent aussi être des positions : `pose,x_mm,y_mm` sans valeurs articulaires donne tous les modes de travail
 
 assembly-mode-ambiguous = les deux modes d’assemblage conviennent aussi bien l’un que l’autre : à { FIXED($near_mm, 2) } mm et à { FIXED($far_mm, 2) } mm de la position mesurée
     .hint = indiquer une colonne `assembly` avec 1 ou -1 ; ou indiquer la position de la base (x_o, y_o, phi) sous [nominal]
@@ -540,10 +544,10 @@ uncertainties-twice = le tableau indique à la fois des incertitudes-types et de
     .hint = supprimer `ux_mm`, `uy_mm`, `uz_mm`
 
 coordinate-uncertainty-missing = la ligne indique une incertitude, mais `{ $column }` est vide
-    .expected = de 0,00002 mm à 100 mm, ou toutes vides
+    .expected = de 0,00002 mm à 100 mm pour chaque coordonnée, ou toutes les cellules vides
 
-coordinate-uncertainty-unusable = `{ $column }` = { $value } n’est pas l’incertitude d’une coordonnée
-    .expected = de 0,00002 mm à 100 mm, ou toutes vides
+coordinate-uncertainty-unusable = `{ $column }` = { $value } ne peut pas être l’incertitude d’une coordonnée
+    .expected = de 0,00002 mm à 100 mm pour chaque coordonnée, ou toutes les cellules vides
 
 position-covariance-invalid = la covariance de la ligne n’est pas définie positive
     .hint = vérifier l’ordre et l’unité des colonnes `cxx_mm2` ..
@@ -558,21 +562,21 @@ unplaced = { $kind ->
            *[other] { $count } éléments fixes mesurés
         }
        *[both] { $count } cibles et éléments fixes mesurés
-    } aux seules poses de validation : { $names } ; position déduite de ces lectures, les paramètres identifiés du robot étant fixés
+    } aux seules poses de validation : { $names } ; localisation d’après ces lectures, les paramètres identifiés du robot étant fixés
 
-validation-leaves-nothing = { $unplaced } : il ne reste rien pour la validation
-    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
+validation-leaves-nothing = { $unplaced } : il ne reste aucune lecture redondante pour la validation
+    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer vers `calibration` une pose où elles sont mesurées
 
 placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
-    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
+    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer vers `calibration` une pose où elles sont mesurées
 
 placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
-    .hint = les mesurer aussi à des poses d’étalonnage, ou ajouter à `calibration` une pose où elles sont mesurées
+    .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer vers `calibration` une pose où elles sont mesurées
 
 candidate-positions-unreachable = le modèle `{ $model }` n’atteint aucune position candidate, ou n’a pas de modèle géométrique inverse
     .hint = indiquer des valeurs articulaires, une colonne par articulation avec son unité
 
-check-readings = y chercher des étiquettes interverties et des lectures erronées ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
+check-readings = chercher dans ces lectures des étiquettes interverties et des erreurs ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
 
 robust-fit-disagrees = un ajustement robuste modifie `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne suivent pas une loi normale
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
@@ -587,45 +591,45 @@ target-positions = `{ $target }` ({ $count ->
 coordinates-commanded = le robot nominal reproduit les coordonnées de { $targets } à partir des valeurs articulaires à { SCIENTIFIC($largest_mm, 2) } mm près, soit l’arrondi du fichier : elles sont commandées, et non mesurées
     .hint = indiquer les coordonnées mesurées dans `columns` ; si les données sont simulées, indiquer `synthetic` dans la campagne
 
-frame-points-mirrored = les points du référentiel atelier sont à { FIXED($off_mm, 3) } mm de leurs positions nominales, mais correspondent à leur image miroir à { FIXED($limit_mm, 3) } mm près
-    .hint = deux axes de l’export sont intervertis, ou l’un a le signe opposé : vérifier ses colonnes
+frame-points-mirrored = les points du repère atelier sont à { FIXED($off_mm, 3) } mm de leurs positions nominales, mais correspondent à leur image miroir à { FIXED($limit_mm, 3) } mm près
+    .hint = deux axes de l’export sont intervertis, ou l’un d’eux a le signe opposé : vérifier les colonnes
 
 frame-point-off = `{ $point }` est à { FIXED($off_mm, 3) } mm de sa position nominale par rapport aux autres points (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du dessin technique
 
-frame-points-off = distance de `{ $first }` à `{ $second }` : { FIXED($measured_mm, 3) } mm mesurés, { FIXED($nominal_mm, 3) } mm nominaux (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
+frame-points-off = distance de `{ $first }` à `{ $second }` : mesurée { FIXED($measured_mm, 3) } mm, nominale { FIXED($nominal_mm, 3) } mm (tolérance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
     .hint = vérifier le point, son étiquette et `nominal_mm`, ou indiquer la tolérance du dessin technique
 
 nominal-point-unmeasured = `nominal_mm` mentionne `{ $point }`, qui n’a pas été mesuré
 
 nominal-few-points = `nominal_mm` exige au moins trois points
-    .hint = ajouter des points du référentiel, ou supprimer `nominal_mm`
+    .hint = ajouter des points du repère, ou supprimer `nominal_mm`
 
-world-axes-exchanged = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml : x, y, z de robot.toml sont { $axes } du référentiel atelier
-    .hint = vérifier les axes, l’unité et les points du référentiel atelier, et [nominal] de robot.toml
+world-axes-exchanged = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml : x, y, z de robot.toml sont { $axes } du repère atelier
+    .hint = vérifier les axes, l’unité et les points du repère atelier, et [nominal] de robot.toml
 
 base-off-nominal = la base est à { FIXED($off_mm, 0) } mm et { FIXED($off_deg, 1) } deg de la position indiquée dans robot.toml ; limite { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
-    .hint = vérifier les axes, l’unité et les points du référentiel atelier, et [nominal] de robot.toml
+    .hint = vérifier les axes, l’unité et les points du repère atelier, et [nominal] de robot.toml
 
 orientation-slip = { $slip ->
         [scalar-last] le scalaire des quaternions en dernier
         [scalar-first] le scalaire des quaternions en premier
         [scalar-last-inverse] le scalaire des quaternions en dernier, et les rotations inverses
         [order] les angles dans l’ordre `{ $name }`
-        [vectors] des vecteurs rotation au lieu d’angles
-        [order-of-vectors] des angles dans l’ordre `{ $name }` au lieu de vecteurs rotation
+        [vectors] des vecteurs de rotation au lieu d’angles
+        [order-of-vectors] des angles dans l’ordre `{ $name }` au lieu de vecteurs de rotation
         [radians] les angles en radians au lieu de degrés
         [degrees] les angles en degrés au lieu de radians
         [negated] les angles avec le signe opposé
         [inverse] les rotations inverses
-       *[left-handed] un référentiel indirect ({ $name } inversé)
+       *[left-handed] un repère indirect ({ $name } inversé)
     }
 
 orientations-off = les orientations observées diffèrent de celles du robot { $robot ->
         [nominal] nominal
        *[identified] identifié
     } de { FIXED($median_deg, 1) } deg (médiane)
-    .hint = vérifier que qw, qx, qy, qz (scalaire en premier) transforment les vecteurs du corps vers le référentiel atelier ; ou vérifier l’ordre des angles : sans `orientation`, les ordres qui conviennent sont indiqués
+    .hint = vérifier que qw, qx, qy, qz (scalaire en premier) transforment les vecteurs du corps vers le repère atelier ; ou vérifier l’ordre des angles : sans `orientation`, les ordres qui conviennent sont indiqués
 
 few-poses-to-leave-out = { $count ->
         [one] { $count } pose d’étalonnage est insuffisante
@@ -635,13 +639,13 @@ few-poses-to-leave-out = { $count ->
     .hint = en mesurer plus, ou en indiquer plus dans `calibration`
 
 nothing-to-judge = aucune observation n’est une position, une distance ou un contact
-    .hint = les paramètres sont jugés d’après des erreurs de position : mesurer des positions
+    .hint = les paramètres sont jugés d’après des erreurs de position : mesurer des positions, des distances ou des contacts
 
-validation-repeats-calibration = la validation répète l’étalonnage : la distance de la moitié des poses de validation à la pose d’étalonnage la plus proche est inférieure à { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
+validation-repeats-calibration = la validation répète l’étalonnage : la distance médiane d’une pose de validation à la pose d’étalonnage la plus proche vaut { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
     .hint = ailleurs, l’erreur du robot peut être plus grande : valider à des poses situées entre celles de l’étalonnage
 
-validation-far = la validation est loin de l’étalonnage : la distance de la moitié des poses de validation à la pose d’étalonnage la plus proche est supérieure à { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
-    .hint = étalonner à des poses réparties dans l’espace de travail où le robot est utilisé
+validation-far = la validation est loin de l’étalonnage : la distance médiane d’une pose de validation à la pose d’étalonnage la plus proche vaut { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
+    .hint = étalonner à des poses réparties dans tout l’espace de travail utilisé
 
 error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
     .hint = relancer la campagne : `etalon run CAMPAGNE`
@@ -649,11 +653,11 @@ error-quantity-unknown = `{ $name }` n’est pas une grandeur d’erreur
 pose-set-unknown = `{ $name }` n’est pas un ensemble de poses
     .expected = calibration ou validation
 
-joints-do-not-move = les articulations ne bougent pas : les { $rows } observations sont { $motion } ; elles ne montrent aucun paramètre du robot{ $points ->
+joints-do-not-move = les articulations ne bougent pas : les { $rows } observations sont { $motion } ; elles ne déterminent aucun paramètre du robot{ $points ->
         [0] {""}
        *[other] {" "}(dispersion des points mesurés : { FIXED($scatter_mm, 3) } mm)
     }
-    .hint = mesurer des poses où chaque articulation prend plusieurs valeurs ; si le robot a bougé, les valeurs articulaires proviennent de colonnes fausses ou d’un fichier périmé
+    .hint = mesurer des poses où chaque articulation prend plusieurs valeurs ; si le robot a bougé, les valeurs articulaires sont lues dans de mauvaises colonnes ou dans un fichier périmé
 
 motion-none = à une seule pose
 
@@ -667,9 +671,9 @@ joint-does-not-move = `{ $joint }` ne bouge pas : faute de données, { $count -
         [one] { $count } paramètre reste connu à sa tolérance près
        *[other] { $count } paramètres restent connus à leur tolérance près
     } : { $parameters }
-    .hint = déplacer `{ $joint }` entre les poses d’étalonnage, ou utiliser le robot en gardant sa valeur ; sinon des erreurs allant jusqu’à la tolérance de `{ $first }` subsistent
+    .hint = déplacer `{ $joint }` entre les poses d’étalonnage, ou n’utiliser le robot qu’à cette valeur ; sinon des erreurs allant jusqu’à la tolérance de `{ $first }` subsistent
 
-direction-undetermined = avec ces points, sa direction n’est connue qu’à { FIXED($direction_deg, 0) } deg près (k = 1) ; limite { $limit_deg } deg
+direction-undetermined = sa direction a une incertitude-type de { FIXED($direction_deg, 0) } deg ; limite { $limit_deg } deg
     .hint = mesurer des points plus éloignés les uns des autres, non tous alignés
 
 direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_deg, 2) } deg ; limite { $limit_deg } deg
@@ -678,35 +682,35 @@ direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_
 world-side-undetermined = `towards` est sur l’axe : il ne détermine pas de quel côté va l’autre axe
     .hint = indiquer un point hors de l’axe
 
-frame-few-targets = le référentiel atelier a { $count ->
+frame-few-targets = le repère atelier a { $count ->
         [one] { $count } cible
        *[other] { $count } cibles
     }
     .expected = au moins trois cibles
 
-frame-never-complete = à aucune pose, les cibles { $targets } du référentiel atelier ne sont toutes mesurées et distinctes
+frame-never-complete = à aucune pose, les cibles { $targets } du repère atelier ne sont toutes mesurées et distinctes
     .hint = les mesurer toutes, et vérifier leurs étiquettes
 
 orientations-twice = le tableau donne deux fois l’orientation : { $first } et { $second }
-    .hint = omettre l’une d’elles
+    .hint = supprimer l’une des deux
 
 orientation-columns-missing = il manque { $missing } à l’orientation
-    .expected = { $columns } : orientation du corps dans le référentiel atelier
+    .expected = { $columns } : orientation du corps dans le repère atelier
 
 orientation-missing = l’orientation manque ou n’est pas un nombre
-    .expected = qw, qx, qy, qz : orientation du corps dans le référentiel atelier ; ou un vecteur rotation, ou trois angles
+    .expected = qw, qx, qy, qz : orientation du corps dans le repère atelier ; ou un vecteur de rotation, ou trois angles
 
 angle-order-missing = l’ordre des angles n’est pas indiqué
     .hint = indiquer `orientation = "zyx"` dans [observations], ou --orientation
 
-angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : avec `{ $order }`, l’écart est de { FIXED($left_deg, 1) } deg (moyenne quadratique) ; vérifier que les angles décrivent la rotation du corps vers le référentiel atelier, et vérifier les valeurs articulaires
+angle-orders-unfit = aucun ordre des angles ne correspond au robot nominal : le plus petit résidu est de { FIXED($left_deg, 1) } deg (moyenne quadratique) avec `{ $order }` ; vérifier que les angles décrivent la rotation du corps vers le repère atelier, et vérifier les valeurs articulaires
 
 angle-order-leaves = { FIXED($left_deg, 3) } deg avec `{ $order }`
 
-angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; écart au robot nominal (moyenne quadratique) : { $orders }
+angle-orders-fit = indiquer `orientation = "{ $order }"` dans [observations], ou --orientation ; résidus avec le robot nominal (moyenne quadratique) : { $orders }
 
 ball-missing = la bille `{ $target }` manque (pose { $pose }, cycle { $cycle })
-    .hint = la mesurer, ou supprimer le reste de cette pose et de ce cycle
+    .hint = mesurer la bille, ou supprimer les autres lectures de cette pose et de ce cycle
 
 actuator-unknown = l’actionneur { $actuator } n’existe pas
     .expected = 1, 2 ou 3
@@ -714,29 +718,29 @@ actuator-unknown = l’actionneur { $actuator } n’existe pas
 lead-position-unknown = la position { $position } de l’actionneur { $actuator } n’est pas dans `positions_mm`
     .hint = corriger l’étiquette, ou compléter `positions_mm`
 
-geometric-frame = l’étalonnage géométrique exige un référentiel atelier défini par les rails et la bille R
+geometric-frame = l’étalonnage géométrique exige un repère atelier défini par les rails et la bille R
     .expected = `plane`, `origin`, `y_axis = [origine, autre extrémité]` et `towards`, comme au 3.4.1 de la thèse
 
-geometric-other-robot = [geometric] est l’étalonnage géométrique d’un PreXYT
+geometric-other-robot = [geometric] n’est disponible que pour un PreXYT
     .expected = un robot de modèle `prexyt`
 
 scale-bar-error = barre étalon `{ $name }` : l’erreur de { FIXED($error_mm, 4) } mm dépasse l’erreur maximale tolérée de { FIXED($limit_mm, 4) } mm
     .hint = vérifier palpeur, température et fixation de l’instrument, et mesurer la barre de nouveau
 
 scale-bar-uncertain = barre étalon `{ $name }` : l’erreur maximale tolérée vaut { FIXED($ratio, 1) } fois l’incertitude élargie du certificat de la barre ; au moins { $least } fois sont exigées
-    .hint = utiliser une barre dont le certificat a une plus petite incertitude : celle-ci ne permet pas de vérifier
+    .hint = utiliser une barre dont le certificat a une plus petite incertitude : cette barre ne permet pas de vérifier l’instrument
 
-step-scatters = { $step } : les résidus se dispersent de { FIXED($found_mm, 4) } mm, alors que l’incertitude de l’instrument est de { FIXED($stated_mm, 4) } mm : les incertitudes sont tirées des résidus
+step-scatters = { $step } : la dispersion des résidus est de { FIXED($found_mm, 4) } mm, celle de l’instrument de { FIXED($stated_mm, 4) } mm ; les incertitudes sont calculées à partir des résidus
     .hint = chercher un jeu, une bille sale ou un support desserré ; mesurer l’étape de nouveau
 
 table-without-poses = à aucune pose du tableau `{ $title }`, K et L n’ont été mesurées ensemble
     .hint = mesurer les deux billes dans le même cycle, ou choisir d’autres poses
 
 given-without-covariance = les paramètres n’ont pas de covariance
-    .hint = identifier de nouveau à partir de plus de données, qui laissent des degrés de liberté
+    .hint = identifier de nouveau à partir de plus de données : l’identification n’avait aucun degré de liberté
 
-calibrated-targets-missing = il manque { $names } aux paramètres : la base ou les cibles sont différentes
-    .hint = observer les cibles de l’étalonnage, au même endroit de la partie mobile
+calibrated-targets-missing = il manque { $names } aux paramètres : les observations ont une autre base ou d’autres cibles
+    .hint = observer les cibles de l’étalonnage, aux mêmes positions sur la partie mobile
 
 parameters-of-other-robot = les paramètres sont ceux d’un robot `{ $identified }` ; robot.toml décrit un autre robot (`{ $stated }`)
     .hint = indiquer le robot.toml avec lequel ils ont été identifiés
@@ -759,8 +763,8 @@ nominal-value-changed = `{ $parameter }` a pour valeur nominale { $stated }{ $un
     } lors de l’identification
     .hint = vérifier si les paramètres sont ceux de ce robot
 
-robot-geometry-changed = robot.toml décrit une autre géométrie que celle de l’identification : { $case ->
-        [apart] à paramètres égaux, les brides sont à { $distance_mm } mm l’une de l’autre
+robot-geometry-changed = robot.toml décrit une autre géométrie que celle de l’identification : { $case ->
+        [apart] à paramètres égaux, les brides sont à { $distance_mm } mm l’une de l’autre
        *[other] les articulations ou les segments diffèrent
     }
     .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés, ou identifier de nouveau
@@ -768,23 +772,23 @@ robot-geometry-changed = robot.toml décrit une autre géométrie que celle de l
 robot-geometry-unknown = robot.toml n’est pas un fichier de l’identification, et parameters.json ne contient pas de géométrie à lui comparer
     .hint = vérifier si robot.toml décrit le robot identifié, ou relancer la campagne
 
-calibration-without-residuals = l’étalonnage ne donne pas l’écart-type d’une coordonnée
+calibration-without-residuals = l’étalonnage ne détermine pas l’incertitude-type d’une coordonnée
     .hint = identifier en indiquant l’incertitude-type
 
-effect-would-prove = { $effect }{ $count ->
+effect-would-prove = effet significatif : { $effect }{ $count ->
         [0] {""}
        *[other] {" "}des articulations { $joints }
-    } serait confirmé : l’erreur aux poses d’étalonnage omises passe de { FIXED($without_mm, 3) } à { FIXED($with_mm, 3) } mm (position, moyenne quadratique)
+    } ; avec cet effet, l’erreur aux poses d’étalonnage omises passe de { FIXED($without_mm, 3) } à { FIXED($with_mm, 3) } mm (position, moyenne quadratique)
     .hint = ajouter "{ $effect }" à `effects` dans [identify], ou indiquer `effects = "proven"`
 
 outliers-too-many = `outliers = "exclude"` exclurait plus de { $share_percent } % des lectures
-    .hint = le modèle ou le montage est incorrect : voir ce que signale `outliers = "keep"`
+    .hint = le modèle ou le montage est incorrect : vérifier les lectures que signale `outliers = "keep"`
 
 log-correlates = avec le journal `{ $log }`, les résidus sont corrélés à la différence des deux journaux (r = { FIXED($correlation, 2) }) ; leur moyenne quadratique est de { FIXED($rms_mm, 3) } mm, contre { FIXED($other_rms_mm, 3) } mm avec le journal `{ $other }`
 
 use-log = { $hint ->
         [name-first] identifier avec le journal `{ $log }` : l’indiquer en premier
-       *[is-used] utiliser le journal `{ $log }`, comme cette campagne
+       *[is-used] le journal `{ $log }` est le meilleur, et cette campagne l’utilise
     }
 
 selected-pose-unmeasured = `{ $pose }` ne désigne aucune pose mesurée
@@ -794,12 +798,12 @@ selection-without-pose = `{ $set }` ne désigne aucune pose mesurée
 sets-overlap = ces poses servent à la fois à l’étalonnage et à la validation : { $poses }
     .hint = `validation = "rest"` prend toutes les poses qui ne servent pas à l’étalonnage
 
-series-overlap = ces poses appartiennent à plusieurs séries : { $poses }
+series-overlap = ces poses appartiennent à plusieurs séries : { $poses }
     .hint = mettre chaque pose dans une seule série
 
-series-without-calibration = séries sans pose d’étalonnage, qui ne comptent pas : { $series }
+series-without-calibration = séries sans pose d’étalonnage, qui ne comptent pas : { $series }
 
-series-incomplete = ces poses d’étalonnage n’appartiennent à aucune série : { $poses }
+series-incomplete = ces poses d’étalonnage n’appartiennent à aucune série : { $poses }
     .hint = `"rest"` prend toutes les poses qui n’appartiennent à aucune série précédente
 
 series-single = `series` ne contient qu’une série avec des poses d’étalonnage
@@ -826,9 +830,9 @@ check-column-unit = vérifier l’unité de sa colonne : toutes les valeurs ser
 
 joint-out-of-range = articulation `{ $joint }` = { $value } { $unit } : hors plage
     .expected = de { $lower } à { $upper } { $unit } : { $reason ->
-            [limits] les limites du fichier du robot, au-delà desquelles 1 % de leur distance est admis
+            [limits] les limites du fichier de robot, avec un dépassement admis de 1 % de leur écart
             [turns] deux tours, car le fichier de robot n’indique pas de limites
-           *[others] d’après la plage qui regroupe la moitié de ses valeurs
+           *[others] plage des autres valeurs
         }
     .hint = vérifier le séparateur décimal et l’unité de la valeur ; si l’articulation peut l’atteindre, { $reason ->
             [limits] corriger ses limites dans le fichier de robot
@@ -849,8 +853,8 @@ probe-of-feature-unknown = `{ $feature }` n’est pas ajusté : ses points sont
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limite { FIXED($limit, 1) })
 
-parameters-unstable = paramètres instables ; les valeurs tirées d’une partie des poses diffèrent de celles tirées de toutes les poses (en écarts-types de la différence) : { $parameters }
-    .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et examiner les résidus
+parameters-unstable = paramètres instables ; différences entre une partie des poses et toutes les poses, en écarts-types de la différence : { $parameters }
+    .hint = chercher ce qui a changé pendant la mesure (température, cible déplacée, nouvelle prise d’origine), et vérifier les résidus
 
 remedy = { $remedy ->
         [pose-uncertainty] l’indiquer (--standard-uncertainty-um), ou comparer des cibles
@@ -875,7 +879,7 @@ remedy = { $remedy ->
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
 
 largest-residuals = plus grands résidus d’un ajustement robuste : { $readings }
-    .hint = y chercher d’abord des étiquettes interverties et des lectures erronées ; les erreurs du robot se répartissent sur toutes les poses
+    .hint = chercher d’abord dans ces lectures des étiquettes interverties et des erreurs ; les erreurs du robot affectent toutes les poses
 
 outlier-readings = { $count ->
         [one] { $count } lecture sur { $total } est aberrante
@@ -884,7 +888,7 @@ outlier-readings = { $count ->
 
 outliers = { $outliers }
 
-outliers-excluded = exclusion par `outliers = "exclude"` : { $outliers }
+outliers-excluded = lectures exclues par `outliers = "exclude"` : { $outliers }
 
 repeated-position = { $target } aux poses { $first } et { $second }
 
@@ -894,10 +898,10 @@ positions-repeat = des positions mesurées sont identiques jusqu’au dernier ch
 repeated-joints = poses { $first } et { $second }, distantes de { FIXED($apart_mm, 3) } mm
 
 joint-values-repeat = des valeurs articulaires sont identiques jusqu’au dernier chiffre alors que les cibles bougent, { $count } fois : { $pairs }
-    .hint = le journal contient une lecture d’une autre pose : enregistrer ces poses de nouveau, ou les exclure
+    .hint = le journal contient les valeurs articulaires d’une autre pose : enregistrer ces poses de nouveau, ou les exclure
 
 repeats-scatter = les répétitions de `{ $label }` s’écartent jusqu’à { FIXED($off_mm, 4) } mm de leur médiane ; incertitude-type de l’instrument { FIXED($u_mm, 4) } mm
-    .hint = vérifier `unit` de l’export et l’incertitude de l’instrument, et si le point a bougé
+    .hint = vérifier `unit` de l’export et l’incertitude de l’instrument, et que le point n’a pas bougé
 
 repeat-off = { $away } sur { $count } répétitions de `{ $label }` { $away ->
         [one] s’écarte de
@@ -914,43 +918,43 @@ uncertainty-zero-rounded = `{ $column }` est 0 dans { $count ->
 uncertainty-zero = `{ $column }` est 0 dans { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
-    }, et la colonne ne montre aucune résolution : l’incertitude de l’instrument s’applique à ces lignes
+    }, et la résolution de la colonne est inconnue : l’incertitude de l’instrument est utilisée à la place
     .hint = exporter les incertitudes avec plus de décimales
 
 key-of-text-table = `{ $key }` est sans objet pour une feuille de classeur ou un topic d’un enregistrement
-    .hint = supprimer `{ $key }` : les cellules d’un classeur sont lues telles quelles
+    .hint = supprimer `{ $key }` : la clé ne vaut que pour un texte délimité
 
 measurements-undescribed = aux poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    }, le résidu du modèle est de { FIXED($after_mm, 3) } mm (moyenne quadratique) pour des positions étalées sur { FIXED($spread_mm, 1) } mm ; { $count } lectures sur { $total } s’écartent de plus de { FIXED($limit_mm, 1) } mm : le modèle ne décrit pas ces mesures
+    }, les erreurs sont de { FIXED($after_mm, 3) } mm (moyenne quadratique) pour des positions étalées sur { FIXED($spread_mm, 1) } mm ; { $count } erreurs sur { $total } dépassent { FIXED($limit_mm, 1) } mm : le modèle ne décrit pas ces mesures
 
-undescribed-targets = chaque lecture de { $targets } a une grande erreur, et aucune autre lecture : vérifier les étiquettes de la cible, et si elle a été déplacée
+undescribed-targets = chaque lecture de { $targets } a une grande erreur, et aucune autre lecture n’en a : vérifier les étiquettes, et si la cible a bougé
 
 undescribed-readings = { $readings } : { $remedy }
 
 undescribed-set-up = vérifier les unités, l’ordre et les signes des articulations, les paramètres nominaux, et la jointure du journal et des points
 
-undescribed-frame-moved = avec un seul déplacement du référentiel de { FIXED($motion_mm, 1) } mm, le résidu est de { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
+undescribed-frame-moved = un seul déplacement du repère, de { FIXED($motion_mm, 1) } mm, ramène les erreurs à { FIXED($left_mm, 3) } mm : la base ou le système de mesure a bougé entre les poses d’étalonnage et de validation
 
-undescribed-unchecked = les poses d’étalonnage ne laissent aucune coordonnée pour le contrôle : d’autres positions de la base et des cibles conviennent aussi bien ; mesurer plus de poses d’étalonnage, réparties dans l’espace de travail
+undescribed-unchecked = les poses d’étalonnage n’ont aucune coordonnée redondante : d’autres positions de la base et des cibles conviennent aussi bien ; mesurer plus de poses d’étalonnage, réparties dans l’espace de travail
 
-undescribed-other-poses = le modèle convient aux poses d’étalonnage, et aucun déplacement du référentiel n’explique les autres : vérifier si le journal et les exports des poses de validation concernent les mêmes poses (journal d’une autre campagne, ou poses numérotées autrement)
+undescribed-other-poses = le modèle convient aux poses d’étalonnage, et aucun déplacement du repère n’explique les autres : vérifier que le journal et les exports des poses de validation vont ensemble (et non le journal d’une autre campagne, ou une autre numérotation des poses)
 
 prior-of-nominal = les paramètres nominaux n’ont pas de covariance pour `--frames prior`
     .hint = indiquer des paramètres identifiés par `--parameters`, ou utiliser `--frames refit`
 
 prior-of-conditions = `--frames prior` ne s’applique qu’à des positions mesurées
-    .hint = omettre les lignes d’autres types, ou réajuster base et cibles : `--frames refit`
+    .hint = supprimer les lignes d’autres types, ou réajuster base et cibles : `--frames refit`
 
-place-without-nominal = `{ $parameter }` n’a pas de valeur nominale : sa valeur est tirée des mesures
+place-without-nominal = `{ $parameter }` n’a pas de valeur nominale : seules les mesures le déterminent
     .hint = ajuster base et cibles aux poses d’étalonnage : `--frames refit`
 
-given-parameters-worse = le résidu est de { FIXED($given_mm, 3) } mm avec les paramètres donnés, de { FIXED($nominal_mm, 3) } mm avec les paramètres nominaux (moyenne quadratique)
+given-parameters-worse = les erreurs sont de { FIXED($given_mm, 3) } mm avec les paramètres donnés, de { FIXED($nominal_mm, 3) } mm avec les paramètres nominaux (moyenne quadratique)
     .hint = vérifier si les paramètres sont ceux de ce robot, et si base et cibles sont celles de cette campagne (`--frames`)
 
 candidate-poses-too-few = impossible de choisir { $wanted } poses parmi { $count } candidates
-    .hint = indiquer moins de `--positions`, ou plus de candidates
+    .hint = indiquer moins de `--positions`, ou plus de poses candidates
 
 target-names-exchanged = si l’on intervertit les noms des cibles `{ $first }` et `{ $second }`, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
     .hint = intervertir les deux noms dans l’export
@@ -961,7 +965,7 @@ one-pose-contradicts = sans la pose `{ $pose }`, les observations ne contredisen
 one-reading-contradicts = sans la cible `{ $target }` à la pose `{ $pose }`, les observations ne contredisent pas les paramètres
     .hint = mesurer cette cible de nouveau à cette pose
 
-target-names-permuted = avec les noms de cibles { $names }, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
+target-names-permuted = avec les noms de cibles { $names }, les résidus passent de { FIXED($before_mm, 3) } à { FIXED($left_mm, 3) } mm
     .hint = corriger les noms dans l’export
 
 motions-alike = { $count ->
@@ -976,12 +980,12 @@ no-coordinates-to-check = { $count ->
     } { $parameters ->
         [one] { $parameters } paramètre
        *[other] { $parameters } paramètres
-    } : il ne reste aucune coordonnée pour les vérifier
+    } : les paramètres ne sont pas vérifiés
     .hint = mesurer plus de poses, réparties dans l’espace de travail
 
 validation-outliers = { $count } erreurs de validation sur { $total } dépassent { FIXED($limit_mm, 4) } mm, { $times } fois leur médiane : { $readings }
 
-common-scale = { $parameters } valent tous environ { FIXED($factor, 5) } fois leur valeur nominale : une erreur d’échelle du système de mesure ou des articulations est plus probable que des erreurs de { $count } pièces
+common-scale = { $parameters } valent tous environ { FIXED($factor, 5) } fois leur valeur nominale : une erreur d’échelle du système de mesure ou des articulations l’explique mieux que des erreurs de { $count } pièces
     .hint = vérifier l’échelle, la compensation de température et l’unité du système de mesure et des codeurs
 
 compliance-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation fléchit en sens inverse de la pesanteur
@@ -995,26 +999,26 @@ load-columns-slip = les centres de masse indiqués contredisent les mesures ({ F
 
 load-change-exchanged = `{ $first }` et `{ $second }` sont échangés
 
-load-change-sign = `{ $column }` a l’autre signe
+load-change-sign = `{ $column }` a le signe opposé
 
 load-change-unit = le centre de masse est en { $unit }
 
-backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devancerait son entraînement
-    .hint = vérifier le signe des sens d’approche (+1 par valeurs croissantes, -1 par valeurs décroissantes), et si les instants du journal sont ceux du même mouvement
+backlash-negative = `{ $parameter }` est négatif ({ FIXED($value, 5) } { $unit }) : l’articulation devancerait son entraînement
+    .hint = vérifier le signe des sens d’approche (+1 par valeurs croissantes, -1 par valeurs décroissantes), et que les instants du journal sont ceux du même mouvement
 
-torque-constant = le couple de l’articulation `{ $joint }` vaut { FIXED($value, 3) } N·m dans toutes les lectures d’étalonnage (`{ $column }`) : il se confond avec le zéro de l’articulation, et la complaisance de cette articulation est fixée
+torque-constant = le couple de l’articulation `{ $joint }` vaut { FIXED($value, 3) } N·m dans toutes les lectures d’étalonnage (`{ $column }`) : il se confond avec le zéro de l’articulation, et la compliance de cette articulation est fixée
 
 torque-signs-differ = la flexion identifiée sous les couples est positive pour { $positive } et négative pour { $negative } : certaines articulations cèdent dans le sens du couple indiqué, d’autres en sens inverse
     .hint = vérifier le signe et l’ordre des colonnes de couples
 
-torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $second }` échangés, mais non telles qu’indiquées
+torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $second }` échangés, mais non tels qu’ils sont indiqués
     .hint = vérifier à quelle articulation appartient chaque colonne de couples
 
-temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : dilatation et dérive sont indéterminables et fixées ; longueurs et zéros sont ceux de cette température
+temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : la dilatation et la dérive ne sont pas déterminables et sont fixées ; longueurs et zéros sont ceux de cette température
 
-temperature-questioned = les températures des lectures d’étalonnage vont de { FIXED($low, 1) } à { FIXED($high, 1) } °C, hors de { $least } à { $most } °C
+temperature-questioned = les températures des lectures d’étalonnage vont de { FIXED($low, 1) } à { FIXED($high, 1) } °C, hors de { $least } à { $most } °C
 
-temperature-units = vérifier l’unité : lues en °F, elles vont de { FIXED($from_fahrenheit, 1) } à { FIXED($to_fahrenheit, 1) } °C, lues en K de { FIXED($from_kelvin, 1) } à { FIXED($to_kelvin, 1) } °C
+temperature-units = vérifier l’unité : lues en °F, elles vont de { FIXED($from_fahrenheit, 1) } à { FIXED($to_fahrenheit, 1) } °C, lues en K de { FIXED($from_kelvin, 1) } à { FIXED($to_kelvin, 1) } °C
 
 ball-names-exchanged = `{ $parameter }`, distance de K à L, vaut { FIXED($value, 3) } { $unit } : K et L sont interverties
     .hint = intervertir les noms des deux cibles dans les étiquettes de l’export
@@ -1023,7 +1027,7 @@ identified-worse-than-nominal = aux poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
     }, le robot identifié est moins bon que le robot nominal : { FIXED($before_mm, 4) } mm avant, { FIXED($after_mm, 4) } mm après (moyenne quadratique)
-    .hint = mesurer plus de poses, réparties dans l’espace de travail, ou fixer les paramètres qu’elles ne déterminent pas
+    .hint = mesurer plus de poses, réparties dans l’espace de travail, ou fixer les paramètres que les poses ne déterminent pas
 
 value-beyond-tolerance = `{ $parameter }` = { $unit ->
         [mm] { FIXED($value, 3) } { $unit } (nominal { $nominal } { $unit }, tolérance { FIXED($tolerance, 3) } { $unit })
@@ -1035,24 +1039,24 @@ tolerance-exceeded = { $count ->
         [one] { $count } paramètre dépasse
        *[other] { $count } paramètres dépassent
     } la tolérance du robot : { $parameters }
-    .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales et les référentiels ; si le dessin technique indique une autre tolérance, l’indiquer par `tolerance` dans le fichier de robot
+    .hint = vérifier les signes, les unités et l’ordre des articulations, les valeurs nominales et les repères ; si le dessin technique indique une autre tolérance, l’indiquer par `tolerance` dans le fichier de robot
 
 format-not-identified = les paramètres du format `{ $format }` n’ont pas pu être identifiés de nouveau : { $message }
 
 clock-rate-from-standstills = l’horloge de la mesure avance de { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) par rapport à celle du journal `{ $log }` (possible : { FIXED($low_ppm, 1) } à { FIXED($high_ppm, 1) } ppm) ; décalage { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) à { FIXED($reference_s, 3) } s du journal
     .hint = avec ce décalage et cette dérive, chaque point mesuré tombe dans un arrêt ; le décalage seul n’y suffit pas
 
-clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive entre les horloges : elle est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
+clock-rate-insignificant = les arrêts du journal `{ $log }` ne montrent aucune dérive significative entre les horloges : la dérive est comprise entre { FIXED($low_ppm, 1) } et { FIXED($high_ppm, 1) } ppm
     .hint = omettre `clock_rate` : seul le décalage est utilisé
 
-clock-from-motion = l’horloge du journal `{ $log }` est réglée par les vitesses du mouvement (corrélation { FIXED($correlation, 3) }) : décalage { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) à { FIXED($reference_s, 3) } s du journal, marche { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
-    .hint = les points sont associés aux lignes du journal à ces instants
+clock-from-motion = l’horloge du journal `{ $log }` est calée sur les vitesses du mouvement (corrélation { FIXED($correlation, 3) }) : décalage { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) à { FIXED($reference_s, 3) } s du journal, dérive { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
+    .hint = les points sont joints aux lignes du journal à ces instants
 
 clock-motion-unlike = les vitesses des points et du journal ne sont corrélées pour aucun décalage des horloges : au plus { FIXED($correlation, 2) }
-    .hint = vérifier que le journal et les points sont du même mouvement, ou indiquer `clock_offset_s` comme nombre
+    .hint = vérifier que le journal et les points sont du même mouvement, ou donner à `clock_offset_s` une valeur numérique
 
 clock-motion-several = les vitesses des points et du journal sont corrélées pour { $count } décalages des horloges : { $ranges }
-    .hint = enregistrer un mouvement qui ne se répète pas, ou indiquer `clock_offset_s` comme nombre
+    .hint = enregistrer un mouvement qui ne se répète pas, ou donner à `clock_offset_s` une valeur numérique
 
 clock-motion-short = { $count ->
         [one] { $count } vitesse mesurée ne suffit
@@ -1077,7 +1081,7 @@ sweep-values-partial = les valeurs articulaires sont incomplètes
     .expected = les valeurs de toutes les articulations à chaque ligne, ou à aucune ligne d’un balayage
     .hint = une ligne sans articulation balayée est une pose de contrôle et exige les valeurs de toutes les articulations
 
-sweep-sign-by-values = les valeurs articulaires donnent le sens de chaque balayage
+sweep-sign-by-values = les valeurs articulaires déterminent déjà le sens de chaque balayage
     .hint = omettre --backwards
 
 sweep-other-joint = `{ $moved }` bouge dans le balayage de `{ $joint }`, qui est au repos
@@ -1100,29 +1104,29 @@ sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de
            *[none] corriger l’unité de la colonne, ou calculer la valeur articulaire à partir de celle du moteur
         }
 
-sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à sa trajectoire de { FIXED($before_um, 1) } µm, { FIXED($after_um, 1) } µm si l’on tient compte du déplacement
+sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à une seule trajectoire { FIXED($before_um, 1) } µm, à deux trajectoires { FIXED($after_um, 1) } µm
     .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
 
 sweep-many-foreign = { $aside } lectures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
     .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
 
 sweep-foreign = { $count ->
-        [one] { $count } lecture du balayage de `{ $joint }` est écartée : ligne { $lines }
-       *[other] { $count } lectures du balayage de `{ $joint }` sont écartées : lignes { $lines }
+        [one] { $count } lecture du balayage de `{ $joint }` est exclue : ligne { $lines }
+       *[other] { $count } lectures du balayage de `{ $joint }` sont exclues : lignes { $lines }
     }
-    .hint = ces lectures sont loin de la trajectoire de toutes les autres
+    .hint = vérifier ces lignes : leurs lectures sont loin de la trajectoire de toutes les autres
 
-sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent de leur trajectoire de { FIXED($rms_um, 1) } µm (RMS) de façon continue ; d’une lecture à l’autre, le bruit est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe comprend les deux
+sweep-smooth = dans le balayage de `{ $joint }`, les cibles s’écartent continûment de leur trajectoire, de { FIXED($rms_um, 1) } µm (moyenne quadratique) ; le bruit d’une lecture à l’autre est de { FIXED($noise_um, 1) } µm ; l’incertitude de l’axe comprend les deux
     .hint = vérifier que toutes les autres articulations étaient au repos, et comparer avec le faux-rond du palier
 
-sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
+sweep-weak = la direction de l’axe de `{ $joint }` a une incertitude-type de { FIXED($u_mrad, 2) } mrad
     .hint = mesurer un arc plus long, une cible plus éloignée de l’axe, ou plus de cibles
 
-sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : l’unité des coordonnées est-elle juste ?
-    .hint = sinon, calculer les colonnes, ici x : --column 'x_mm={ $source }*1000'
+sweep-unit = toutes les cibles sont à moins de { FIXED($radius_mm, 3) } mm des axes : les coordonnées sont probablement en mètres
+    .hint = vérifier l’unité, et convertir les colonnes, ici x : --column 'x_mm={ $source }*1000'
 
 sweep-few = le balayage de `{ $joint }` a { $readings } lectures, il en faut { $needed }
-    .hint = prendre plus de lectures ; quelques lectures de plus qu’il n’en faut donnent une incertitude
+    .hint = prendre plus de lectures ; les lectures redondantes déterminent l’incertitude
 
 sweep-undetermined = les lectures du balayage de `{ $joint }` ne déterminent aucun axe
     .hint = mesurer un arc plus long ou une cible plus éloignée de l’axe ; une articulation prismatique s’indique par --prismatic
@@ -1136,20 +1140,20 @@ sweep-joint-missing = { $count ->
 sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent à { FIXED($gap_mm, 3) } mm l’un de l’autre pour la cible `{ $target }` : robot.toml n’est pas écrit
     .hint = commencer chaque balayage à la même pose avec la cible à sa place, ou ajouter les colonnes de valeurs articulaires
 
-sweep-target-unswept = une cible n’est dans aucun balayage : robot.toml n’est pas écrit
+sweep-target-unswept = une cible des poses de contrôle n’est dans aucun balayage : robot.toml n’est pas écrit
     .hint = aux poses de contrôle, utiliser des cibles des balayages
 
-sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations permutées
+sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations permutées
     .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
 
-sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (RMS) avec le sens indiqué, et de { FIXED($left_mm, 3) } mm avec le sens opposé
+sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) avec le sens indiqué, et de { FIXED($left_mm, 3) } mm avec le sens opposé
     .hint = l’indiquer : --backwards { $joint }
 
 sweeps-disagree = { $what ->
         [checks] les poses de contrôle s’écartent du robot jusqu’à { FIXED($distance_mm, 3) } mm
        *[sweeps] les balayages se contredisent, jusqu’à { FIXED($distance_mm, 3) } mm
     } (incertitude-type { FIXED($u_mm, 4) } mm)
-    .hint = vérifier les sièges des cibles et les valeurs articulaires ; le robot peut servir de point de départ à `etalon identify` et `etalon run`
+    .hint = vérifier les supports des cibles et les valeurs articulaires ; `etalon identify` et `etalon run` peuvent partir de ce robot
 
 table-base-not-held = le tableau a sa propre base, tournée de { FIXED($angle_deg, 4) } deg et décalée de { FIXED($shift_mm, 4) } mm
     .hint = identifier la base, ou utiliser `poe`
@@ -1160,20 +1164,20 @@ table-flange-not-held = le tableau a sa propre bride, tournée de { FIXED($angle
 table-tilt-not-held = le tableau tient { $joint ->
         [none] deux axes
        *[other] les axes du segment de `{ $joint }`
-    } pour parallèles : { FIXED($angle_mrad, 4) } mrad entre eux ne sont pas représentés par le tableau
-    .hint = `etalon identify` détermine beta ; `poe` représente cet angle
+    } pour parallèles : il ne contient pas l’angle de { FIXED($angle_mrad, 4) } mrad entre eux
+    .hint = `etalon identify` détermine beta ; `poe` contient cet angle
 row-excluded = exclue : { $reason }
 row-at-origin = non mesurée : 0 0 0
-row-of-station-unused = station `{ $station }` : le point n’est pas une cible du robot
-row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la plus proche compte
+row-of-station-unused = station `{ $station }` : le robot n’a pas de cible de ce nom
+row-of-several = { $rows } lignes du journal `{ $log }` sont à moins de { $tolerance_s } s : la ligne la plus proche est utilisée
 no-rows-around = le journal `{ $log }` n’a pas de ligne avant ou après ce point à moins de { $tolerance_s } s
 no-row-near = aucune ligne du journal `{ $log }` n’est à moins de { $tolerance_s } s
-no-point-nearest = aucun point mesuré n’a cette ligne pour plus proche
+no-point-nearest = une autre ligne est plus proche de chaque point mesuré
 no-row-of-key = aucune ligne du journal `{ $log }` n’a cette clé
 no-point-of-key = aucun point mesuré n’a cette clé
-label-names-nothing = son étiquette ne nomme ni cible, ni point d’un élément ou d’un référentiel
-no-row-touches = aucune ligne du journal `{ $log }` ne le touche
-row-of-unframed-pose = sa pose n’a pas de référentiel atelier
+label-names-nothing = son étiquette ne nomme ni cible, ni point d’un élément ou d’un repère
+no-row-touches = aucune ligne du journal `{ $log }` ne touche ce point
+row-of-unframed-pose = la pose de la ligne n’a pas de repère atelier
 
 table-of-observations = observations
 table-of-attained-poses = poses atteintes
@@ -1185,7 +1189,7 @@ recorded-motion-file = mouvement enregistré
 read-in-unit = { $format }, unité { $unit }
 read-in-frame = { $read }, par rapport à `{ $frame }`
 read-without-columns = { $read }, { $unread } colonnes sur { $all } non lues
-read-except-columns = { $read }, non lues : { $columns }
+read-except-columns = { $read }, non lues : { $columns }
 
 side-stated = comme indiqué par l’utilisateur
 side-from-values = d’après { $of ->
@@ -1201,7 +1205,7 @@ label-orientations-unused = les orientations de l’export ne sont pas utilisée
     .hint = joindre par pose, ligne ou instant si l’instrument a mesuré à chaque pose le corps porté par le robot
 
 temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
-    .hint = corriger `temperature_c`, ou la colonne, qui est en degrés Celsius
+    .hint = corriger `temperature_c`, ou l’unité de la colonne (degrés Celsius)
 
 temperature-varies = les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, soit plus de ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
     .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre cette étendue
@@ -1219,9 +1223,9 @@ axes-comment-tolerance = les balayages déterminent ces paramètres : les tolé
 axes-robot-name = Robot décrit par ses axes
 
 cell-few = `{ $solve }` exige { $needed } lectures ; il y en a { $readings }
-    .hint = prendre plus de lectures ; des lectures redondantes déterminent l’incertitude
+    .hint = prendre plus de lectures ; les lectures redondantes déterminent l’incertitude
 
-cell-axis-at-rest = l’axe ne bouge pas : toutes les lectures de chaque cible ({ $readings } au total) sont à une seule valeur de l’axe
+cell-axis-at-rest = l’axe ne bouge pas : toutes les lectures de chaque cible ({ $readings } au total) sont à une seule valeur de l’axe
     .hint = mesurer les cibles à plusieurs valeurs de l’axe
 
 cell-same-orientation = le robot a la même orientation dans toutes les lignes
@@ -1236,15 +1240,15 @@ cell-points-coincide = tous les points coïncident
 cell-points-collinear = tous les points sont sur une droite de direction [{ $direction }] : la rotation autour de cette droite n’est pas déterminée
     .hint = mesurer un point à côté de la droite
 
-cell-ambiguous = deux référentiels différents s’ajustent aussi bien aux lectures
+cell-ambiguous = deux repères différents conviennent aussi bien aux lectures
     .hint = ajouter des lectures avec d’autres orientations
 
 cell-undetermined = les lectures ne déterminent pas toutes les grandeurs inconnues
     .hint = ajouter des lectures à d’autres poses ou valeurs de l’axe
 
 cell-orientation-missing = les poses n’ont pas de colonnes d’orientation
-    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, ou { $prefix }rx_deg .. d’un vecteur rotation, ou { $prefix }a_deg .. de trois angles, ou { $prefix }r11 .. { $prefix }r33
-    .hint = nommer les colonnes, par `--column { $prefix }qw=TITRE` si leurs titres sont autres
+    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, ou { $prefix }rx_deg .. d’un vecteur de rotation, ou { $prefix }a_deg .. de trois angles, ou { $prefix }r11 .. { $prefix }r33
+    .hint = indiquer les colonnes, par `--column { $prefix }qw=TITRE` si leurs titres sont différents
 
 cell-order-missing = l’ordre des angles { $prefix }a, { $prefix }b, { $prefix }c n’est pas indiqué
     .hint = l’indiquer d’après le manuel : `{ $option } zyx` pour A B C de KUKA, `{ $option } "fixed xyz"` pour W P R de FANUC
@@ -1260,8 +1264,8 @@ cell-point-unknown = `{ $name }` n’est pas un point de ce problème
 cell-roles-mixed = des points de deux règles sont mélangés
     .expected = origin, x, xy, ou x1, x2, y1
 
-cell-axis-missing = les valeurs de l’axe manquent dans la table
-    .hint = nommer la colonne : `--column { $column }=TITRE`
+cell-axis-missing = les valeurs de l’axe manquent dans le tableau
+    .hint = indiquer la colonne : `--column { $column }=TITRE`
 
 cell-no-controller-data = `{ $maker }` n’a pas de données pour le résultat de `{ $solve }`
     .hint = prendre les nombres dans le texte ou dans `--json`, ou choisir un autre format
@@ -1269,7 +1273,7 @@ cell-no-controller-data = `{ $maker }` n’a pas de données pour le résultat d
 cell-second-axis-missing = `{ $maker }` a besoin de deux axes rotatifs : un le long de { $axis } de la machine, un le long de z
     .hint = indiquer le résultat de l’autre axe par `--with FICHIER` (JSON de `etalon cell --solve rotary-axis`)
 
-cell-axis-direction = un axe rotatif est à { FIXED($angle_deg, 2) } deg de l’axe { $axis } de la machine, autour duquel tourne `{ $maker }`
+cell-axis-direction = un axe rotatif est à { FIXED($angle_deg, 2) } deg de l’axe { $axis } de la machine, autour duquel tourne `{ $maker }`
     .hint = mesurer dans les coordonnées de la machine, ou choisir la cinématique de la machine
 
 cell-axis-sense = { $sense ->
@@ -1282,24 +1286,24 @@ cell-axis-sense = { $sense ->
 cell-tool-length-missing = `{ $maker }` a besoin de la longueur de l’outil au bout duquel se trouve la première cible
     .hint = indiquer `--tool-length-mm`, 0 pour une cible au plan de jauge
 
-cell-pivot-above = l’outil ({ FIXED($tool_mm, 3) } mm) est plus long que la distance de l’axe à la première cible située dessous ({ FIXED($along_mm, 3) } mm, axe à zéro)
+cell-pivot-above = l’outil ({ FIXED($tool_mm, 3) } mm) est plus long que la distance de l’axe à la première cible située dessous ({ FIXED($along_mm, 3) } mm, axe à zéro)
     .hint = vérifier la longueur de l’outil, et que z de la machine monte le long de la broche
 
 cell-machine-number = `MACHINE_DEF[{ $number }]` n’est pas une cinématique externe
     .expected = 2 à 7
     .hint = indiquer `--number`
 
-cell-loads-replaced = l’entrée de l’outil { $number } a une masse et un centre de gravité nuls : les charges ne sont pas identifiées
-    .hint = copier la ligne du référentiel dans son propre fichier, ou compléter les lignes de la charge
+cell-loads-replaced = l’entrée de l’outil { $number } a une masse et un centre de gravité nuls : les données de charge ne sont pas identifiées
+    .hint = copier la ligne du repère dans son propre fichier, ou compléter les lignes de la charge
 
-cell-axis-tilted = l’axe le long de { $axis } est incliné de { FIXED($angle_deg, 4) } deg, et `{ $maker }` ne connaît pas d’inclinaison : { FIXED($left_um, 1) } um à 100 mm de l’axe
+cell-axis-tilted = l’axe le long de { $axis } est incliné de { FIXED($angle_deg, 4) } deg, et `{ $maker }` n’admet pas d’inclinaison : { FIXED($left_um, 1) } µm à 100 mm de l’axe
     .hint = aligner l’axe, ou accepter cette erreur
 
 cell-slip = les lectures se contredisent de { FIXED($stated_mm, 3) } mm (écart-type) ; { $count ->
-        [one] un changement laisse { FIXED($left_mm, 4) } mm : { $changes }
-       *[other] chacun de ces changements laisse { FIXED($left_mm, 4) } mm ou un peu plus : { $changes }
+        [one] une modification ramène l’écart à { FIXED($left_mm, 4) } mm : { $changes }
+       *[other] chacune de ces modifications ramène l’écart à { FIXED($left_mm, 4) } mm ou un peu plus : { $changes }
     }
-    .hint = corriger la table ou les options
+    .hint = corriger le tableau ou les options
 
 cell-foreign = la lecture de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_mm, 4) } mm
     .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
@@ -1307,11 +1311,11 @@ cell-foreign = la lecture de la ligne { $line } ne s’accorde pas avec les autr
 cell-foreign-turned = l’orientation de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_deg, 4) } deg
     .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
 
-cell-noise-larger = les résidus des positions sont de { FIXED($found_um, 1) } um (écart-type), plus que l’incertitude indiquée n’explique ; les incertitudes viennent des résidus
-    .hint = indiquer l’incertitude du robot et de la mesure ensemble
+cell-noise-larger = les résidus des positions sont de { FIXED($found_um, 1) } µm (écart-type), plus que l’incertitude indiquée n’en explique ; les incertitudes sont calculées à partir des résidus
+    .hint = indiquer l’incertitude composée du robot et de la mesure
 
-cell-noise-larger-turned = les résidus des orientations sont de { FIXED($found_deg, 4) } deg (écart-type), plus que l’incertitude indiquée n’explique ; les incertitudes viennent des résidus
-    .hint = indiquer l’incertitude du robot et de la mesure ensemble
+cell-noise-larger-turned = les résidus des orientations sont de { FIXED($found_deg, 4) } deg (écart-type), plus que l’incertitude indiquée n’en explique ; les incertitudes sont calculées à partir des résidus
+    .hint = indiquer l’incertitude composée du robot et de la mesure
 
 cell-no-uncertainty = l’incertitude est inconnue : les lectures n’ont pas de redondance, et aucune incertitude n’est indiquée
     .hint = prendre plus de lectures, ou indiquer `--standard-uncertainty-um`
@@ -1322,16 +1326,16 @@ cell-columns-unused = { $count ->
     } par `{ $solve }`
     .hint = `etalon cell --help` énumère les colonnes de chaque problème
 
-cell-refuted = les résidus des positions sont de { FIXED($found_mm, 3) } mm (écart-type), plus que n’explique toute incertitude plausible : le résultat est réfuté
+cell-refuted = les résidus des positions sont de { FIXED($found_mm, 3) } mm (écart-type), qu’aucune incertitude plausible n’explique : le résultat est réfuté
     .hint = vérifier les colonnes, les signes, les unités et l’ordre des lignes
 
-cell-refuted-turned = les résidus des orientations sont de { FIXED($found_deg, 2) } deg (écart-type), plus que n’explique toute incertitude plausible : le résultat est réfuté
+cell-refuted-turned = les résidus des orientations sont de { FIXED($found_deg, 2) } deg (écart-type), qu’aucune incertitude plausible n’explique : le résultat est réfuté
     .hint = vérifier les colonnes, les signes, les unités et l’ordre des lignes
 
-cell-data-withheld = les données pour { $maker } ne sont pas écrites : le résultat ne doit pas être chargé
-    .hint = corriger ce que nomment les erreurs ; `--force` écrit les données
+cell-data-withheld = les données pour { $maker } ne sont pas écrites : le résultat ne doit pas être chargé
+    .hint = corriger ce qu’indiquent les erreurs ; `--force` écrit les données
 
-cell-unit-large = la bride est à { FIXED($distance_m, 1) } m de la base, et l’outil mesure { FIXED($tool_m, 1) } m : les positions sont probablement en millimètres
+cell-unit-large = la bride est à { FIXED($distance_m, 1) } m de la base, et l’outil mesure { FIXED($tool_m, 1) } m : les positions sont probablement en millimètres
     .hint = utiliser `flange_x_mm`, `flange_y_mm`, `flange_z_mm` pour des millimètres
 
 cell-unit = toutes les positions de la bride sont à moins de { FIXED($distance_mm, 3) } mm de la base, et l’outil mesure moins de 2 mm : les positions sont probablement en mètres
@@ -1361,9 +1365,9 @@ cell-change-order = les angles { $side ->
 cell-change-vector = les angles { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
-    } sont un vecteur rotation
+    } sont un vecteur de rotation
 
-cell-change-angles = les vecteurs rotation { $side ->
+cell-change-angles = les vecteurs de rotation { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
     } sont des angles dans l’ordre « { $order } »
@@ -1396,13 +1400,13 @@ cell-change-axes = { $first } et { $second } des positions { $side ->
 cell-change-sign = { $axis } des positions { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
-    } a l’autre signe
+    } a le signe opposé
 
-cell-change-measured-mirrored = deux coordonnées des points mesurés sont échangées, ou l’une a l’autre signe
+cell-change-measured-mirrored = deux coordonnées des points mesurés sont échangées, ou l’une d’elles a le signe opposé
 
 cell-change-scale = les points mesurés sont multipliés par { $factor }
 
-cell-change-mirrored = les points connus sont en miroir (deux coordonnées sont échangées, ou l’une a l’autre signe)
+cell-change-mirrored = les points connus sont inversés par symétrie (deux coordonnées sont échangées, ou l’une d’elles a le signe opposé)
 
 cell-change-exchanged = les points des lignes { $first } et { $second } sont échangés
 
@@ -1411,16 +1415,16 @@ field-refused = pas de champ résiduel : { $reason }
 tilt-of-base-or-joint = { $stated ->
         [pedestal] le basculement de la base (`pedestal`) peut être celui de l’articulation `{ $joint }` en travers de son axe (`lateral`)
        *[lateral] le basculement de l’articulation `{ $joint }` en travers de son axe (`lateral`) peut être celui de la base (`pedestal`)
-    } : le khi carré est de { FIXED($chi_square, 1) } avec le premier et de { FIXED($of_other, 1) } avec le second
-    .hint = prendre les paramètres comme le basculement de la base et de la première articulation ensemble
+    } : le khi-deux est de { FIXED($chi_square, 1) } avec le premier et de { FIXED($of_other, 1) } avec le second
+    .hint = considérer les paramètres comme le basculement de la base et de la première articulation ensemble
 
 field-follows-order = le champ résiduel dépend de `{ $joint }`, dont les valeurs suivent l’ordre des poses (corrélation de rang { FIXED($correlation, 2) }) : une dérive du montage aurait le même effet
     .hint = juger le champ par `etalon validate --field` à des poses dans un autre ordre
 
-poses-beyond-field = { $count } des { $total } poses sont au-delà du champ résiduel, où il s’éteint
+poses-beyond-field = { $count } poses sur { $total } sont au-delà du champ résiduel, là où il décroît vers zéro
     .hint = mesurer des poses d’étalonnage dans cette région
 
-field-parameters-wrong = l’identification signale une erreur, qu’un champ cacherait
+field-parameters-wrong = l’identification signale une erreur, qu’un champ masquerait
 
 uncertainty-beyond-bound = { $component } : U = { $expanded }{ $unit ->
     [1] {""}
@@ -1435,43 +1439,43 @@ uncertainty-beyond-bound = { $component } : U = { $expanded }{ $unit ->
     [stated] {""}
    *[default] { " " }(par défaut, pour une étendue mesurée de { $extent_mm } mm)
 } : { $cause }
-uncertainty-bound-unreadable = « { $text } » n’est pas une limite d’incertitude : une longueur, un angle, ou les deux, avec leurs unités, sont attendus
-    .hint = par exemple « 0.5 mm, 0.1 deg »
-bound-position = position { $axis } de « { $name } »
-bound-rotation = rotation de « { $name } » autour de { $axis }
+uncertainty-bound-unreadable = `{ $text }` n’est pas une limite d’incertitude : une longueur, un angle, ou les deux, avec leurs unités, sont attendus
+    .hint = par exemple `0.5 mm, 0.1 deg`
+bound-position = position { $axis } de `{ $name }`
+bound-rotation = rotation de `{ $name }` autour de { $axis }
 bound-direction = composante { $axis } de la direction de l’axe
 bound-ratio = rapport de l’axe
-bound-axis-direction = direction de l’axe de « { $joint } »
-bound-axis-point = position de l’axe de « { $joint } »
+bound-axis-direction = direction de l’axe de `{ $joint }`
+bound-axis-point = position de l’axe de `{ $joint }`
 bound-parameter = { $parameter }
-bound-open-rotation = les lectures ne montrent guère la rotation autour de la direction { $direction }
-bound-open-translation = les lectures ne montrent guère la position le long de { $direction }
-bound-open-combination = les lectures ne montrent guère la combinaison de { $names }
-bound-open-alone = les lectures ne la montrent guère
+bound-open-rotation = les lectures ne déterminent guère la rotation autour de la direction { $direction }
+bound-open-translation = les lectures ne déterminent guère la position le long de { $direction }
+bound-open-combination = les lectures ne déterminent guère la combinaison de { $names }
+bound-open-alone = les lectures ne déterminent guère cette composante
 bound-remedy = { $case ->
-    [tool] touchez le point avec des orientations qui diffèrent de 30° ou plus autour de deux axes de la bride
-    [poses] ajoutez des poses dont les orientations diffèrent de 30° ou plus autour de deux axes, dans une région plus grande
-    [points] mesurez des points plus éloignés les uns des autres, et de la droite qui passe par les autres
-    [travel] mesurez sur une course plus longue
-    [turn] mesurez une cible plus éloignée de l’axe, sur un arc plus grand
-    [base] mesurez dans une région plus grande, et des points du référentiel atelier plus éloignés, hors d’une même droite
-    [region] étalonnez avec des poses dans la région de ces cibles
-   *[robot] mesurez des poses où les paramètres nommés agissent différemment, ou fixez-les
+    [tool] toucher le point avec des orientations qui diffèrent de 30 deg ou plus autour de deux axes de la bride
+    [poses] ajouter des poses dont les orientations diffèrent de 30 deg ou plus autour de deux axes, dans une région plus grande
+    [points] mesurer des points plus éloignés les uns des autres, et plus éloignés de la droite qui passe par les autres
+    [travel] mesurer sur une course plus longue
+    [turn] mesurer une cible plus éloignée de l’axe, sur un arc plus grand
+    [base] mesurer dans une région plus grande, et mesurer des points du repère atelier plus éloignés les uns des autres et non alignés
+    [region] étalonner avec des poses dans la région de ces cibles
+   *[robot] mesurer des poses où les paramètres nommés agissent différemment, ou fixer ces paramètres
 } ; ou indiquez une limite plus grande
 
 encoder-implausible = { $count ->
     [one] un gain ou un zéro d’une articulation rotoïde s’écarte
    *[other] { $count } gains ou zéros d’articulations rotoïdes s’écartent
 } de la valeur nominale plus que codeurs et prise d’origine ne le permettent : { $parameters }
-    .hint = vérifiez la colonne de l’articulation dans le journal, son rapport de réduction et sa prise d’origine ; si la valeur est réelle, indiquez sa `tolerance` dans robot.toml
-value-beyond-encoder = « { $parameter } » = { FIXED($value, 5) }{ $unit ->
+    .hint = vérifier la colonne de l’articulation dans le journal, son rapport de réduction et sa prise d’origine ; si la valeur est réelle, indiquer sa `tolerance` dans robot.toml
+value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
     [deg] {" "}deg
    *[other] {""}
 } (nominal { FIXED($nominal, 5) }, écart de { $times } u)
 
-changes-undetected = les poses choisies ne détectent pas { $count ->
+changes-undetected = les poses choisies ne décèlent pas { $count ->
     [one] un changement
    *[other] { $count } changements
 } dans la limite : { $changes }
-    .hint = choisissez plus de poses (`--positions`), proposez des candidates dans une région plus grande, ou indiquez une limite plus grande
+    .hint = choisir plus de poses (`--positions`), proposer des poses candidates dans une région plus grande, ou indiquer une limite plus grande
 change-beyond-bound = { $name } : { $change } { $unit }, limite { $bound } { $unit }
