@@ -114,7 +114,7 @@ velocity-too-few-points = vitesse de trajectoire : moins de trois points comman
 
 too-few-of = { $of } : { $sets }
     .expected = au moins { $least }
-    .hint = mesurer les éléments manquants
+    .hint = compléter les mesures
 
 sets-of-cycles = { $count ->
         [one] { $count } série de cycles
@@ -143,12 +143,12 @@ robot-without-pose = interchangeabilité : le robot `{ $robot }` n’a pas atte
     .expected = chaque robot à chaque pose
 
 visits-read-once = répétabilité sans bruit : aucun positionnement n’a deux lectures
-    .hint = faire plusieurs lectures à chaque positionnement : elles révèlent le bruit de l’instrument
+    .hint = faire plusieurs lectures à chaque positionnement : elles déterminent le bruit de l’instrument
 
 coplanar-poses-on-line = coplanéité : trois des quatre positions moyennes sont alignées
     .hint = indiquer quatre poses qui définissent un plan
 
-distance-counts-differ = distance : { $first } et { $second } positions
+distance-counts-differ = distance : les deux poses ont { $first } et { $second } positions
     .expected = les deux poses dans les mêmes cycles
 
 force-not-positive = compliance statique : une force n’est pas positive
