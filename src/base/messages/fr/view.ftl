@@ -66,7 +66,7 @@ view-reason-missing = la modification n’a pas de motif
     .hint = écrire pourquoi la campagne est modifiée
 
 view-nothing-asked = aucune modification n’a été demandée
-    .hint = écarter une pose ou une cible, fixer ou libérer un paramètre, ou indiquer une autre limite
+    .hint = exclure une pose ou une cible, fixer ou libérer un paramètre, ou indiquer une autre limite
 
 view-campaign-not-editable = la page ne peut pas modifier `{ $key }` dans campaign.toml
     .hint = modifier campaign.toml à la main, par exemple avec [identify] comme section propre
@@ -86,10 +86,10 @@ watch-disagrees = la pose { $pose } est en désaccord : { FIXED($error_um, 0) }
 watch-labels-exchanged = la pose { $pose } convient si `{ $first }` et `{ $second }` sont échangées
     .hint = corriger les étiquettes dans le système de mesure, ou mesurer la pose à nouveau
 
-watch-joints-of-other-pose = la pose { $pose } convient aux valeurs articulaires de la pose { $other }
+watch-joints-of-other-pose = la pose { $pose } convient avec les valeurs articulaires de la pose { $other }
     .hint = vérifier quand le contrôleur écrit le journal : il est peut-être en retard
 
-watch-target-missing = à la pose { $pose } manque { $targets }
+watch-target-missing = il manque { $targets } à la pose { $pose }
     .hint = tourner la cible vers l’instrument et mesurer la pose à nouveau
 
 view-opened = page : { $url }
