@@ -25,7 +25,7 @@ environment-missing = la variable d’environnement `{ $name }` n’est pas déf
 path-outside = `{ $file }` sort du dossier de la campagne
     .expected = un chemin dans le dossier de la campagne, ou qui commence par `$NAME/`
 
-no-target = un robot tridimensionnel a besoin d’au moins une cible
+no-target = un robot tridimensionnel exige au moins une cible
     .hint = indiquer les cibles dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
 
 target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres porteraient le nom de ceux de la base du robot
@@ -46,7 +46,7 @@ leg-count = un hexapode a six jambes, le fichier en indique { $count }
 hexapod-singular = l’hexapode est singulier à sa pose d’origine : les six longueurs de jambe n’y déterminent pas sa pose
     .hint = vérifier `base_mm` et `platform_mm`, ou indiquer une autre pose d’origine
 
-no-joints = un bras série a besoin de ses articulations
+no-joints = un bras série exige ses articulations
     .hint = ajouter un [[joint]] avec alpha_deg, a_mm, theta_deg, d_mm par articulation, depuis la base
 
 gravity-without-direction = `gravity` n’a pas de direction
