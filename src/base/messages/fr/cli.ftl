@@ -75,7 +75,7 @@ program-frame-other = le programme indique { $frame }, et --{ $option } indique 
 program-in-world = les cibles d’un programme ne peuvent pas être dans le repère atelier
     .hint = utiliser --object
 
-counts-missing = `galil` a besoin du nombre d’impulsions par mm ou par deg de { $axes } axes
+counts-missing = `galil` exige le nombre d’impulsions par mm ou par deg de { $axes } axes
     .hint = indiquer --counts-per-unit N,N
 
 joints-in-world = les valeurs articulaires n’ont pas de repère
@@ -217,7 +217,7 @@ excluded-rows = { $count ->
 controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : le fichier suppose leurs valeurs nominales, et son erreur n’a pas été mesurée
     .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie ; paramètres recommandés : `etalon export CAMPAIGN --parameters recommended`
 
-from-needs-robot = --from a besoin du robot
+from-needs-robot = --from exige le robot
     .hint = l’indiquer : --robot ur5e, --robot robot.toml pour votre propre fichier, ou --urdf FICHIER
 
 two-files-of-one-name = deux fichiers s’appellent `{ $name }`
@@ -484,7 +484,7 @@ plan-side = côté { $side } mm, plan d’essai { $plane }
 converted-by = converti par etalon robot convert
 convert-base-of-table = base du tableau dans le repère de la base du robot : xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 convert-flange-of-table = bride du robot dans la bride du tableau : xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
-from-other-joints = le fichier a { $columns } colonnes d’articulations, et le robot { $joints } articulations : omettre celles qu’il n’a pas
+from-other-joints = le fichier a { $columns } colonnes d’articulations, et le robot { $joints } articulations : omettre les articulations que le robot n’a pas
 from-joints-in-order = les articulations sont celles de robot.toml dans l’ordre du fichier
 from-unit-of-joints = remplacer UNIT par deg, rad, mm, m ou um : le fichier ne l’indique pas
 
