@@ -98,7 +98,7 @@ positions-not-measured = le format `{ $format }` exige des positions mesurées, 
 
 recording-failed = l’enregistrement ne peut pas être écrit : { $reason }
 
-robot-missing = ce format a besoin du modèle du robot
+robot-missing = ce format exige le modèle du robot
     .hint = indiquer le robot.toml : `--robot FICHIER`
 
 robot-parameter-missing = le robot n’a pas de paramètre `{ $parameter }`
