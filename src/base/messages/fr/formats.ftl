@@ -12,7 +12,7 @@ column-group-incomplete = `columns` ne mentionne qu’une partie de { $names }
     .hint = indiquer toutes ces colonnes, ou aucune
 
 header-without-words = `header` est vide, un mot de la ligne avant les données est attendu
-key-needs-columns = `{ $key }` a besoin des colonnes { $columns }
+key-needs-columns = `{ $key }` exige les colonnes { $columns }
     .hint = indiquer ces colonnes dans `columns`, ou supprimer `{ $key }`
 
 coverage-factor-missing = des incertitudes élargies exigent leur facteur d’élargissement `coverage_factor`
@@ -56,7 +56,7 @@ column-role-twice = `columns` mentionne `{ $role }` deux fois
 coordinates-of-two-kinds = `columns` mentionne à la fois des coordonnées de type fixe et c1, c2, c3
     .expected = soit x, y, z ou des angles et des distances, soit c1, c2, c3
 
-row-types-missing = les colonnes c1, c2, c3 ont besoin d’une colonne `type` et de la clé `types`
+row-types-missing = les colonnes c1, c2, c3 exigent une colonne `type` et de la clé `types`
     .hint = par exemple `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
 
 row-type-incomplete = `{ $key }` n’indique pas la signification de c1, c2 et c3
@@ -224,7 +224,7 @@ heading-repeated = l’en-tête a { $times ->
     .expected = `occurrence` de 1 à { $times }
     .hint = indiquer laquelle : `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
 
-log-row-needs-values = relire le journal du contrôleur, ou supprimer la ligne : chaque ligne a besoin de ses valeurs
+log-row-needs-values = relire le journal du contrôleur, ou supprimer la ligne : chaque ligne doit avoir ses valeurs
 
 assembly-mode-invalid = le mode d’assemblage est { $value }
     .expected = 1 ou -1
@@ -233,7 +233,7 @@ assembly-mode-invalid = le mode d’assemblage est { $value }
 standstill-missing = le robot du journal `{ $log }` n’est jamais à l’arrêt pendant { $at_least_s } s
     .hint = son plus long arrêt dans les limites dure { FIXED($longest_s, 3) } s : vérifier `at_least_s` et les limites
 
-standstill-time-missing = [log.standstill] a besoin de l’instant de chaque ligne
+standstill-time-missing = [log.standstill] exige l’instant de chaque ligne
     .hint = indiquer `time_s`, `time_ms` ou `time_ns` dans `columns`, ou `period_s`
 
 standstill-limit-missing = [log.standstill] n’a pas de limite pour `{ $column }`
