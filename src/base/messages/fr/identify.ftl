@@ -64,7 +64,7 @@ solver-ended = { $termination ->
 
 readings-contradict = la plupart des lectures concordent, mais non celles de { $poses }{ $count ->
         [0] {""}
-       *[other] {" "}: les valeurs articulaires des poses { $pairs } sont échangées
+       *[other] {" "}: les valeurs articulaires des poses { $pairs } sont interverties
     }
 
 named-poses = { $count ->
@@ -108,7 +108,7 @@ covariance-not-positive-definite = la covariance des paramètres n’est pas dé
 no-redundant-observations = il y a autant d’équations que de paramètres : l’incertitude des paramètres est inconnue
     .hint = mesurer plus de poses, ou indiquer l’incertitude de l’instrument
 
-pose-residuals-correlated = les résidus d’une même pose sont corrélés : les incertitudes-types sont estimées d’après la dispersion des poses et valent { FIXED($ratio, 1) } fois celles que donne l’instrument
+pose-residuals-correlated = les résidus d’une même pose sont corrélés : les incertitudes-types sont estimées d’après la dispersion des poses et valent { FIXED($ratio, 1) } fois les incertitudes-types données par l’instrument
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’instrument a des erreurs communes aux lectures d’une pose
 
 series-not-estimated = les incertitudes ne contiennent pas la dispersion entre séries : moins de huit poses, ou des mesures communes à plusieurs poses
@@ -120,7 +120,7 @@ residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l�
         [poses] estimées d’après la dispersion des poses
         [regions] estimées d’après la dispersion des régions de l’espace de travail
        *[residuals] majorées, comme si les résidus d’une même pose étaient indépendants
-    } ({ FIXED($inflation, 1) } fois celles que donne l’instrument, en médiane)
+    } ({ FIXED($inflation, 1) } fois les valeurs données par l’instrument, en médiane)
     .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
 parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et sont fixés à leur valeur nominale : { $parameters }
@@ -151,16 +151,16 @@ nominal-robot-not-at-joints = le robot nominal n’a pas de pose à ces valeurs 
 placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, l’étendue des points mesurés est de { FIXED($spread_mm, 1) } mm
     .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, les paramètres fixés de la base et des cibles, et les paramètres nominaux du robot
 
-reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport à celles jusqu’à la pose { $previous } : le décalage explique { FIXED($share_percent, 0) } % des résidus
+reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport aux positions mesurées jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
     .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément ou mesurer de nouveau
 
 target-shifted = à partir de la pose { $pose }, la cible `{ $target }` est décalée de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm dans le repère de la bride) par rapport à la position qu’elle avait jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
     .hint = la cible a bougé sur son support : lui donner un autre nom à partir de cette pose, ou mesurer de nouveau
 
 poses-exchanged = { $count ->
-        [one] les valeurs articulaires des poses { $pairs } sont échangées
-       *[other] les valeurs articulaires de { $count } paires de poses sont échangées : { $pairs }
-    } : une fois échangées, elles ne sont plus aberrantes
+        [one] les valeurs articulaires des poses { $pairs } sont interverties
+       *[other] les valeurs articulaires de { $count } paires de poses sont interverties : { $pairs }
+    } : une fois remises en ordre, elles ne sont plus aberrantes
     .hint = vérifier l’ordre des lignes du journal et les noms des poses
 
 set-up-contradicted = les mesures contredisent le montage déclaré
@@ -227,7 +227,7 @@ geometric-step-alone = { $step ->
         [shaft] l’arbre nécessite l’arc de la bille N
        *[offsets] le déplacement de l’actionneur 1 nécessite l’arc de la bille N, la plate-forme tournée et l’arbre
     }
-    .hint = mesurer les étapes manquantes, ou omettre celle-ci
+    .hint = mesurer les étapes manquantes, ou omettre cette étape
 
 geometry-incomplete = la géométrie complète nécessite l’arc de la bille N, la plate-forme tournée, l’arbre dans deux positions et un déplacement de l’actionneur 1
     .expected = au moins une répétition de chaque étape
