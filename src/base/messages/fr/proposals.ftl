@@ -5,7 +5,7 @@ ask-angle-unit = l’unité des angles : `angle_unit` dans `format`
 ask-joint-states = à quelle articulation du robot correspond chaque colonne ; JointState est en rad pour les articulations rotoïdes, en m pour les prismatiques : écrire `q1_m` pour une articulation prismatique
 ask-joints = à quelle articulation correspond chaque colonne, et son unité
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
-ask-log-of-format = s’il s’agit de ceci : { $what } (`[log]` avec `format = "{ $format }"`)
+ask-log-of-format = si le fichier est de ce type : { $what } (`[log]` avec `format = "{ $format }"`)
 ask-number-with-gaps = si { $column } est le numéro de la pose, comme proposé : il passe de { $before } à { $after }, le numéro de la ligne en est donc un autre
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
 ask-points-in-row = si les { $numbers } nombres d’une ligne sont { $count } points de trois coordonnées, comme proposé : rien ne les nomme
@@ -28,13 +28,13 @@ because-columns = { $read } lignes sur { $rows } contiennent des nombres, dans {
         [one] 1 colonne
        *[other] { $columns } colonnes
     }
-because-columns-of = ses colonnes sont celles de : { $what }
+because-columns-of = ses colonnes correspondent à : { $what }
 because-comments = les lignes qui commencent par `{ $comment }` sont des commentaires
 because-decimal-marks = { $fractions } nombres sur { $numbers } ont le séparateur décimal `{ $mark }`
 because-end = la dernière ligne est le mot `{ $end }`
 because-fields = { $read } lignes sur { $rows } ont { $fields } champs séparés par `{ $delimiter }`
-because-it-is = il s’agit de ceci : { $what }
-because-joints-named = les articulations portent les noms de celles du robot
+because-it-is = type reconnu : { $what }
+because-joints-named = les articulations portent les noms des articulations du robot
 because-line = la ligne { $line } { $is ->
         [header] indique le nom des colonnes
        *[last] est la dernière avant les données
@@ -60,7 +60,7 @@ doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
         [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     }
-doubt-controller-pose = les coordonnées de `{ $body }` sont peut-être celles que calcule le contrôleur : un instrument mesure une cible
+doubt-controller-pose = les coordonnées de `{ $body }` sont peut-être calculées par le contrôleur : un instrument mesure une cible
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
 doubt-decimal-mark = aucun nombre n’a de séparateur décimal : `{ $mark }` est supposé
@@ -77,7 +77,7 @@ doubt-more-problems = et { $count ->
     } de ce genre
 doubt-one-row = une ligne de { $count } nombres sans en-têtes : un programme a écrit un tableau sur une ligne, et rien ne montre son découpage
 doubt-order-of-joints = les articulations ne suivent aucun ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
-doubt-orientation-of-body = l’orientation `{ $body }` est prise pour celle du point mesuré : ses en-têtes nomment un autre corps
+doubt-orientation-of-body = l’orientation `{ $body }` est prise pour l’orientation du point mesuré : ses en-têtes nomment un autre corps
 doubt-origin = ligne { $line } : 0 0 0, considéré comme « non mesuré » sauf indication contraire de `missing`
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 colonne
