@@ -280,7 +280,7 @@ controlled-by = contrôlée par
 controller = contrôleur
 controller-files = Fichiers pour le contrôleur
 convention-angles = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : { $order }
-convention-angles-not-drift-compensated = la dérive des positions est corrigée par les cibles de référence, celle des angles ne l’est pas
+convention-angles-not-drift-compensated = la dérive des positions est corrigée par les cibles de référence, la dérive des angles ne l’est pas
 convention-angles-of-motion = les angles { $angles } sont rendus continus le long du mouvement et traités séparément
 convention-angles-of-unknown-order = les angles a, b, c sont rendus continus et traités séparément ; ordre des rotations : non indiqué
 convention-ap-interval = AP : intervalle de la différence, obtenu à partir des deux intervalles (MOVER, Zou & Donner 2008)
@@ -1025,7 +1025,7 @@ preconditions-column = Conditions préalables
 predicted-target-uncertainty = incertitude prédite des positions des cibles aux poses candidates (k = 1)
 predicted-u = u prédite (k = 1)
 predicted-uncertainty-title = Incertitude prédite des paramètres
-prediction-behind = Là où des cellules se superposent, celle de plus grande valeur est tracée.
+prediction-behind = Là où des cellules se superposent, la cellule de plus grande valeur est tracée.
 prediction-description = Une cellule tous les { $spacing } mm dans le repère de la base, dans la région des poses d’étalonnage. Couleur de 0 à { $colour }, même échelle pour les deux figures ; plus grande valeur { $largest }.
 prediction-difference-title = Point d’outil : modèle nominal moins modèle identifié, plan { $plane }
 prediction-expected-title = Point d’outil : erreur attendue avec les paramètres identifiés, plan { $plane }
@@ -1388,7 +1388,7 @@ target-named = la cible { $target }
 targets-as-measured = cibles mesurées
 targets-from-their-places = distance des cibles à leurs positions de référence
 targets-in-world = cibles dans le repère atelier
-targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance). U est celle des autres lectures.
+targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance). La valeur de U est celle des autres lectures.
 temperature = température
 temperature-range = de { $lowest } °C à { $highest } °C dans les exports
 test-certificate = Certificat d’essai
