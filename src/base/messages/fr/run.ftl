@@ -188,7 +188,7 @@ input-changed = `{ $file }` a changé pendant l’exécution de la campagne
 identify-missing = la campagne n’a pas de section [identify], qui désigne les poses sur lesquelles juger les paramètres
     .hint = indiquer `calibration` et `validation` dans [identify]
 
-clock-rate-without-offset = `clock_rate` a besoin de `clock_offset_s` avec le même mot : `standstills` ou `motion`
+clock-rate-without-offset = `clock_rate` exige `clock_offset_s` avec le même mot : `standstills` ou `motion`
     .hint = indiquer `clock_offset_s` avec le même mot, ou omettre `clock_rate`
 
 label-form-missing = les étiquettes de `{ $file }` mentionnent des cibles, mais la forme des étiquettes n’est pas indiquée
