@@ -79,7 +79,7 @@ selftest-files-written = tous les fichiers sont écrits
 selftest-nist-sets = { $name } : plus grand écart dans { $count } jeux de données
 
 selftest-wrong-digit = chiffre faux : chiffre significatif { $digit } de `{ $place }`
-selftest-swapped = échangés : `{ $first }` et `{ $second }`
+selftest-swapped = intervertis : `{ $first }` et `{ $second }`
 selftest-wrong-unit = unité fausse : `{ $place }` fois { SCIENTIFIC($factor, 3) }
 
 selftest-other-version = le document conservé est d’etalon { $before }, le programme est etalon { $after }
