@@ -5,13 +5,13 @@ rigid-distance-off = la distance { $first }-{ $second } est { $side ->
        *[longer] plus longue
     } de { FIXED($off_mm, 3) } mm que sa médiane (tolérance { $limit_mm } mm)
 
-rigid-targets-exchanged = les distances concordent si `{ $first }` et `{ $second }` sont échangées
+rigid-targets-exchanged = les distances concordent si `{ $first }` et `{ $second }` sont interverties
 
 rigid-target-refused = [[rigid]] rejette { $rows ->
         [one] la seule ligne
        *[other] toutes les { $rows } lignes
     } de `{ $target }`, la première dans `{ $file }`, ligne { $line } : { $reason }
-    .hint = corriger les étiquettes échangées ou `tolerance_mm`, ou retirer la cible de [[rigid]]
+    .hint = corriger les étiquettes interverties ou `tolerance_mm`, ou retirer la cible de [[rigid]]
 
 rigid-point-coincides = { $message } ; le point coïncide avec `{ $other }`
 
@@ -642,7 +642,7 @@ nothing-to-judge = aucune observation n’est une position, une distance ou un c
     .hint = les paramètres sont jugés d’après des erreurs de position : mesurer des positions, des distances ou des contacts
 
 validation-repeats-calibration = la validation répète l’étalonnage : la distance médiane d’une pose de validation à la pose d’étalonnage la plus proche vaut { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
-    .hint = ailleurs, l’erreur du robot peut être plus grande : valider à des poses situées entre celles de l’étalonnage
+    .hint = ailleurs, l’erreur du robot peut être plus grande : valider à des poses situées entre les poses d’étalonnage
 
 validation-far = la validation est loin de l’étalonnage : la distance médiane d’une pose de validation à la pose d’étalonnage la plus proche vaut { FIXED($median, 2) } fois l’espacement des poses d’étalonnage ; limite { $limit }
     .hint = étalonner à des poses réparties dans tout l’espace de travail utilisé
@@ -997,7 +997,7 @@ load-columns-slip = les centres de masse indiqués contredisent les mesures ({ F
     }
     .hint = comparer les colonnes de la charge avec sa fiche technique : axes de la bride, signes, unité
 
-load-change-exchanged = `{ $first }` et `{ $second }` sont échangés
+load-change-exchanged = `{ $first }` et `{ $second }` sont intervertis
 
 load-change-sign = `{ $column }` a le signe opposé
 
@@ -1011,7 +1011,7 @@ torque-constant = le couple de l’articulation `{ $joint }` vaut { FIXED($value
 torque-signs-differ = la flexion identifiée sous les couples est positive pour { $positive } et négative pour { $negative } : certaines articulations cèdent dans le sens du couple indiqué, d’autres en sens inverse
     .hint = vérifier le signe et l’ordre des colonnes de couples
 
-torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $second }` échangés, mais non tels qu’ils sont indiqués
+torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $second }` intervertis, mais non tels qu’ils sont indiqués
     .hint = vérifier à quelle articulation appartient chaque colonne de couples
 
 temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : la dilatation et la dérive ne sont pas déterminables et sont fixées ; longueurs et zéros sont ceux de cette température
@@ -1143,8 +1143,8 @@ sweep-starts-apart = les balayages de `{ $first }` et `{ $second }` commencent �
 sweep-target-unswept = une cible des poses de contrôle n’est dans aucun balayage : robot.toml n’est pas écrit
     .hint = aux poses de contrôle, utiliser des cibles des balayages
 
-sweeps-exchanged = `{ $first }` et `{ $second }` sont permutées : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations permutées
-    .hint = permuter leurs noms dans la colonne `joint` et dans les en-têtes
+sweeps-exchanged = `{ $first }` et `{ $second }` sont interverties : les positions diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) avec les articulations telles qu’indiquées, et de { FIXED($left_mm, 3) } mm une fois les articulations interverties
+    .hint = intervertir leurs noms dans la colonne `joint` et dans les en-têtes
 
 sweep-reversed = `{ $joint }` a été balayée dans le sens négatif : les poses de contrôle diffèrent de { FIXED($stated_mm, 3) } mm (moyenne quadratique) avec le sens indiqué, et de { FIXED($left_mm, 3) } mm avec le sens opposé
     .hint = l’indiquer : --backwards { $joint }
@@ -1270,7 +1270,7 @@ cell-axis-missing = les valeurs de l’axe manquent dans le tableau
 cell-no-controller-data = `{ $maker }` n’a pas de données pour le résultat de `{ $solve }`
     .hint = prendre les nombres dans le texte ou dans `--json`, ou choisir un autre format
 
-cell-second-axis-missing = `{ $maker }` a besoin de deux axes rotatifs : un le long de { $axis } de la machine, un le long de z
+cell-second-axis-missing = `{ $maker }` exige deux axes rotatifs : un le long de { $axis } de la machine, un le long de z
     .hint = indiquer le résultat de l’autre axe par `--with FICHIER` (JSON de `etalon cell --solve rotary-axis`)
 
 cell-axis-direction = un axe rotatif est à { FIXED($angle_deg, 2) } deg de l’axe { $axis } de la machine, autour duquel tourne `{ $maker }`
@@ -1283,7 +1283,7 @@ cell-axis-sense = { $sense ->
     }
     .hint = inverser le signe de l’axe dans sa configuration, et mesurer à nouveau
 
-cell-tool-length-missing = `{ $maker }` a besoin de la longueur de l’outil au bout duquel se trouve la première cible
+cell-tool-length-missing = `{ $maker }` exige la longueur de l’outil au bout duquel se trouve la première cible
     .hint = indiquer `--tool-length-mm`, 0 pour une cible au plan de jauge
 
 cell-pivot-above = l’outil ({ FIXED($tool_mm, 3) } mm) est plus long que la distance de l’axe à la première cible située dessous ({ FIXED($along_mm, 3) } mm, axe à zéro)
@@ -1395,20 +1395,20 @@ cell-change-unit = les positions { $side ->
 cell-change-axes = { $first } et { $second } des positions { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
-    } sont échangés
+    } sont intervertis
 
 cell-change-sign = { $axis } des positions { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
     } a le signe opposé
 
-cell-change-measured-mirrored = deux coordonnées des points mesurés sont échangées, ou l’une d’elles a le signe opposé
+cell-change-measured-mirrored = deux coordonnées des points mesurés sont interverties, ou l’une d’elles a le signe opposé
 
 cell-change-scale = les points mesurés sont multipliés par { $factor }
 
-cell-change-mirrored = les points connus sont inversés par symétrie (deux coordonnées sont échangées, ou l’une d’elles a le signe opposé)
+cell-change-mirrored = les points connus sont inversés par symétrie (deux coordonnées sont interverties, ou l’une d’elles a le signe opposé)
 
-cell-change-exchanged = les points des lignes { $first } et { $second } sont échangés
+cell-change-exchanged = les points des lignes { $first } et { $second } sont intervertis
 
 field-refused = pas de champ résiduel : { $reason }
 
