@@ -83,7 +83,7 @@ view-browser-not-opened = le navigateur n’a pas pu être ouvert
 watch-disagrees = la pose { $pose } est en désaccord : { FIXED($error_um, 0) } µm à { $target }, au plus { FIXED($expected_um, 0) } µm attendus
     .hint = mesurer la pose à nouveau, vérifier la cible et les valeurs articulaires
 
-watch-labels-exchanged = la pose { $pose } convient si `{ $first }` et `{ $second }` sont échangées
+watch-labels-exchanged = la pose { $pose } convient si `{ $first }` et `{ $second }` sont interverties
     .hint = corriger les étiquettes dans le système de mesure, ou mesurer la pose à nouveau
 
 watch-joints-of-other-pose = la pose { $pose } convient avec les valeurs articulaires de la pose { $other }
