@@ -232,7 +232,7 @@ urdf-chain-chosen = la chaîne de `{ $base }` à `{ $tool }` avec { $count ->
 
 tool-link-longest = la chaîne qui a le plus d’articulations mobiles : les fichiers n’en ont aucune
 tool-link-by-names = les fichiers nomment les articulations de cette chaîne
-tool-link-by-count = les fichiers ont { $count } colonnes d’articulations, et seule cette chaîne en a autant
+tool-link-by-count = les fichiers ont { $count } colonnes d’articulations, et seule cette chaîne a autant d’articulations
 tool-link-by-residual = avec cette chaîne, le robot nominal reproduit les points avec un résidu de { FIXED($rms_mm, 2) } mm, avec toute autre chaîne un résidu au moins trois fois plus grand
 tool-link-shortest = avec cette chaîne, le robot nominal reproduit les points avec un résidu de { FIXED($rms_mm, 2) } mm ; d’autres articulations ne le réduisent pas
 tool-link-moves = les fichiers nomment les articulations de cette chaîne ; les autres articulations qu’ils nomment ne bougent pas
