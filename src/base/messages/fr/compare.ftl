@@ -25,10 +25,10 @@ one-campaign = une comparaison nécessite au moins deux campagnes
 campaign-twice = `{ $folder }` est indiqué deux fois
     .hint = indiquer chaque dossier une fois
 
-robots-differ = robots différents : `{ $first }` a mesuré `{ $first_robot }`, `{ $second }` `{ $second_robot }`
+robots-differ = robots différents : `{ $first }` a mesuré `{ $first_robot }`, `{ $second }` a mesuré `{ $second_robot }`
     .hint = comparer des campagnes d’un même robot ; si le robot est le même, lui donner partout le même `name` dans robot.toml et relancer les campagnes
 
-models-differ = modèles de robot différents : `{ $first }` a identifié `{ $first_model }`, `{ $second }` `{ $second_model }`
+models-differ = modèles de robot différents : `{ $first }` a identifié `{ $first_model }`, `{ $second }` a identifié `{ $second_model }`
     .hint = identifier les deux avec le même modèle
 
 parameters-differ = `{ $first }` et `{ $second }` ont des paramètres différents : { $parameters }
