@@ -6,7 +6,7 @@ action-load-or-compensate = charger `{ $file }`{ $count ->
     } dans votre propre logiciel ; pour un contrôleur à géométrie nominale, corriger ses programmes par `etalon compensate`
 
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
-    .hint = essayer chaque robot séparément ; seule l’interchangeabilité est évaluée sur tous les robots ensemble
+    .hint = soumettre chaque robot séparément à l’essai ; seule l’interchangeabilité est évaluée sur tous les robots ensemble
 
 few-cycles = moins de { $least } cycles { $count ->
         [one] à la pose { $poses }
