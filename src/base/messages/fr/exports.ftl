@@ -386,13 +386,13 @@ characteristic-beyond-count = il n’y a pas de caractéristique { $index } : K
     .hint = exporter de nouveau le fichier : il a été modifié ou assemblé à partir de plusieurs fichiers
 
 value-of-piece-missing = la valeur { $number } de `{ $name }` appartient à la pièce { $piece } : une valeur antérieure manque
-    .hint = exporter les valeurs qui n’ont pas été mesurées avec l’attribut 255 (K0002)
+    .hint = exporter avec l’attribut 255 (K0002) les valeurs qui n’ont pas été mesurées
 
 coordinate-counts-differ = `{ $name }` a { $found ->
         [one] { $found } valeur
        *[other] { $found } valeurs
     } ; une autre coordonnée du point en a { $count }
-    .hint = exporter les valeurs qui n’ont pas été mesurées avec l’attribut 255 (K0002)
+    .hint = exporter avec l’attribut 255 (K0002) les valeurs qui n’ont pas été mesurées
 
 metric-misplaced = `METRIC` est hors des colonnes 11 à 16 : l’unité est ambiguë (inch ou mm)
     .expected = `XYZIJK    METRIC`, ou `XYZIJK` seul pour des pouces
