@@ -196,18 +196,18 @@ why-counts-first = des nombres entiers qui augmentent d’une ligne à l’autre
 why-counts-with-gaps = des entiers croissants, avec des lacunes
 why-dates = chaque cellule est une date ou une heure
 why-difference-heading = son en-tête indique une différence
-why-empty = elle est vide
+why-empty = la colonne est vide
 why-epoch = { $why } ; { $unit } depuis 1970 d’après sa grandeur
 why-fits-without = le robot nominal reproduit les données sans elle
 why-four-of-length-one = les quatre nombres ont la norme 1 à chaque ligne
 why-heading = son en-tête
 why-heading-and-four = son en-tête, et les quatre nombres ont la norme 1 à chaque ligne
 why-heading-and-three = son en-tête, et les trois nombres ont la norme 1 à chaque ligne
-why-heading-increases = son en-tête ; elle augmente à chaque ligne
-why-heading-ordered = son en-tête ; elle ne diminue jamais
-why-heading-unordered = son en-tête, bien qu’elle n’augmente pas
+why-heading-increases = son en-tête ; la colonne augmente à chaque ligne
+why-heading-ordered = son en-tête ; la colonne ne diminue jamais
+why-heading-unordered = son en-tête, bien que la colonne n’augmente pas
 why-in-unit = { $why }, en { $unit }
-why-increases = elle augmente à chaque ligne, les autres non
+why-increases = cette colonne augmente à chaque ligne, les autres n’augmentent pas
 why-kinematics-fit = la cinématique du robot nominal concorde si cette colonne est en { $unit }{ $way ->
         [reversed] , comptée dans le sens opposé
        *[forward] {""}
