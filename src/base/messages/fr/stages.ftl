@@ -56,7 +56,7 @@ rigid-few-distances = la distance `{ $first }`-`{ $second }` de [[rigid]] ne peu
 exclusion-mixed = une exclusion désigne soit des poses, soit les lignes d’un fichier
     .expected = `poses`, éventuellement avec `cycle` et `target` ; ou `file` et `rows`
 
-exclusion-file-unknown = `{ $file }` n’est pas un export dont on puisse exclure des lignes
+exclusion-file-unknown = `{ $file }` n’est pas un export dont des lignes peuvent être exclues
 
 of-name = `{ $name }` : { $message }
 
@@ -270,7 +270,7 @@ rows-without-point = { $count ->
 target-time-twice = { $count } points de la cible `{ $target }` ont le même instant (lignes { $lines })
     .hint = corriger les instants, ou indiquer la cible de chaque point
 
-log-row-met-twice = la ligne { $row } du journal `{ $log }` est la plus proche de { $count } points de la cible `{ $target }` (lignes { $lines })
+log-row-met-twice = la ligne { $row } du journal `{ $log }` est la ligne la plus proche de { $count } points de la cible `{ $target }` (lignes { $lines })
     .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
 
 clock-offset-none = aucun décalage des horloges ne place tous les points mesurés dans des arrêts du journal : { $count ->
@@ -567,7 +567,7 @@ unplaced = { $kind ->
 validation-leaves-nothing = { $unplaced } : il ne reste aucune lecture redondante pour la validation
     .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer vers `calibration` une pose où elles sont mesurées
 
-placed-by-validation = { $unplaced } ; les statistiques en tiennent compte
+placed-by-validation = { $unplaced } ; les statistiques tiennent compte de cette localisation
     .hint = les mesurer aussi à des poses d’étalonnage, ou déplacer vers `calibration` une pose où elles sont mesurées
 
 placed-by-validation-unjudged = { $unplaced } ; les lectures sans redondance ne sont pas jugées : { $names }
@@ -636,7 +636,7 @@ few-poses-to-leave-out = { $count ->
        *[other] { $count } poses d’étalonnage sont insuffisantes
     } pour en omettre quelques-unes
     .expected = au moins { $least }
-    .hint = en mesurer plus, ou en indiquer plus dans `calibration`
+    .hint = mesurer plus de poses, ou en sélectionner plus dans `calibration`
 
 nothing-to-judge = aucune observation n’est une position, une distance ou un contact
     .hint = les paramètres sont jugés d’après des erreurs de position : mesurer des positions, des distances ou des contacts
@@ -674,7 +674,7 @@ joint-does-not-move = `{ $joint }` ne bouge pas : faute de données, { $count -
     .hint = déplacer `{ $joint }` entre les poses d’étalonnage, ou n’utiliser le robot qu’à cette valeur ; sinon des erreurs allant jusqu’à la tolérance de `{ $first }` subsistent
 
 direction-undetermined = sa direction a une incertitude-type de { FIXED($direction_deg, 0) } deg ; limite { $limit_deg } deg
-    .hint = mesurer des points plus éloignés les uns des autres, non tous alignés
+    .hint = mesurer des points plus éloignés les uns des autres, et non alignés
 
 direction-uncertain = sa direction a une incertitude-type de { FIXED($direction_deg, 2) } deg ; limite { $limit_deg } deg
     .hint = mesurer des points plus éloignés les uns des autres
@@ -688,8 +688,8 @@ frame-few-targets = le repère atelier a { $count ->
     }
     .expected = au moins trois cibles
 
-frame-never-complete = à aucune pose, les cibles { $targets } du repère atelier ne sont toutes mesurées et distinctes
-    .hint = les mesurer toutes, et vérifier leurs étiquettes
+frame-never-complete = aucune pose n’a toutes les cibles { $targets } du repère atelier à des positions distinctes
+    .hint = mesurer toutes ces cibles, et vérifier leurs étiquettes
 
 orientations-twice = le tableau donne deux fois l’orientation : { $first } et { $second }
     .hint = supprimer l’une des deux
@@ -743,12 +743,12 @@ calibrated-targets-missing = il manque { $names } aux paramètres : les observa
     .hint = observer les cibles de l’étalonnage, aux mêmes positions sur la partie mobile
 
 parameters-of-other-robot = les paramètres sont ceux d’un robot `{ $identified }` ; robot.toml décrit un autre robot (`{ $stated }`)
-    .hint = indiquer le robot.toml avec lequel ils ont été identifiés
+    .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés
 
-parameters-lacking = il manque { $names } aux paramètres ; indiquer le robot.toml avec lequel ils ont été identifiés
+parameters-lacking = il manque { $names } aux paramètres ; indiquer le robot.toml avec lequel les paramètres ont été identifiés
 
 parameters-undescribed = les paramètres contiennent { $names }, que robot.toml ne décrit pas
-    .hint = indiquer le robot.toml avec lequel ils ont été identifiés
+    .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés
 
 add-lines = ajouter { $lines } à robot.toml, avant sa première table
 
@@ -813,11 +813,11 @@ table-selection-empty = le tableau `{ $title }` ne contient aucune pose mesurée
     .hint = un tableau montre des poses de `calibration` et `validation`
 
 poses-measured = { $count ->
-        [one] { $count } pose est mesurée et jointe
-       *[other] { $count } poses sont mesurées et jointes
+        [one] { $count } pose est mesurée et jointe au journal
+       *[other] { $count } poses sont mesurées et jointes au journal
     }, de { $first } à { $last }
 
-poses-unmeasured = aucune pose n’est mesurée et jointe
+poses-unmeasured = aucune pose n’est mesurée et jointe au journal
 
 at-pose = pose { $pose } : { $message }
 
