@@ -94,7 +94,7 @@ weave-too-few-turns = balayage : { $turns ->
     .expected = au moins cinq, espacées d’un quart de la course commandée
     .hint = enregistrer un balayage plus long
 
-corner-without-points = écarts aux angles : aucun point commandé sur la moitié d’un côté voisine de l’angle
+corner-without-points = écarts aux angles : la moitié d’un côté adjacente à l’angle ne contient aucun point commandé
     .hint = indiquer plus de points commandés
 
 path-without-reorientation = exactitude de trajectoire lors d’une réorientation : aucun angle commandé ne change
