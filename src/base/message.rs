@@ -659,7 +659,7 @@ mod tests {
             "hint: did you mean `robot`?",
         ];
         assert_eq!(message.to_string(), lines.join("\n"));
-        assert_eq!(message.texts("de").hint.as_deref(), Some("meinten Sie `robot`?"));
+        assert_eq!(message.texts("de").hint.as_deref(), Some("war `robot` gemeint?"));
     }
 
     #[test]

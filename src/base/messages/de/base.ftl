@@ -5,7 +5,7 @@ also-in-lines = { $message }; ebenso in den Zeilen { $second }, { $third } und {
        *[other] { $more } weiteren Zeilen
     }
 
-did-you-mean = meinten Sie `{ $name }`?
+did-you-mean = war `{ $name }` gemeint?
 
 expected-whole-number = ganze Zahl von 0 bis { $most } erwartet
 is-a-folder = es ist ein Ordner
@@ -44,14 +44,14 @@ file-exists = `{ $file }` ist schon vorhanden
     .hint = einen neuen Ordner angeben
 
 lock-foreign = `{ $file }` kann nicht geschrieben werden: `{ $lock }` ist keine Sperrdatei von etalon
-    .expected = eine gewöhnliche Datei mit nur einem Namen
-    .hint = sie entfernen: etalon braucht diesen Namen, während es schreibt
+    .expected = eine gewöhnliche Datei ohne weitere harte Links
+    .hint = die Datei entfernen: etalon braucht diesen Namen für seine Sperrdatei
 
 output-through-link = `{ $file }` kann nicht geschrieben werden: `{ $link }` ist ein symbolischer Link
-    .expected = ein Ordner oder eine Datei, zu denen kein Link führt
-    .hint = den Link durch einen Ordner ersetzen oder den Ordner selbst angeben
+    .expected = ein Ordner oder eine Datei, deren Pfad keinen symbolischen Link enthält
+    .hint = den Link durch einen Ordner ersetzen oder das Ziel des Links angeben
 
-output-not-a-file = `{ $file }` kann nicht geschrieben werden: ein Gerät, eine Pipe oder ein Socket
+output-not-a-file = `{ $file }` kann nicht geschrieben werden: es ist ein Gerät, eine Pipe oder ein Socket
     .hint = eine gewöhnliche Datei angeben
 
 template-failed = die Vorlage `{ $template }` { $fault ->
@@ -66,7 +66,7 @@ template-too-nested = Zeile { $line } der Vorlage `{ $template }` hat mehr als {
     .hint = den Ausdruck mit `set` zerlegen
 
 template-width = eine Breite von mehr als { $most }
-template-size = ein Text von mehr als { $most_mib } MiB
+template-size = ein Text von mehr als { $most_mib } MiB
 template-instructions = mehr als { $most } Anweisungen
 
 environment-date = die Umgebungsvariable `SOURCE_DATE_EPOCH` ist `{ $value }`
@@ -120,4 +120,4 @@ factor = { $of ->
         }
     }
 product = { $first } × { $second }
-unknown-country = unbekannter Ländercode `{ $code }`, zwei Großbuchstaben nach ISO 3166-1 werden erwartet, wie CA, DE oder GB
+unknown-country = unbekannter Ländercode `{ $code }`, zwei Großbuchstaben nach ISO 3166-1 werden erwartet, zum Beispiel CA, DE oder GB
