@@ -28,7 +28,7 @@ path-outside = `{ $file }` verlässt den Ordner der Kampagne
 no-target = ein räumlicher Roboter braucht mindestens eine Zielmarke
     .hint = die Zielmarken in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
 
-target-called-base = keine Zielmarke kann `base` heißen: ihre Parameter wären die der Roboterbasis
+target-called-base = eine Zielmarke darf nicht `base` heißen: ihre Parameter hätten dieselben Namen wie die Parameter der Roboterbasis
     .hint = der Zielmarke in `label` oder `columns` einen anderen Namen geben
 
 key-not-positive = `{ $key }` muss positiv sein
@@ -38,12 +38,12 @@ joint-key-missing = der Schlüssel `{ $key }` fehlt in `joint`
 
 direction-in-base = eine Richtung in der Basis, zum Beispiel { $example }
 
-keys-state-the-same = { $keys } geben dasselbe an: eine davon weglassen
+keys-state-the-same = { $keys } geben dieselbe Größe an: einen der Schlüssel weglassen
 
 leg-count = ein Hexapod hat sechs Beine, die Datei gibt { $count } an
     .hint = je Bein ein [[leg]] mit base_mm und platform_mm ergänzen
 
-hexapod-singular = der Hexapod ist in seiner Grundstellung singulär: sechs Beinlängen halten ihn dort nicht
+hexapod-singular = der Hexapod ist in seiner Grundstellung singulär: die sechs Beinlängen bestimmen seine Pose dort nicht
     .hint = `base_mm` und `platform_mm` prüfen oder eine andere Grundstellung angeben
 
 no-joints = ein serieller Arm braucht seine Gelenke
@@ -80,13 +80,13 @@ joint-reference-wrong = { $fault ->
         [unknown-name] es gibt kein Gelenk `{ $joint }`
         [slides] Gelenk { $joint } ist ein Schubgelenk: es dreht sich nicht
         [twice] Gelenk { $joint } kommt zweimal vor
-        [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: dieses Verhältnis ist sein Übertragungsfaktor
+        [itself] Gelenk { $joint } ist mit sich selbst gekoppelt: stattdessen seinen Übertragungsfaktor angeben
        *[pair] das Paar { $joint } kommt zweimal vor
     }
     .expected = Gelenke von 1 bis { $count }, jedes einmal
     .hint = die Gelenke sind { $joints }
 
-urdf-joint-kind = Gelenk `{ $joint }` ist vom Typ { $kind }, der in einer Kette nicht zulässig ist
+urdf-joint-kind = Gelenk `{ $joint }` ist vom Typ { $kind }; dieser Typ wird nicht unterstützt
     .expected = fixed, revolute, continuous oder prismatic
 
 urdf-axis-without-direction = die Achse von Gelenk `{ $joint }` hat keine Richtung
@@ -98,7 +98,7 @@ urdf-origin-far = der Ursprung von Gelenk `{ $joint }` ist { FIXED($away_m, 0) }
 urdf-two-parents = Glied `{ $link }` hat zwei Vorgänger: `{ $first }` und `{ $second }`
     .hint = eine URDF-Datei beschreibt einen Baum: Schleifen durch `mimic` schließen
 
-urdf-loop = die Gelenke ab `{ $link }` bilden eine Schleife
+urdf-loop = die Gelenke ab Glied `{ $link }` bilden eine Schleife
     .hint = eine URDF-Datei beschreibt einen Baum: Schleifen durch `mimic` schließen
 
 urdf-link-unknown = `{ $file }` hat kein Glied `{ $link }`
@@ -111,7 +111,7 @@ urdf-mimic-unknown = Gelenk `{ $joint }` folgt dem Gelenk `{ $mimics }`, das in 
 urdf-mimics-itself = Gelenk `{ $joint }` folgt sich selbst
     .hint = in <mimic> ein anderes Gelenk nennen
 urdf-mimics-several = Gelenk `{ $joint }` folgt mehreren Gelenken
-    .hint = ein `mimic` behalten: ein Gelenk einer URDF folgt einem Gelenk. Hängt `{ $joint }` von mehreren Gelenken der Kette ab, keines behalten: das erste unter seinem Namen protokollieren, und den Faktor jedes weiteren in `coupling = [["{ $joint }", "..."]]` und [nominal] angeben
+    .hint = nur ein `mimic` behalten: in einer URDF-Datei folgt ein Gelenk genau einem führenden Gelenk. Hängt `{ $joint }` von mehreren Gelenken der Kette ab, kein `mimic` behalten: das erste führende Gelenk unter dessen Namen aufzeichnen und den Faktor jedes weiteren in `coupling = [["{ $joint }", "..."]]` und [nominal] angeben
 
 urdf-nothing-moves = zwischen `{ $from }` und `{ $to }` bewegt sich kein Gelenk
     .hint = `base_link` und `tool_link` prüfen
@@ -120,22 +120,22 @@ urdf-no-moving-joint = kein Gelenk der Datei bewegt sich
     .hint = die URDF-Datei eines Roboters angeben
 
 bending-on-moving-base = `bending` braucht eine feste Richtung der Schwerkraft, aber Gelenke bewegen `{ $link }`
-    .hint = es entfernen oder als `base_link` ein unbewegtes Glied nehmen
+    .hint = `bending` entfernen oder ein unbewegtes Glied als `base_link` angeben
 
-bending-without-mass = hinter Gelenk `{ $joint }` ist keine Masse angegeben: keine Last biegt es
-    .hint = seinen Gliedern <inertial> hinzufügen
+bending-without-mass = `bending` von Gelenk `{ $joint }` braucht eine Masse hinter dem Gelenk
+    .hint = <inertial> in den Gliedern hinter dem Gelenk ergänzen
 
-parameter-name-doubled = zwei Parameter hießen `{ $name }`
-    .hint = die Zielmarke umbenennen: keine Zielmarke darf wie ein Gelenk heißen
+parameter-name-doubled = zwei Parameter würden `{ $name }` heißen
+    .hint = die Zielmarke umbenennen: eine Zielmarke darf nicht den Namen eines Gelenks haben
 
 tool-link-missing = kein Glied trägt die Zielmarken
-    .hint = `tool_link = "..."` angeben, oder bei mehreren Gliedern je ein [[branch]] mit `tool_link` und `targets`
+    .hint = `tool_link = "..."` angeben oder bei mehreren Gliedern je ein [[branch]] mit `tool_link` und `targets`
 
 tool-link-beside-branches = `tool_link` und [[branch]] geben beide die Glieder der Zielmarken an
-    .hint = `tool_link` entfernen, und für sein Glied ein [[branch]] mit `targets` angeben
+    .hint = `tool_link` entfernen und für sein Glied ein [[branch]] mit `targets` angeben
 
 target-on-two-branches = Zielmarke `{ $target }` ist an zwei Zweigen: `{ $first }` und `{ $second }`
-    .hint = aus `targets` eines der beiden entfernen
+    .hint = aus `targets` eines der beiden Zweige entfernen
 
 target-on-no-branch = Zielmarke `{ $target }` ist an keinem Zweig
     .hint = in `targets` des [[branch]] aufnehmen, dessen Glied sie trägt
@@ -144,10 +144,10 @@ bending-in-branches = `bending` von Gelenk `{ $joint }` wird nicht modelliert: m
     .hint = das Gelenk aus `bending` entfernen
 
 payload-in-branches = `payload` des Gelenks `{ $joint }` wird nicht modelliert: der Roboter hat mehrere Zweige
-    .hint = `payload` entfernen, oder den Zweig allein mit `tool_link` beschreiben
+    .hint = `payload` entfernen oder den Zweig allein mit `tool_link` beschreiben
 
 elastic-in-branches = `{ $key }` wird nicht modelliert: der Roboter hat mehrere Zweige
-    .hint = `{ $key }` entfernen, oder den Zweig mit `tool_link` allein beschreiben
+    .hint = `{ $key }` entfernen oder den Zweig allein mit `tool_link` beschreiben
 
 coupling-across-branches = Gelenk `{ $by }` bewegt den Zweig `{ $link }` nicht, in dem `{ $joint }` mit ihm gekoppelt ist
     .hint = das Paar aus `coupling` entfernen: beide Gelenke müssen auf dem Weg zu jedem Glied liegen
@@ -161,7 +161,7 @@ nominal-length-not-positive = die Länge `{ $parameter }` muss positiv sein
     .hint = die Länge nach der Zeichnung angeben
 
 nominal-missing = [nominal] gibt { $parameters } nicht an
-    .hint = die Geometrie Ihrer Maschine nach Zeichnung in mm angeben: sie wird nie geraten
+    .hint = die Geometrie der Maschine nach der Zeichnung in mm angeben: sie wird nie geraten
 
 tolerance-not-positive = die Toleranz `{ $parameter }` muss positiv sein
     .hint = die Toleranz nach der Zeichnung angeben
@@ -186,16 +186,16 @@ kind-of-value = { $kind ->
        *[table] eine Tabelle
     }
 
-unknown-variant = unbekannte Variante `{ $text }`
+unknown-variant = unbekannter Wert `{ $text }`
 
 key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
         [yes] {" "}in `{ $section }`
        *[no] {""}
     }
 
-state-unit = `unit = "mm"` angeben, oder "m", "um" oder "inch", die Einheit, in der die Datei geschrieben wurde; sie wird nie geraten
+state-unit = `unit = "mm"`, "m", "um" oder "inch" angeben, je nach Einheit der Datei; sie wird nie geraten
 
-state-instrument = [instrument] gibt name, expanded_uncertainty_um und coverage_factor an: aus dem Kalibrierschein übernehmen
+state-instrument = in [instrument] name, expanded_uncertainty_um und coverage_factor angeben: Werte aus dem Kalibrierschein des Messgeräts
 
 state-file = die Datei im Ordner der Kampagne angeben
 
@@ -205,10 +205,10 @@ toml-invalid = { $reason }
 
 table-key-twice = diese Tabelle enthält den Schlüssel zweimal{ $more ->
         [0] {""}
-        [one] , und 1 Schlüssel danach
-       *[other] , und { $more } Schlüssel danach
+        [one] , ebenso 1 weiteren Schlüssel
+       *[other] , ebenso { $more } weitere Schlüssel
     }
-    .hint = eine von mehreren Tabellen beginnt mit ihrem Kopf in doppelten Klammern, wie `[[joint]]`: fehlt davor ein solcher Kopf?
+    .hint = jede Tabelle einer Liste mit ihrem Kopf in doppelten Klammern beginnen, wie `[[joint]]`: fehlt ein solcher Kopf vor diesem Schlüssel?
 
 unknown-key = { $count ->
         [one] unbekannter Schlüssel { $keys }
@@ -239,10 +239,10 @@ urdf-joint-without-link = Gelenk `{ $joint }` hat kein <{ $child } link="..."/>
     .hint = das Element ergänzen
 
 urdf-limits-exchanged = die Grenzen von Gelenk `{ $joint }` sind vertauscht: { $lower } bis { $upper }
-    .hint = sie tauschen
+    .hint = die beiden Grenzen tauschen
 
 urdf-angles-beyond-turn = Winkel von `rpy` übersteigen eine volle Umdrehung
-    .hint = Winkel einer URDF-Datei sind in Radiant: 90 deg sind 1,5707963267948966
+    .hint = Winkel einer URDF-Datei sind in Radiant: 90 deg sind `1.5707963267948966`
 
 urdf-attribute-missing = <{ $element }> hat kein `{ $attribute }`
     .hint = das Attribut ergänzen
