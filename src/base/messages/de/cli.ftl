@@ -1,7 +1,7 @@
 ### Meldungen von cli; Erklärungen in en/cli.ftl.
 
 batch-done = fertig
-batch-failed = gescheitert
+batch-failed = fehlgeschlagen
 batch-not-done = { $ended }: { $campaign }
 batch-not-met = nicht eingehalten
 batch-skipped = übersprungen
@@ -12,7 +12,7 @@ option-not-positive = { $option } muss positiv sein
     .hint = eine positive Zahl angeben
 
 option-refused = { $option }: { $reason }
-    .hint = `etalon BEFEHL --help` zählt die Werte auf
+    .hint = `etalon BEFEHL --help` nennt die zulässigen Werte
 
 column-option-malformed = --{ $option }: `{ $text }` hat kein `=`
     .expected = { $option ->
@@ -22,9 +22,9 @@ column-option-malformed = --{ $option }: `{ $text }` hat kein `=`
     }
 
 option-columns-twice = --columns und --column nennen beide die Spalten
-    .hint = eine der beiden behalten
+    .hint = eine der beiden Optionen weglassen
 
-option-unit-missing = die Dateien nennen ihre Längeneinheit nicht
+option-unit-missing = die Längeneinheit der Dateien ist nicht angegeben
     .hint = die Einheit angeben: --unit mm, m, um oder inch; sie wird nie geraten
 
 robot-option-missing = parameters.json braucht --robot DATEI
@@ -33,16 +33,16 @@ robot-option-missing = parameters.json braucht --robot DATEI
 axis-unknown = der Roboter hat keine Achse `{ $axis }`
     .hint = ein Gelenk des Roboters oder x_mm, y_mm, z_mm verwenden
 
-axes-mixed = die Achsen einer Tabelle sind entweder alle aus x_mm, y_mm, z_mm oder alle Gelenke
+axes-mixed = die Achsen einer Tabelle sind entweder kartesisch (x_mm, y_mm, z_mm) oder Gelenke
     .expected = Gelenke { $joints }
 
-table-of-turning-joints = eine Tabelle mehrerer Gelenke braucht aufeinanderfolgende Schubgelenke
-    .hint = x_mm und y_mm verwenden: Posen des nominalen Roboters
+table-of-turning-joints = eine Tabelle mehrerer Gelenke braucht Schubgelenke in Reihe
+    .hint = x_mm und y_mm verwenden: Positionen des nominalen Roboters
 
 lead-not-measured = für `{ $axis }` wurde keine Steigung gemessen
     .expected = { $measured }
 
-lead-of-one-axis = eine Steigung gehört zu einer Achse, die sie korrigiert
+lead-of-one-axis = eine Steigung korrigiert eine einzelne Achse nach deren eigener Position
     .hint = nur diese Achse angeben
 
 table-value-missing = ein Wert fehlt oder ist keine Zahl
@@ -54,13 +54,13 @@ not-a-grid = die Positionen bilden kein Raster
 axis-without-positions = `{ $axis }` hat keine Positionen
     .expected = --axis { $axis }=VON:BIS:SCHRITT
 
-configuration-changed = Ziel { $target }: der kompensierte Befehl liegt in einer anderen Konfiguration
+configuration-changed = Ziel { $target }: der kompensierte Sollwert braucht eine andere Konfiguration
     .hint = das Ziel von der Singularität entfernen oder seine Konfigurationsdaten (Arbeitsmodus, confdata, Status und Turn) prüfen
 
-poses-computed-by-program = Posen von { $names } bleiben unverändert
-    .hint = prüfen: eine Pose, die das Programm aus kompensierten Zielen berechnet, hat deren Kompensation, nicht ihre eigene
+poses-computed-by-program = von { $names } berechnete Posen werden nicht kompensiert
+    .hint = diese Posen prüfen: eine aus einem kompensierten Ziel berechnete Pose enthält die Kompensation des Ziels, nicht ihre eigene
 
-working-mode-missing = das Programm nennt nicht den Arbeitsmodus, in dem der Roboter beginnt
+working-mode-missing = das Programm gibt an seinem Anfang keinen Arbeitsmodus an
     .hint = die Gelenkwerte am Anfang angeben: --start N,N,+1
 
 program-frames = das Programm verwendet { $names }
@@ -72,19 +72,19 @@ state-pose-option = seine Pose angeben: --{ $option } x,y,z,qw,qx,qy,qz
 program-frame-other = das Programm gibt { $frame } an, --{ $option } eine andere Pose
     .hint = die Pose des Programms angeben: --{ $option } { $pose }
 
-program-in-world = Ziele eines Programms sind nicht im Weltkoordinatensystem
+program-in-world = Ziele eines Programms können nicht im Weltkoordinatensystem sein
     .hint = --object verwenden
 
-counts-missing = `galil` braucht die Zahl der Impulse je mm oder deg von { $axes } Achsen
-    .hint = --counts-per-unit N,N
+counts-missing = `galil` braucht die Zahl der Geberinkremente je mm oder deg von { $axes } Achsen
+    .hint = --counts-per-unit N,N angeben
 
-joints-in-world = Gelenkwerte sind nicht im Weltkoordinatensystem
+joints-in-world = Gelenkwerte haben kein Koordinatensystem
     .hint = --frame weglassen
 
-nominal-pose-unreachable = der nominale Roboter kann die Pose nicht einnehmen, die die Gelenkwerte vorgeben
+nominal-pose-unreachable = der nominale Roboter hat bei diesen Gelenkwerten keine Pose
     .hint = Gelenkwerte und Montagemodus prüfen
 
-pose-singular = Pose { $pose } ist singulär: { $joints } können sich gemeinsam bewegen, ohne das Werkzeug zu bewegen; angegeben ist die dem Start nächste Lösung
+pose-singular = Pose { $pose } ist singulär: { $joints } können sich gemeinsam bewegen, ohne das Werkzeug zu bewegen; angegeben ist die Lösung, die dem Start am nächsten liegt
     .hint = Gelenkwerte in der Zeile angeben, um eine andere Lösung zu wählen, oder die Pose meiden
 
 base-not-in-world = `{ $model }` hat keine Basis im Weltkoordinatensystem
@@ -99,19 +99,19 @@ target-unreachable = Ziel { $target }: { $reason }
 pose-unreachable = Pose { $pose }: { $reason }
     .hint = die Pose und die Grenzen in robot.toml prüfen
 
-hash-of-other-format = `--controller-hash` gilt nur für Formate, die diesen Hashwert enthalten: { $formats }
+hash-of-other-format = `--controller-hash` gilt nur für Formate, die diese Prüfsumme enthalten: { $formats }
     .hint = eines davon mit --format angeben
 
 run-while-exporting = ein Lauf schrieb `{ $folder }`, während Steuerungsdateien entstanden
     .hint = den Befehl wiederholen: die Dateien können von früheren Parametern stammen
 
-fit-file-missing = für `{ $element }` ist keine Datei angegeben
+fit-file-missing = für `{ $element }` ist keine Datei mit Punkten angegeben
     .hint = die Datei angeben: etalon fit { $element } DATEI
 
 fit-element-missing = das Element ist nicht angegeben, und die Datei ist keine QIF-Datei
     .hint = es angeben: etalon fit ELEMENT { $file }
 
-qif-with-columns = eine QIF-Datei hat weder Spalten noch einen gemeinsamen Radius für alle Elemente
+qif-with-columns = eine QIF-Datei hat weder Spalten noch einen gemeinsamen Radius für alle Geometrieelemente
     .hint = --columns, --delimiter und --radius-mm weglassen
 
 tracim-object-unknown = das Element `{ $object }` des Datensatzes `{ $id }` ist in dieser Prüfung unbekannt
@@ -121,11 +121,11 @@ tracim-customer-missing = der Kunde fehlt in der Antwort: der Server lehnt sie a
     .hint = --customer NAME angeben, wie bei TraCIM registriert
 
 tracim-form-name = der Name des Elements `formDeviation` steht nicht in den öffentlichen Dokumenten der Tschebyscheff-Prüfung
-    .hint = die Antwort mit der kostenlosen Beispielprüfung des Servers versuchen, bevor eine Prüfung bestellt wird
+    .hint = die Antwort zuerst mit der kostenlosen Beispielprüfung des Servers erproben, dann eine Prüfung bestellen
 
-no-feature-fitted = kein gemessenes Element wurde als { $kind } angepasst
-    .expected = Elemente mit Punkten, die sie bestimmen
-    .hint = Elemente mit Punkten in der Datei: { $seen }
+no-feature-fitted = kein gemessenes Geometrieelement wurde angepasst; gesucht: { $kind }
+    .expected = Geometrieelemente mit Punkten, die sie bestimmen
+    .hint = Geometrieelemente mit Punkten in der Datei: { $seen }
 
 probe-side-unknown = --probe-side: `{ $text }` ist keine Seite
     .expected = inside, outside oder drei Zahlen x,y,z zum Taster
@@ -135,9 +135,9 @@ probe-side-missing = die Seite des Tasters ist nicht angegeben
     .expected = --probe-side inside, outside oder x,y,z
     .hint = inside für eine Bohrung, outside für eine Welle, die Richtung zum Taster für Ebene oder Gerade
 
-probe-radius-missing = --probe-side ohne Taster
+probe-radius-missing = --probe-side ist ohne Tasterradius angegeben
     .expected = --probe-radius-mm
-    .hint = den qualifizierten Radius des Tasters angeben oder bei Kontaktpunkten beides weglassen
+    .hint = den eingemessenen Radius des Tasters angeben oder bei Kontaktpunkten beides weglassen
 
 enclosing-with-probe = { $element } wird nicht um den Tasterradius korrigiert
     .hint = --probe-radius-mm und --probe-side weglassen
@@ -145,10 +145,10 @@ enclosing-with-probe = { $element } wird nicht um den Tasterradius korrigiert
 enclosing-minimum-zone = für das Element { $element } gibt es keine Minimumzone
     .hint = --minimum-zone weglassen oder circle2d oder sphere anpassen
 
-uncertainty-implausible = der Wert von { $option } ist keine Unsicherheit einer Koordinate in Mikrometern
-    .hint = erweiterte Messunsicherheit geteilt durch den Erweiterungsfaktor, je Koordinate: 0,0027 mm sind 2,7 µm
+uncertainty-implausible = { $option } kann nicht die Unsicherheit einer Koordinate in Mikrometern sein
+    .hint = die erweiterte Messunsicherheit geteilt durch den Erweiterungsfaktor angeben, je Koordinate: 0,0027 mm sind 2,7 µm
 
-robot-not-in-table = die Geometrie von `{ $name }` ist nicht in der Robotertabelle
+robot-not-in-table = die Geometrie von `{ $name }` steht nicht in der Robotertabelle
     .expected = { $names }
     .hint = ihn durch die eigene Roboterdatei beschreiben, --robot robot.toml, oder durch seine URDF-Datei, --urdf DATEI
 
@@ -156,12 +156,12 @@ iso230-row-incomplete = eine Zeile hat keine Position, keinen Messwert oder kein
     .expected = Zahlen und +1 oder -1 als `direction`
 
 iso230-few-runs = Position { $position } mm hat weniger als zwei Anfahrten in Richtung { $direction }
-    .expected = Anfahrten von beiden Seiten, fünf nach ISO 230-2
+    .expected = mindestens zwei Anfahrten in jeder Richtung, nach ISO 230-2 fünf
 
 drift-set-too-small = { $option } muss mindestens 2 sein
     .hint = die Zahl der Zyklen eines Satzes angeben
 
-commanded-missing = es sind keine Sollposen angegeben: AP ist nicht bestimmt (null); RP braucht keine Sollposen
+commanded-missing = es sind keine Sollposen angegeben: AP wird nicht ausgewertet (`null`); RP braucht keine Sollposen
     .hint = für AP, Abstände und Drift die Sollposen mit --commanded angeben
 
 infinite-solutions = { $joints } Gelenke erreichen eine Pose auf unendlich viele Arten
@@ -170,7 +170,7 @@ infinite-solutions = { $joints } Gelenke erreichen eine Pose auf unendlich viele
 no-whole-pose = das Modell `{ $model }` hat keine Kinematik der vollständigen Pose
     .hint = ein anderes Modell verwenden
 
-several-branches = ein Roboter mit mehreren Zweigen ({ $links }) ist keine einzelne Kette
+several-branches = ein Roboter mit mehreren Zweigen ({ $links }) hat keine einzelne Kette
     .hint = ein Glied als `tool_link` einer robot.toml angeben, deren URDF die kalibrierte ist: `etalon export --format urdf` schreibt den kalibrierten Baum
 
 table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
@@ -181,18 +181,18 @@ not-a-report = `{ $file }` hat nicht die Endung eines Berichts
     .expected = eine Datei, deren Name auf { $endings } endet
 
 earlier-run-left = nichts wurde geschrieben: `{ $report }` und die Dateien daneben stammen von einem früheren Lauf
-    .hint = seine Steuerungsdateien nicht laden, als stammten sie von diesem Lauf
+    .hint = keine Steuerungsdateien aus diesem Ordner laden: sie gehören zum früheren Lauf
 
 schema-unknown = unbekanntes Schema `{ $name }`
 
 verify-quantity-without-residuals = die Kalibrierung hat keine Residuen der Größe „{ $quantity }“: ihr Modellfehler ist unbekannt
-    .hint = diese Zeilen weglassen, oder mit Beobachtungen dieser Größe kalibrieren
+    .hint = diese Zeilen weglassen oder mit Beobachtungen dieser Größe kalibrieren
 
-verify-without-positions = die Beobachtungen enthalten keine Position eines Ziels
-    .hint = Positionen der Ziele der Kalibrierung messen
+verify-without-positions = die Beobachtungen enthalten keine Position einer Zielmarke
+    .hint = Positionen der Zielmarken der Kalibrierung messen
 
 campaign-without-observations = die Kampagne `{ $campaign }` hat keinen Abschnitt `[observations]`
-    .hint = eine Kampagne mit diesem Abschnitt angeben, oder die Optionen von Tabellen (`--column` ...)
+    .hint = eine Kampagne mit diesem Abschnitt oder die Optionen von Tabellen (`--column` ...) angeben
 
 campaign-with-several-observations = die Kampagne `{ $campaign }` hat { $count } Abschnitte `[[observations]]`; welcher davon die Tabelle beschreibt, ist offen
     .hint = die Optionen von Tabellen (`--column` ...) statt `--like` angeben
@@ -203,7 +203,7 @@ workspace-numbers = --workspace-mm hat { $count ->
     }
     .expected = sechs, oder vier für ebene Roboter
 
-reorientation-alone = eine Umorientierung ohne Anfangsorientierung
+reorientation-alone = eine Umorientierung ist ohne Anfangsorientierung angegeben
     .hint = auch --orientation-deg angeben
 
 reach-unknown = die Roboterdatei des Modells `{ $model }` nennt seine Reichweite nicht
@@ -228,18 +228,18 @@ urdf-chain-chosen = die Kette von `{ $base }` bis `{ $tool }` mit { $count ->
         [one] einem Gelenk
        *[other] { $count } Gelenken
     } wurde gewählt; andere Ketten enden an { $others }
-    .hint = wenn ein anderes Glied die Messmarken trägt, `tool_link` in robot.toml angeben; in Python `Robot.from_urdf(path, tool_link="{ $other }")`
+    .hint = wenn ein anderes Glied die Zielmarken trägt, `tool_link` in robot.toml angeben; in Python `Robot.from_urdf(path, tool_link="{ $other }")`
 
 tool-link-longest = die Kette mit den meisten beweglichen Gelenken: die Dateien haben keine Gelenke
 tool-link-by-names = die Dateien nennen die Gelenke dieser Kette
-tool-link-by-count = die Dateien haben { $count } Spalten von Gelenken, wie nur diese Kette
-tool-link-by-residual = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder, mit jeder anderen mindestens mit dem Dreifachen
-tool-link-shortest = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder; weitere Gelenke verkleinern es nicht
+tool-link-by-count = die Dateien haben { $count } Gelenkspalten; nur diese Kette hat ebenso viele Gelenke
+tool-link-by-residual = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder, mit jeder anderen mindestens mit dem Dreifachen
+tool-link-shortest = mit dieser Kette gibt der nominale Roboter die Punkte mit einem Residuum von { FIXED($rms_mm, 2) } mm wieder; weitere Gelenke verkleinern es nicht
 tool-link-moves = die Dateien nennen die Gelenke dieser Kette; weitere Gelenke bewegen sich nicht
 tool-link-fits = `{ $link }` passt zu den Dateien: die Gelenke sind { $joints }
 
-nothing-recognised = in `{ $name }` wurde nichts erkannt
-    .hint = `etalon formats { $path }` nennt, was seine Spalten sein können
+nothing-recognised = in `{ $name }` ist keine Spalte erkannt
+    .hint = `etalon formats { $path }` nennt mögliche Bedeutungen der Spalten
 
 option-of-call-refused = { $reason }
 
@@ -263,7 +263,7 @@ deviation-unknown = keine Abweichung bei { $position }: { $reason }
     .hint = Positionen verwenden, die der Roboter erreicht oder die gemessen wurden
 
 robot-file-of-run = die Kampagne erneut ausführen oder die robot.toml angeben, mit der sie ausgeführt wurde
-convert-no-chain = `{ $model }` ist keine Kette von Gelenken und hat keine andere Konvention
+convert-no-chain = `{ $model }` hat keine Gelenkkette: andere Konventionen können dieses Modell nicht beschreiben
 
 convert-shared-joints = { $axes } Achsen teilen sich { $joints } Gelenkwerte
     .hint = die URDF-Datei behalten, in der `mimic` dies angibt
@@ -280,42 +280,42 @@ convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von
 convert-travel-unknown = der Verfahrweg von { $joints } ist nicht angegeben: die URDF-Datei enthält 1 m nach beiden Seiten
     .hint = `limit` in der Datei berichtigen oder `travel_mm` in robot.toml angeben
 
-convert-not-reproduced = die umgewandelte Beschreibung gibt den Roboter nicht wieder: der Flansch weicht um bis zu { FIXED($off_mm, 6) } mm und { FIXED($off_deg, 6) } deg ab
+convert-not-reproduced = die umgewandelte Beschreibung gibt den Roboter nicht wieder: der Flansch weicht um bis zu { FIXED($off_mm, 6) } mm und { FIXED($off_deg, 6) } deg ab
     .hint = die Längen der Roboterdatei prüfen: sehr große verlieren Stellen
 
 enclosing-robust = die äußersten Punkte bestimmen das umschließende Element `{ $element }`: eine robuste Anpassung würde sie ausschließen
     .hint = circle2d oder sphere mit --robust anpassen
 
-qif-robust = die Elemente einer QIF-Datei werden an alle ihre Punkte angepasst
+qif-robust = die Geometrieelemente einer QIF-Datei werden an alle ihre Punkte angepasst
     .hint = --robust weglassen oder an die Punkte einer Tabelle anpassen
 axis-without-errors = die Achse hat in diesem Modell keine eigenen Abweichungen
-lead-not-measured-there = die Steigung wurde dort nicht gemessen
-table-without-row = die Tabelle hat dort keine Zeile
+lead-not-measured-there = die Steigung wurde an dieser Position nicht gemessen
+table-without-row = die Tabelle hat keine Zeile für diese Position
 
 test-point-unreached = Punkt { $point } der Liste `{ $list }` wird nicht erreicht: { $reason }
     .hint = den Arbeitsraum verschieben oder verkleinern (--workspace-mm) oder eine andere Orientierung angeben (--orientation-deg)
 
 no-candidate-generated = keine von { $draws } Ziehungen ist ein Kandidat: { $counts }
-    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector`, `--instrument`, `--obstacle` und `--link`
+    .hint = die Bedingung lockern, die die meisten Ziehungen ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector`, `--instrument`, `--obstacle` und `--link`
 
 few-candidates-generated = { $found } von { $wanted } Kandidaten in { $draws } Ziehungen gefunden: { $counts }
-    .hint = erweitern, was die meisten ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
+    .hint = die Bedingung lockern, die die meisten Ziehungen ausschließt: Grenzen und `--range` (deg, mm), `--box` (mm, Basis des Roboters), `--reflector` und `--instrument`
 
 draws-beyond-limits = { $count } außerhalb der Grenzen von Gelenken oder Gliedern oder ohne Pose
 
-draws-outside-box = { $count } mit einer Zielmarke außerhalb des Quaders (innerhalb der Grenzen liegen die Zielmarken in x { FIXED($x0, 0) } bis { FIXED($x1, 0) }, y { FIXED($y0, 0) } bis { FIXED($y1, 0) }, z { FIXED($z0, 0) } bis { FIXED($z1, 0) } mm)
+draws-outside-box = { $count } mit einer Zielmarke außerhalb des Quaders (innerhalb der Grenzen liegen die Zielmarken in x { FIXED($x0, 0) } bis { FIXED($x1, 0) }, y { FIXED($y0, 0) } bis { FIXED($y1, 0) }, z { FIXED($z0, 0) } bis { FIXED($z1, 0) } mm)
 
 draws-facing-away = { $count } mit einem Reflektor, der vom Messgerät abgewandt ist ({ $reversed } davon wären ihm mit umgekehrten Achsen zugewandt)
 
 joint-range-missing = Gelenk { $joint } hat keine Grenzen
     .hint = sie in der Roboterdatei oder als `--range { $column }=VON:BIS` angeben
 
-range-joint-unknown = `--range { $column }`: Der Roboter hat kein solches Gelenk
+range-joint-unknown = `--range { $column }`: der Roboter hat kein solches Gelenk
 
-range-outside-limits = die Bereiche von Gelenk { $joint } und seine Grenzen ({ FIXED($from, 3) } bis { FIXED($to, 3) } { $unit }) haben keinen Wert gemeinsam
+range-outside-limits = die Bereiche von Gelenk { $joint } und seine Grenzen ({ FIXED($from, 3) } bis { FIXED($to, 3) } { $unit }) haben keinen Wert gemeinsam
     .hint = Einheit und Vorzeichen von `--range` prüfen
 
-reflector-missing = gezogene Kandidaten brauchen mindestens einen Reflektor am Flansch
+reflector-missing = erzeugte Kandidaten brauchen mindestens einen Reflektor am Flansch
     .hint = ihn angeben: `--reflector A=X,Y,Z` (mm im Flansch)
 
 reflector-twice = Reflektor { $name } ist zweimal angegeben
@@ -325,11 +325,11 @@ reflector-of-own-targets = `{ $model }` hat eigene Zielmarken: Reflektoren und e
     .hint = `--reflector` und `--instrument` weglassen
 
 sight-incomplete = { $missing ->
-        [axis] dem Messgerät ist kein Reflektor mit einer Achse zugewandt
-       *[other] Reflektoren mit einer Achse haben kein Messgerät, dem sie zugewandt sind
+        [axis] kein Reflektor hat eine Achse, die dem Messgerät zugewandt sein kann
+       *[other] für die Reflektoren mit einer Achse ist kein Messgerät angegeben
     }
     .hint = { $missing ->
-        [axis] die Achse im Flansch und den halben Öffnungswinkel angeben: `--reflector A=X,Y,Z,I,J,K,WINKEL`
+        [axis] die Achse im Flansch und den halben Akzeptanzwinkel angeben: `--reflector A=X,Y,Z,I,J,K,WINKEL`
        *[other] seine Position in der Basis angeben: `--instrument X,Y,Z`
     }
 
@@ -386,9 +386,9 @@ targets-compensated = { $count ->
         [one] 1 Ziel in Gelenkwerten unverändert
        *[other] { $left } Ziele in Gelenkwerten unverändert
     }
-batch-counts = { $done } beendet, { $not_met } mit nicht eingehaltenen Grenzwerten, { $failed } fehlgeschlagen, { $skipped } übersprungen
+batch-counts = { $done } fertig, { $not_met } mit nicht eingehaltenen Grenzwerten, { $failed } fehlgeschlagen, { $skipped } übersprungen
 run-skipped = übersprungen: { $campaign } benötigt Daten unter ${ $name }; die Variable ist nicht gesetzt
-no-controller-files = keine Steuerungsdatei wird geschrieben: Das Ergebnis ist nicht plausibel
+no-controller-files = keine Steuerungsdatei wird geschrieben: das Ergebnis ist nicht plausibel
 next-recommend = { $command } zeigt den Beitrag jedes Parameters; Steuerungsdateien sind im Ausgabeordner
 unmodelled-said = simulierte Abweichungen, die kein Parameter beschreibt: { $error }
 unmodelled-backlash = Umkehrspiel { $joints }
@@ -411,8 +411,8 @@ iso230-both = beidseitig
 iso230-positive = positiv
 iso230-negative = negativ
 fit-seen-none = keine
-fit-any-element = kein Element
-zone-by-least-squares = --minimum-zone weglassen: Die Anpassung erfolgt dann nach der Methode der kleinsten Quadrate
+fit-any-element = jedes Element
+zone-by-least-squares = --minimum-zone weglassen: die Anpassung erfolgt dann nach der Methode der kleinsten Quadrate
 fit-head = { $element }: { $count ->
         [one] 1 Punkt
        *[other] { $count } Punkte
@@ -426,7 +426,7 @@ fit-minor-radius = kleiner Radius
 fit-apex-angle = Öffnungswinkel
 fit-residuals = Residuen
 fit-flatness = Ebenheit
-fit-held-by = Auflagen
+fit-held-by = Stützpunkte
 fit-proof = Nachweis
 fit-probe = Taster
 fit-probe-center = Tastermitte
@@ -444,8 +444,8 @@ fit-spread = RMS { $rms }, max. { $max }, Form { $form }
 fit-off = { $value } { $unit }, angepasst { $off } { $unit }
 fit-apart = { $value }, angepasst { $apart } { $unit } entfernt
 axes-head = { $joint } { $kind ->
-        [slides] gleitet
-       *[turns] dreht
+        [slides] (Schubgelenk)
+       *[turns] (Drehgelenk)
     }: { $count ->
         [one] 1 Messwert
        *[other] { $count } Messwerte
@@ -453,22 +453,22 @@ axes-head = { $joint } { $kind ->
         [0] {""}
        *[other] , { $aside } ausgeschlossen
     }
-axes-direction = {"  "}Richtung     { $direction }  (u = { $u } deg)
-axes-point = {"  "}Punkt        { $point }  (u = { $u } mm)
-axes-circle = {"  "}`{ $target }`  Radius { $radius } mm (u = { $u } mm), Bogen { $arc } deg
-axes-line = {"  "}`{ $target }`  Länge { $length } mm
-axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm (Rauschen allein { $radial_noise } µm), an der Stirnfläche { $face } µm (Rauschen allein { $face_noise } µm)
-axes-straightness = {"    "}Geradheit { $radial } µm (Rauschen allein { $radial_noise } µm) und { $face } µm (Rauschen allein { $face_noise } µm)
-axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm (Rauschen allein { $axial_noise } µm), Kippbewegungsabweichung { $tilt } deg (Rauschen allein { $tilt_noise } deg)
-axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert (u = { $u }), Differenz { $rms } { $unit } (RMS)
+axes-direction = {"  "}Richtung     { $direction }  (u = { $u } deg)
+axes-point = {"  "}Punkt        { $point }  (u = { $u } mm)
+axes-circle = {"  "}`{ $target }`  Radius { $radius } mm (u = { $u } mm), Bogen { $arc } deg
+axes-line = {"  "}`{ $target }`  Länge { $length } mm
+axes-error-motions = {"    "}radiale Bewegungsabweichung { $radial } µm (Rauschen allein { $radial_noise } µm), an der Stirnfläche { $face } µm (Rauschen allein { $face_noise } µm)
+axes-straightness = {"    "}Geradheit { $radial } µm (Rauschen allein { $radial_noise } µm) und { $face } µm (Rauschen allein { $face_noise } µm)
+axes-axial-and-tilt = {"  "}axiale Bewegungsabweichung { $axial } µm (Rauschen allein { $axial_noise } µm), Kippbewegungsabweichung { $tilt } deg (Rauschen allein { $tilt_noise } deg)
+axes-motion = {"  "}Bewegung     { $ratio } × Gelenkwert (u = { $u }), Differenz { $rms } { $unit } (RMS)
 axes-base = Basis ({ $rule })
 axes-origin = {"  "}Ursprung     { $point }
 axes-target = Zielmarke `{ $target }` am Flansch
-axes-check-pose = Kontrollpose, Zeile { $line }: { $distance } mm vom Roboter  (u = { $u } mm je Komponente)
+axes-check-pose = Kontrollpose, Zeile { $line }: { $distance } mm vom Roboter  (u = { $u } mm je Komponente)
 next-paste = diese Zeilen in campaign.toml einfügen; `etalon check ORDNER` probiert sie aus
 next-paste-refused = { $next }; sie würden abgelehnt: { $reasons }
 next-simulate = { $command } schreibt die Exporte und das Protokoll
-next-copy = die Exporte und das Protokoll in { $folder } kopieren; `etalon formats DATEI` schlägt für jede Datei das Lesen vor; { $command }
+next-copy = die Exporte und das Protokoll in { $folder } kopieren; `etalon formats DATEI` schlägt für jede Datei vor, wie sie zu lesen ist; { $command }
 next-check-asks = { $command } fragt nach { $keys }
 next-check-refused = { $next }; der Vorschlag würde dann abgelehnt: { $reasons }
 next-command = { $command }
@@ -476,24 +476,24 @@ units-of-joints = den Einheiten der Gelenke
 axis-steps-not-whole = von { $from } bis { $to } sind keine ganzen Schritte von { $step }
 assignment-without-number = `{ $name }` hat keine Zahl
 newer-than-unreadable = die Datei von `--newer-than` kann nicht gelesen werden: { $reason }
-pose-argument-expected = erwartet: x,y,z in mm, oder diese Werte und ein Einheitsquaternion qw,qx,qy,qz
+pose-argument-expected = erwartet: x,y,z in mm oder diese Werte und ein Einheitsquaternion qw,qx,qy,qz
 axis-name-expected = der Name einer Achse besteht aus Buchstaben und Ziffern
 stdout-not-written = stdout kann nicht geschrieben werden
-plan-side = Seite { $side } mm, Prüfebene { $plane }
+plan-side = Seite { $side } mm, Prüfebene { $plane }
 converted-by = umgewandelt mit etalon robot convert
-convert-base-of-table = Basis der Tabelle in der Basis des Roboters: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
-convert-flange-of-table = Flansch des Roboters im Flansch der Tabelle: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
+convert-base-of-table = Basis der Tabelle in der Basis des Roboters: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
+convert-flange-of-table = Flansch des Roboters im Flansch der Tabelle: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: diejenigen weglassen, die er nicht hat
 from-joints-in-order = die Gelenke sind die von robot.toml in der Reihenfolge der Datei
 from-unit-of-joints = für UNIT deg, rad, mm, m oder um schreiben: die Datei gibt sie nicht an
 
 cell-frame = { $name ->
         [tool] Werkzeug
-        [target] Ziel
+        [target] Zielmarke
         [sensor] Sensor
         [base] Basis
         [world] Messsystem
-        [object] Werkstück
+        [object] Werkstückkoordinatensystem
        *[axis] Achse
     } { $reference ->
         [flange] im Flansch
@@ -510,13 +510,13 @@ cell-point = { $name ->
         [world] im Messsystem
        *[points] in den Punkten
     }
-cell-position = {"  "}Position     { $position } mm{ $known ->
+cell-position = {"  "}Position     { $position } mm{ $known ->
         [no] {""}
-       *[yes] {"  "}(u = { $u } mm)
+       *[yes] {"  "}(u = { $u } mm)
     }
 cell-quaternion = {"  "}Quaternion   { $quaternion }{ $known ->
         [no] {""}
-       *[yes] {"  "}(u = { $u } deg um x y z)
+       *[yes] {"  "}(u = { $u } deg um x y z)
     }
 cell-axis = { $kind ->
         [linear] Linearachse
@@ -551,7 +551,7 @@ targets-beyond-field = { $count ->
     } außerhalb des Residuenfelds, wo es abklingt
     .hint = Kalibrierposen in diesem Bereich messen
 parameters-expired = die Parameter gelten bis { $last }; heute ist der { $today }
-    .hint = einige Posen messen und `etalon verify` verwenden, oder neu kalibrieren
+    .hint = einige Posen messen und `etalon verify` verwenden oder neu kalibrieren
 
 backlash-not-in-table = die Tabelle hat einen Wert für beide Richtungen; das Umkehrspiel von `{ $axis }`, bis { FIXED($backlash, 5) } { $unit }, ist nicht enthalten
     .hint = es als Umkehrspiel der Achse in der Steuerung angeben
@@ -573,7 +573,7 @@ benchmark-position = Position
 benchmark-orientation = Orientierung
 benchmark-mean = Mittel
 benchmark-rms = RMS
-benchmark-p95 = 95 %
+benchmark-p95 = 95 %
 benchmark-max = Maximum
 benchmark-coverage = Überdeckung
 benchmark-width = Breite
