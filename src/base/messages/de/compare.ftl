@@ -12,7 +12,7 @@ stream-few-passes = AT und RT der Aufzeichnung `{ $stream }` beruhen auf { $pass
     }; der Test auf Änderung wurde mit { $validated } Durchläufen validiert
     .hint = die Bahn zehnmal fahren (ISO 9283)
 
-path-change-uncertain = als geändert gemeldet: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 % der Fälle, Intervalle von RT in 90 % bis 98 %
+path-change-uncertain = signifikante Änderung: { $names }; in simulierten Prüfungen enthalten Intervalle von AT den wahren Wert in 93 % bis 95 % der Fälle, Intervalle von RT in 90 % bis 98 %
     .hint = die Prüfung wiederholen, bevor Folgerungen gezogen werden
 
 nothing-to-compare = die Kampagnen haben keine gemeinsamen Ergebnisse
@@ -54,5 +54,5 @@ parameters-not-in-all = nicht jede Kampagne hat { $parameters } identifiziert
 nominal-values-differ = die Nennwerte unterscheiden sich zwischen den Roboterdateien: { $parameters }
     .hint = dieselbe Roboterdatei verwenden: auf Nennwerten festgehaltene Parameter wirken auf die anderen
 
-model-misfits = Residuen von { $campaigns } überschreiten die Unsicherheit des Messgeräts: Änderungen von Parametern und mittleren Abweichungen werden nicht getestet (keine p-Werte); die Intervalle der Parameter enthalten die Komponente zwischen den Messreihen (Birge-Verhältnis bis { $birge })
+model-misfits = Residuen von { $campaigns } überschreiten die Unsicherheit des Messgeräts: Änderungen von Parametern und mittleren Abweichungen werden nicht getestet (keine p-Werte); die Intervalle der Parameter enthalten die Komponente zwischen den Serien (Birge-Verhältnis bis { $birge })
     .hint = mit einem Modell identifizieren, das den Roboter beschreibt, und jedes Mal dieselben Posen messen
