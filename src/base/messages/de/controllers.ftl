@@ -1,6 +1,6 @@
 ### Meldungen von controllers; Erklärungen in en/controllers.ftl.
 
-compensate-programs = eine Sprache oder ein Hersteller von Roboterprogrammen: die Programme mit `etalon compensate PROGRAM` korrigieren; `etalon cell` schreibt Werkzeug und Werkobjekt
+compensate-programs = eine Sprache oder ein Hersteller von Roboterprogrammen: die Programme mit `etalon compensate PROGRAM` korrigieren; `etalon cell` schreibt Werkzeug und Werkstückkoordinatensystem
 
 controller-format-unknown = `{ $name }` ist kein Steuerungsformat
 
@@ -20,7 +20,7 @@ kind-planar-or-serial = ein ebener Roboter oder ein serieller Arm
 
 format-for-other-robots = das Format `{ $format }` kann keinen Roboter mit `model = "{ $model }"` beschreiben
     .expected = { $kind }
-    .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
+    .hint = ein anderes Format wählen: `etalon export --help` nennt die Formate
 
 format-too-many-joints = der Roboter hat { $joints } Gelenke, das Format `{ $format }` erlaubt { $most }
 
@@ -45,13 +45,13 @@ file-worse-than-nominal = Format `{ $format }` wird nicht geschrieben: { $reason
     .hint = ein Format verwenden, das diese Parameter enthält; `etalon export --force` schreibt die Datei
 
 error-near-nominal = { $case ->
-        [rms] Positionsabweichung nicht deutlich kleiner als mit Nennparametern
-        [maximum] größte Positionsabweichung über der mit Nennparametern
-       *[both] Positionsabweichung nicht deutlich kleiner als mit Nennparametern, ihr Maximum größer
+        [rms] die Positionsabweichung ist nicht deutlich kleiner als mit Nennparametern
+        [maximum] die größte Positionsabweichung ist größer als mit Nennparametern
+       *[both] die Positionsabweichung ist nicht deutlich kleiner als mit Nennparametern, ihr Maximum ist größer
     }: { $set ->
         [validation] Validierungsposen
        *[other] Kalibrierposen
-    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (Maximum), nominal { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
+    } { FIXED($written_mm, $decimals) } mm (RMS), { FIXED($written_max_mm, $decimals) } mm (Maximum); mit Nennparametern { FIXED($nominal_mm, $decimals) } mm und { FIXED($nominal_max_mm, $decimals) } mm
 
 file-near-nominal = { $formats_count ->
         [1] Format
@@ -60,7 +60,7 @@ file-near-nominal = { $formats_count ->
     .hint = die Abweichungen in controllers.json vergleichen; falls Parameter ausgelassen sind, ein Format verwenden, das sie enthält
 
 file-of-other-structure = Format `{ $format }`: die Achsen dieses Arms liegen anders als bei Armen von Universal Robots: { $difference }
-    .hint = Konvention, Reihenfolge und Vorzeichen in robot.toml prüfen; für einen Arm eines anderen Herstellers ein anderes Format wählen: `etalon export --help` nennt sie
+    .hint = Konvention, Reihenfolge und Vorzeichen in robot.toml prüfen; für einen Arm eines anderen Herstellers ein anderes Format wählen: `etalon export --help` nennt die Formate
 
 structure-angle = die Achsen { $first } und { $second } schließen { FIXED($deg, 1) }° ein statt { FIXED($expected, 0) }°
 
@@ -68,9 +68,9 @@ structure-no-link = die Achsen { $first } und { $second } sind parallel im Absta
 
 structure-apart = die Achsen { $first } und { $second } gehen im Abstand von { FIXED($mm, 1) } mm aneinander vorbei, statt sich zu schneiden
 
-structure-wrist-meets = die Achsen 4 und 6 schneiden Achse 5 im Abstand von { FIXED($mm, 1) } mm statt in einer Handgelenklänge
+structure-wrist-meets = die Achsen 4 und 6 schneiden Achse 5 im Abstand von { FIXED($mm, 1) } mm statt im Abstand einer Handgelenklänge
 
-structure-wrist-in-plane = das Handgelenk liegt { FIXED($mm, 1) } mm neben der Ebene von Achse 1 statt um einen Schulterversatz
+structure-wrist-in-plane = das Handgelenk liegt { FIXED($mm, 1) } mm neben der Ebene von Achse 1; erwartet ist ein Schulterversatz
 
 covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json enthält deren Kovarianz nicht
     .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne diese Parameter neu
@@ -82,7 +82,7 @@ covariance-not-finite = die Kovarianz enthält eine nicht endliche Zahl
     .hint = die Identifikation erneut ausführen
 
 parameter-not-finite = Parameter `{ $parameter }` enthält eine nicht endliche Zahl
-    .expected = Wert, Nennwert und Unsicherheit sind endlich
+    .expected = endliche Zahlen für Wert, Nennwert und Unsicherheit
 
 parameter-twice = es gibt zwei Parameter `{ $parameter }`
     .hint = die Identifikation erneut ausführen
@@ -93,7 +93,7 @@ parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen b
 parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
-positions-not-measured = Format `{ $format }` braucht gemessene Positionen, und bei den Parametern liegen keine
+positions-not-measured = Format `{ $format }` braucht gemessene Positionen, und zu den Parametern gehören keine
     .expected = die parameters.json im Ausgabeordner einer Kampagne, die Positionen gemessen hat
 
 recording-failed = die Aufzeichnung kann nicht geschrieben werden: { $reason }
@@ -102,7 +102,7 @@ robot-missing = dieses Format braucht das Robotermodell
     .hint = die robot.toml angeben: `--robot DATEI`
 
 robot-parameter-missing = der Roboter hat keinen Parameter `{ $parameter }`
-    .hint = ein anderes Format wählen: `etalon export --help` zählt sie auf
+    .hint = ein anderes Format wählen: `etalon export --help` nennt die Formate
 
 deviation-steep = die Abweichung ändert sich von { $from } bis { $to } um { $change }
     .expected = höchstens 5 % des Abstands
@@ -135,17 +135,17 @@ galil-rounding = `{ $parameter }` verliert auf einer Galil-Steuerung { SCIENTIFI
 galil-axes = { $joints } Gelenke sind zu viele für eine Galil-Steuerung
     .expected = höchstens acht
 
-galil-counts-out-of-range = Ziel { $target }: { $counts } Impulse außerhalb des Bereichs
-    .expected = höchstens { $most } Impulse
+galil-counts-out-of-range = Ziel { $target }: { $counts } Inkremente liegen außerhalb des Bereichs
+    .expected = höchstens { $most } Inkremente
 
 certificate-date-missing = ein Kalibrierschein braucht das Datum der Messungen
     .expected = `date = "YYYY-MM-DD"` in campaign.toml
     .hint = das Datum angeben und die Kampagne erneut ausführen
 
 targets-not-finite = ein Wert des Plans ist nicht endlich
-    .hint = den Plan prüfen: kein Ziel wird geschrieben
+    .hint = Gelenkbereiche und Bedingungen des Plans prüfen; es wird kein Ziel geschrieben
 
-targets-format-unknown = `{ $file }` nennt kein Format von Zielen
+targets-format-unknown = die Endung von `{ $file }` gehört zu keinem Format für Ziele
     .expected = ein Name, der auf `.json` oder `.h` endet
     .hint = für CSV `--poses` verwenden
 
@@ -171,7 +171,7 @@ working-mode-changes = das Programm wechselt den Arbeitsmodus
     .hint = die Ziele jedes Arbeitsmodus in einem eigenen Programm angeben
 
 movement-not-compensated = `{ $command }` wird nicht kompensiert
-    .expected = geradlinige Bewegungen zu absoluten Koordinaten
+    .expected = geradlinige Bewegungen auf absolute Koordinaten
 
 subroutine-not-compensated = Variablen und Unterprogramme werden nicht kompensiert
     .hint = die Ziele als Zahlen schreiben
@@ -195,10 +195,10 @@ template-name = der Name der Vorlage `{ $file }` endet nicht auf `.j2`
     .hint = die Vorlage umbenennen: NAME.j2 schreibt die Datei NAME
 
 controller-template-failed = die Vorlage lässt sich nicht füllen: { $reason }
-    .hint = diese Zeile korrigieren
+    .hint = diese Zeile berichtigen
 
 measuring-language-unknown = die Sprache von { $file } ist unbekannt
-    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) oder .ngc (G-code), oder `--program-language`
+    .expected = .mod (RAPID), .src (KRL), .script (URScript), .ls (FANUC), .kl (Karel), .jbi (INFORM) oder .ngc (G-Code) oder die Angabe `--program-language`
 
 measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachsen{ $external ->
         [0] { "" }
@@ -206,7 +206,7 @@ measuring-joints-unsuited = ein Programm in { $language } bewegt sechs Drehachse
     }; dieser Roboter hat { $revolute } Dreh- und { $prismatic } Linearachsen
     .hint = die Posen mit `--poses DATEI` oder `--targets DATEI` schreiben
 
-measuring-motor-values = die Werte von Gelenk { $joint } sind die seines Motors (Faktor { $gain }), den ein Programm nicht anfährt
+measuring-motor-values = die Werte von Gelenk { $joint } sind die Werte seines Motors (Übertragungsfaktor { $gain }); ein Programm gibt keine Motorwerte vor
     .hint = die Posen mit `--poses DATEI` schreiben und in Gelenkwerte umrechnen
 
 measuring-output-unsuited = `{ $output }` ist kein digitaler Ausgang von { $language }
@@ -215,15 +215,15 @@ measuring-output-unsuited = `{ $output }` ist kein digitaler Ausgang von { $lang
        *[other] eine Zahl von { $first } bis { $last }
     }
 
-measuring-axes-missing = ein Programm in { $language } braucht den Buchstaben jeder von { $joints } Achsen
+measuring-axes-missing = ein Programm in { $language } braucht den Buchstaben jeder der { $joints } Achsen
     .hint = sie in der Reihenfolge der Gelenke angeben: `--axes BUCHSTABEN` (aus XYZABCUVW)
 
-measuring-pulses-missing = ein Programm in { $language } braucht die Impulse je deg oder mm von { $joints } Gelenken
+measuring-pulses-missing = ein Programm in { $language } braucht die Impulse je deg oder mm für jedes der { $joints } Gelenke
     .hint = sie in der Reihenfolge der Gelenke angeben: `--pulses P1,P2,...`
 
 
-linuxcnc-distant-normal = die Achsen { $first } und { $second } sind fast parallel: `genserkins` hat ihre gemeinsame Normale in { FIXED($away_mm, 0) } mm Entfernung, so dass gerundete Werte den Flansch verschieben
+linuxcnc-distant-normal = die Achsen { $first } und { $second } sind fast parallel: `genserkins` hat ihre gemeinsame Normale in { FIXED($away_mm, 0) } mm Entfernung, so dass gerundete Werte den Flansch verschieben
     .hint = das Format `linuxcnc-component` verwenden, das Hayatis Winkel und Schraubachsen enthält
 
-linuxcnc-joint-offsets = `genserkins` hat keine Gelenkversätze: ohne sie weicht der Flansch bei Gelenkwerten null um { FIXED($off_mm, 1) } mm ab. Versätze nach LinuxCNC-Gelenk (deg): { $offsets_deg }
+linuxcnc-joint-offsets = `genserkins` hat keine Gelenkversätze: ohne sie weicht der Flansch bei Gelenkwerten null um { FIXED($off_mm, 1) } mm ab. Versätze nach LinuxCNC-Gelenk (deg): { $offsets_deg }
     .hint = sie zu HOME_OFFSET, HOME, MIN_LIMIT und MAX_LIMIT von [JOINT_n] addieren oder `linuxcnc-component` verwenden
