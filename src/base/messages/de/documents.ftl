@@ -6,13 +6,13 @@ action-load-or-compensate = `{ $file }`{ $count ->
     } in eigene Software laden; für eine Steuerung mit nominaler Geometrie die Programme mit `etalon compensate` korrigieren
 
 limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
-    .hint = jeden Roboter einzeln prüfen; zusammen ergeben sie die Austauschbarkeit
+    .hint = jeden Roboter einzeln prüfen; nur die Austauschbarkeit wird aus allen Robotern zusammen bestimmt
 
 few-cycles = weniger als { $least } Zyklen { $count ->
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
     }
-    .hint = 30 Zyklen messen (ISO 9283) oder mit den Intervallen urteilen
+    .hint = 30 Zyklen messen (ISO 9283) oder anhand der Intervalle entscheiden
 
 few-cycles-of-direction = weniger als { $least } Zyklen { $count ->
         [one] in Richtung { $directions }
@@ -26,7 +26,7 @@ instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Ke
     }
     .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
 
-positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
+positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
     .hint = `drift_set` in [poses] angeben (`--drift-set`) oder den Roboter vor der Prüfung warmfahren
 
 several-approaches = mehrere Anfahrrichtungen { $count ->
@@ -54,7 +54,7 @@ poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm 
     } bleiben { FIXED($left_mm, 3) } mm
     .hint = beide Tabellen in einem Koordinatensystem angeben; AP und AT enthalten den Abstand der Koordinatensysteme, RP und RT nicht
 
-deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, so weit wie die Prüfung groß ist ({ FIXED($extent_mm, 1) } mm); am weitesten: { $poses }
+deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }
     .hint = die Namen der Posen und die Spalten beider Tabellen prüfen
 
 angles-not-separable = die Winkel { $first } und { $second } { $place } { $order ->
@@ -62,8 +62,8 @@ angles-not-separable = die Winkel { $first } und { $second } { $place } { $order
        *[unknown] ändern sich gemeinsam, weit mehr als ihre Summe oder Differenz: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus
     }
     .hint = { $order ->
-        [stated] die Drehvektoren verwenden (AP rx bis RP rz), oder die Winkel in einer anderen Reihenfolge der Drehungen aufzeichnen
-       *[unknown] die Reihenfolge der drei Winkel der Posen angeben (`--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`): dann werden Drehvektoren ausgewertet; oder die Winkel in einer anderen Reihenfolge aufzeichnen
+        [stated] die Rotationsvektoren verwenden (AP rx bis RP rz) oder die Winkel in einer anderen Reihenfolge der Drehungen aufzeichnen
+       *[unknown] die Reihenfolge der drei Winkel der Posen angeben (`--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`): dann werden Rotationsvektoren ausgewertet; oder die Winkel in einer anderen Reihenfolge aufzeichnen
     }
 
 angles-of-poses = { $count ->
@@ -109,7 +109,7 @@ zone-proved-locally = es ist nur unter benachbarten Elementen ({ $element }) bew
 zone-unproved = eine engere Zone des Elements { $element } kann nicht ausgeschlossen werden
     .hint = einen größeren Teil der Fläche messen: so stark streuende Punkte bestimmen das Element kaum
 
-hold-another = um einen anderen Parameter der Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der, dessen Toleranz die Ziele am wenigsten bewegt
+hold-another = um einen anderen Parameter der Gruppe festzuhalten, ihn unter `hold` in [identify] nennen; ohne Angabe ist es der Parameter, dessen Toleranz die Zielmarken am wenigsten bewegt
 
 set-up-origin = { $origin ->
         [unit] `unit` des Exports
@@ -125,9 +125,9 @@ plan-cube = { $shape ->
 plan-poses = P1: Mitte; P2 bis P5: auf den Diagonalen der Prüfebene, 10 % ihrer Länge von den Ecken entfernt, in der Reihenfolge der Ecken
 plan-clauses = P1 bis P5, Lasten, Geschwindigkeiten und 30 Zyklen folgen dem Text der Norm; Bahnen, andere Anzahlen und die Reihenfolge der Ecken wurden nicht mit einem gekauften Exemplar verglichen
 plan-reach-not-examined = nicht geprüft: ob der Roboter die Posen erreicht und ob sich zwischen ihnen alle Gelenke bewegen
-plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; von mehreren Arbeitsmodi gilt für eine ganze Liste der, der die meisten ihrer Posen erreicht; { $moves ->
+plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; für jede Liste von Posen gilt ein einziger Arbeitsmodus: derjenige, der die meisten ihrer Posen erreicht; { $moves ->
         [all] zwischen P1 und P5 bewegen sich alle Gelenke
-       *[some] zwischen P1 und P5 bewegen sich manche Gelenke nicht, obwohl die Norm es von allen verlangt
+       *[some] zwischen P1 und P5 bewegen sich nicht alle Gelenke; die Norm verlangt es
     }
 covariance-not-square = seine Kovarianz ist nicht quadratisch mit { $identified } Zeilen, je identifizierten Parameter eine
 uncertainty-negative = eine Standardunsicherheit oder Varianz ist negativ oder keine Zahl
@@ -135,26 +135,26 @@ parameter-listed-twice = es enthält den Parameter `{ $parameter }` zweimal
 
 method-levenberg-marquardt = Levenberg-Marquardt mit Block-QR und skalierten Spalten, Abschluss mit Gauß-Newton
 method-enclosing = kleinstes umschließendes Element, durch { $points } Punkte bestimmt
-method-minimum-zone = Minimumzone (Tschebyschow)
+method-minimum-zone = Minimumzone (Tschebyscheff)
 action-add-cycles = { $count ->
         [one] Pose { $poses }
        *[other] die Posen { $poses }
     } mindestens { $required }-mal anfahren
-action-add-cycles-reason = die kleinste Zahl der Anfahrten einer Pose ist { $least }: die Intervalle von AP und RP sind daher breit
+action-add-cycles-reason = eine Pose hat nur { $least } Anfahrten: die Intervalle von AP und RP sind daher breit
 action-add-effect = `{ $line }` in robot.toml ergänzen
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
 action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
 action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
-action-agree-rule = mit dem Auftraggeber eine Entscheidungsregel vereinbaren: { $limit }
+action-agree-rule = mit dem Kunden eine Entscheidungsregel vereinbaren: { $limit }
 action-agree-rule-reason = die Grenze liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
-action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Restfeld ergänzt Abweichungen, die kein Parameter beschreibt
-action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } ausgelassenen Posen: { $without } → { $with }
+action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
+action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
 action-verify = das Laden prüfen: an einigen Posen die angezeigte Pose der Steuerung mit `etalon kinematics direct` für parameters.json vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
-action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` aus wenigen gemessenen Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
-action-finer-instrument = mit einer erweiterten Messunsicherheit von höchstens { $uncertainty } messen
-action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %, die { $count ->
-        [one] Pose { $poses } überschreitet
-       *[other] die Posen { $poses } überschreiten
+action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` anhand weniger gemessener Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
+action-finer-instrument = mit einer erweiterten Messunsicherheit der Position von höchstens { $uncertainty } messen
+action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %; diesen Wert { $count ->
+        [one] überschreitet Pose { $poses }
+       *[other] überschreiten die Posen { $poses }
     }
 action-keep-nominal = { $count ->
         [0] die Nennparameter behalten
@@ -168,7 +168,7 @@ action-load = `{ $file }`{ $count ->
 action-load-reason = quadratischer Mittelwert der Abweichung ({ $quantity }) an { $count } { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    }: nominell { $nominal }, identifiziert { $expected }
+    }: mit Nennparametern { $nominal }, mit identifizierten Parametern { $expected }
 action-load-synthetic = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
@@ -209,10 +209,10 @@ field-needs-poses = { $poses ->
         [one] { $poses } Pose
        *[other] { $poses } Posen
     }; ein Residuenfeld braucht { $needed }
-field-readings-suspect = an der zurückgehaltenen Pose { $pose } beträgt die Abweichung mit dem Feld { FIXED($error_mm, 3) } mm, mehr als das 8fache des Medians aller Posen: ihre Messwerte sind verdächtig
-field-undetermined = die Positionen bestimmen die Parameter nicht in jedem Teil der Posen
+field-readings-suspect = an der zurückgehaltenen Pose { $pose } beträgt die Abweichung mit dem Feld { FIXED($error_mm, 3) } mm, mehr als das 8-Fache des Medians aller Posen: ihre Messwerte sind verdächtig
+field-undetermined = die Positionen bestimmen die Parameter nicht in jeder Teilmenge der Posen
 field-not-shown = die Residuen zeigen keine Abhängigkeit von den Gelenken: die Likelihood steigt um { FIXED($rise, 1) }, erforderlich ist { FIXED($threshold, 1) } (−2 ln L)
-field-not-proven = an zurückgehaltenen Posen beträgt die Positionsabweichung { FIXED($without_mm, 3) } mm ohne und { FIXED($with_mm, 3) } mm mit dem Feld (quadratischer Mittelwert); der Gewinn ist das { FIXED($gain, 1) }fache seiner Standardunsicherheit, erforderlich ist das 2,3fache
+field-not-proven = an zurückgehaltenen Posen beträgt die Positionsabweichung { FIXED($without_mm, 3) } mm ohne und { FIXED($with_mm, 3) } mm mit dem Feld (quadratischer Mittelwert); die Verringerung beträgt das { FIXED($gain, 1) }-Fache ihrer Standardunsicherheit, erforderlich ist das 2,3-Fache
 
 zeros-of-the-joints = Nullpunkte der Gelenke
 geometry = Geometrie
