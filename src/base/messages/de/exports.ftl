@@ -66,7 +66,7 @@ vertices-of-mesh = die Punkte sind Eckpunkte eines Netzes, keine gemessenen Punk
     .hint = die gemessenen Punkte als PLY oder als Text exportieren
 
 positions-of-program = die Positionen eines Roboterprogramms sind Sollwerte, keine Messwerte
-    .hint = sie als Soll-Posen verwenden
+    .hint = sie als Sollposen verwenden
 
 encoding-differs = die Datei beginnt mit der Byte-Reihenfolge-Marke (BOM) von { $of_file }; die Kampagne gibt { $stated } an
     .hint = `encoding` entfernen: die Marke der Datei gibt die Kodierung an
@@ -86,14 +86,14 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
     .expected = höchstens { $columns } Spalten und { $rows } Zeilen
     .hint = die Zelle löschen oder die Tabelle in ein eigenes Blatt kopieren
 
-state-column-or-pose = `columns = {"{"} pose = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `pose = "row"`, wenn die Nummer der Zeile die der Pose ist (Option --pose)
-state-column-or-target = `columns = {"{"} target = "{ $heading }" {"}"}` mit ihrer Überschrift angeben (Option --column), oder `target = "NAME"`, wenn alle Zeilen von einem Ziel sind (Option --target)
+state-column-or-pose = `columns = {"{"} pose = "{ $heading }" {"}"}` mit der Überschrift der Spalte angeben (Option --column) oder `pose = "row"`, wenn die Zeilennummer die Nummer der Pose ist (Option --pose)
+state-column-or-target = `columns = {"{"} target = "{ $heading }" {"}"}` mit der Überschrift der Spalte angeben (Option --column) oder `target = "NAME"`, wenn alle Zeilen zu einer Zielmarke gehören (Option --target)
 
 unpacked-too-large = { $kind ->
         [workbook] die entpackte Arbeitsmappe ist
         [arrays] die entpackten Arrays der Datei sind
        *[recording] die entpackte Aufzeichnung ist
-    } größer als { $most_mib } MiB
+    } größer als { $most_mib } MiB
     .hint = { $kind ->
         [workbook] das Blatt allein oder als Text speichern
         [arrays] die Arrays der Messung allein speichern
@@ -214,7 +214,7 @@ three-to-eight-numbers = drei bis acht Zahlen, durch Kommas getrennt
 
 propose-format = Trennzeichen, Dezimalzeichen und Anführungszeichen der Zeile prüfen und ob die Datei abgeschnitten ist; `etalon formats DATEI` schlägt vor, wie die Datei zu lesen ist
 
-quote-names = Namen mit Leerzeichen in Anführungszeichen setzen, oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
+quote-names = Namen mit Leerzeichen in Anführungszeichen setzen oder Trennzeichen und Spalten angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
 state-as-delimited = eine Datei mit Namen oder Tabulatoren als Text mit Trennzeichen angeben: `format = {"{"} delimiter = .., columns = .. {"}"}`
 
@@ -305,7 +305,7 @@ coordinate-system-differs = die Punkte von `{ $feature }` sind im Koordinatensys
 
 coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenitwinkel (rad) und Entfernung
     .expected = kartesische Koordinaten: alle Zeilen haben zwei kleine Winkel und eine Länge
-    .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` angeben, oder `coordinates = "cartesian"`
+    .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` oder `coordinates = "cartesian"`
 
 orientation-incomplete = die Orientierung hat { $found } von { $needed } Zahlen
     .hint = die Orientierung vervollständigen oder alle ihre Zellen leer lassen
@@ -394,8 +394,8 @@ coordinate-counts-differ = `{ $name }` hat { $found ->
     }; eine andere Koordinate des Punktes hat { $count }
     .hint = nicht gemessene Werte mit dem Attribut 255 (K0002) exportieren
 
-metric-misplaced = `METRIC` steht außerhalb der Spalten 11 bis 16: die Einheit ist mehrdeutig (inch oder mm)
-    .expected = `XYZIJK    METRIC`, oder `XYZIJK` allein für Zoll
+metric-misplaced = `METRIC` steht außerhalb der Spalten 11 bis 16: die Einheit ist mehrdeutig (Zoll oder mm)
+    .expected = `XYZIJK    METRIC` oder `XYZIJK` allein für Zoll
     .hint = Zeile 1 berichtigen oder die Datei als Text mit Trennzeichen und ihrer Einheit angeben
 
 vertex-not-finite = Punkt { $number } (`vertex`) hat die Koordinaten { $coordinates }
@@ -408,18 +408,18 @@ line-number-differs = die Spalten 73 bis 80 enthalten `{ $digits }`: eine Zeilen
 
 feature-without-points = `{ $feature }` hat keine verwendbaren Punkte: { $message }
 
-compensation-mixed = die Punkte haben verschiedene Tasterkorrekturen
-    .hint = für diese Punkte getrennte Anpassungen rechnen
+compensation-mixed = die Punkte sind verschieden um den Tasterradius korrigiert
+    .hint = diese Punkte getrennt anpassen
 
 reference-broken = `{ $name }` verweist auf { $id }: das ist kein `{ $kind }` dieser Datei
 
 reference-external = die Punktmenge { $id } ist in einem anderen Dokument
-    .hint = Element und Punkte in einem Dokument exportieren
+    .hint = Geometrieelement und Punkte in einem Dokument exportieren
 
 point-range-invalid = `{ $range }` ist kein Bereich der Punktmenge { $id } (Zeile { $line })
     .expected = ganze Zahlen von 1 bis { $count }, die kleinere zuerst
 
-point-set-unused = kein Element verweist auf die Punktmenge { $id }
+point-set-unused = kein Geometrieelement verweist auf die Punktmenge { $id }
 
 id-repeated = die Kennung { $id } ist zweimal vergeben, zuerst in Zeile { $line }: Verweise gelten der ersten
     .hint = die Datei neu exportieren: sie wurde aus mehreren Dateien zusammengesetzt
@@ -497,7 +497,7 @@ arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
 
-sheet-not-stated = eine Arbeitsmappe, deren Blatt nicht angegeben ist; sie enthält { $sheets }
+sheet-not-stated = das Blatt der Arbeitsmappe ist nicht angegeben; die Arbeitsmappe enthält { $sheets }
     .hint = das Blatt (`sheet`) angeben
 
 state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
@@ -510,10 +510,10 @@ row-cell-empty = nicht gemessen: { $column } ist leer
 row-invisible = nicht gemessen: 0 0 0 mit dem Quaternion 0 0 0 0
 row-not-measured = nicht gemessen: { $column } ist `{ $cell }`
 characteristic-of-no-axis = keine Koordinate: der Name des Merkmals endet nicht auf X, Y oder Z
-feature-of-no-point = ein Element `{ $kind }`: sein Punkt kann überall auf dem Element liegen
-feature-not-read = ein Element `{ $kind }`: diese Art wird nicht gelesen
+feature-of-no-point = ein Geometrieelement `{ $kind }`: sein Punkt kann überall auf dem Element liegen
+feature-not-read = ein Geometrieelement `{ $kind }`: diese Art wird nicht gelesen
 point-incomplete = kein Punkt: { $found } ohne { $missing }
-probe-centre-no-point = ein Tastermittelpunkt, kein Punkt des Elements
+probe-centre-no-point = ein Tastermittelpunkt, kein Punkt des Geometrieelements
 
 log-delimited = Trennzeichen `{ $delimiter }`, Dezimalzeichen `{ $decimal }`
 log-of-arrays = Arrays von { $format }
