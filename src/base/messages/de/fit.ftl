@@ -20,7 +20,7 @@ element-unknown = unbekanntes Element `{ $name }`
 
 probe-radius-not-positive = der Tasterradius ist { $radius } mm
     .expected = eine positive Zahl
-    .hint = den qualifizierten Radius des Tasters angeben, nicht den Durchmesser; bei Kontaktpunkten weglassen
+    .hint = den eingemessenen Radius des Tasters angeben, nicht den Durchmesser; bei Kontaktpunkten weglassen
 
 probe-side-needs-direction = innen und außen sind für das Element { $element } nicht definiert
     .expected = die Richtung vom Element zum Taster
@@ -28,7 +28,7 @@ probe-side-needs-direction = innen und außen sind für das Element { $element }
 
 probe-side-needs-inside = eine Richtung gibt für das Element { $element } nicht die Seite des Tasters an
     .expected = inside (Bohrung) oder outside (Welle)
-    .hint = angeben, wo die Kugel war: inside oder outside
+    .hint = die Seite des Tasters angeben: inside oder outside
 
 probe-direction-zero = der Richtungsvektor { $direction } zum Taster ist null
     .expected = drei endliche Zahlen, nicht alle null
@@ -71,7 +71,7 @@ element-ambiguous = ein anderes Element { $element } passt fast ebenso gut zu de
 
 element-not-determined = das Element { $element } konnte nicht angepasst werden: { $termination }
     .expected = Punkte, die ein Element { $element } bestimmen
-    .hint = die Punkte prüfen: zu kurzer oder zu gerader Bogen, oder ein anderes Element; sonst Radius oder Achse festhalten
+    .hint = die Punkte prüfen: zu kurzer Bogen, Gerade statt Bogen oder falsches Element; sonst Radius oder Achse festhalten
 
 zone-flat = keine Minimumzone des Elements { $element }: eine Ebene passt ebenso gut zu den Punkten
     .expected = Punkte auf einem Teil der Fläche, dessen Höhe größer ist als die Formabweichung
