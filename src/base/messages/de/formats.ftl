@@ -18,7 +18,7 @@ key-needs-columns = `{ $key }` braucht die Spalten { $columns }
 coverage-factor-missing = erweiterte Messunsicherheiten brauchen ihren Erweiterungsfaktor `coverage_factor`
     .hint = ihn in `format` angeben, zum Beispiel `coverage_factor = 2`
 
-row-number-unknown = `{ $stated }` ist unbekannt, erwartet wird `row`, oder `row + 100` für eine zweite Datei
+row-number-unknown = `{ $stated }` ist unbekannt, erwartet wird `row` oder, für eine zweite Datei, `row + 100`
 uncertainty-column-count = `columns` nennt { $stated ->
         [one] 1 Unsicherheit
        *[other] { $stated } Unsicherheiten
@@ -60,7 +60,7 @@ row-types-missing = die Spalten c1, c2, c3 brauchen eine Spalte `type` und den S
     .hint = zum Beispiel `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
 
 row-type-incomplete = `{ $key }` gibt nicht an, was c1, c2 und c3 sind
-    .expected = drei Koordinaten, und c1, c2, c3 in `columns`
+    .expected = drei Koordinaten sowie c1, c2, c3 in `columns`
 
 not-coordinates = `{ $key }` nennt { $count ->
         [0] keine Koordinaten
@@ -92,7 +92,7 @@ expression-malformed = der Ausdruck `{ $expression }` kann nicht gelesen werden:
         [too-long] er ist länger als 1000 Zeichen
         [left-over] `{ $rest }` bleibt übrig
         [brackets-too-deep] seine Klammern sind zu tief geschachtelt
-        [too-many-signs] er hat zu viele Vorzeichen
+        [too-many-signs] er hat zu viele Operatoren
         [bracket-open] eine Klammer ist nicht geschlossen
         [column-number] auf `$` folgt keine Spaltennummer ab 1
        *[incomplete] eine Spalte oder eine Zahl fehlt
@@ -121,7 +121,7 @@ rows-left-out = { $count ->
        *[other] { $count } Zeilen
     } ausgelassen; die erste: { $reason }
 
-count-value-missing = `{ $key }` gibt den Wert eines Impulses nicht an: Galil-Arrays enthalten Geberimpulse
+count-value-missing = `{ $key }` gibt den Wert eines Inkrements nicht an: Galil-Arrays enthalten Geberinkremente
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in der Einheit des Schlüssels
 
 galil-array-hole = das Array von `{ $column }` hat eine Lücke
@@ -132,7 +132,7 @@ galil-array-ended = Wert fehlt: das Array von { $columns } ist zu Ende
 galil-array-empty = eines der Arrays ist leer
     .hint = die Arrays nach dem Ende der Aufzeichnung erneut aus der Steuerung auslesen
 
-not-a-count = { $value } ist keine Impulszahl eines Gebers
+not-a-count = { $value } ist keine Anzahl von Geberinkrementen
     .expected = eine ganze Zahl mit 32 Bit
     .hint = sind die Werte schon umgerechnet, `format = "galil"` weglassen
 
@@ -142,8 +142,8 @@ counter-wrapped = der Zähler ist übergelaufen: auf { $from } folgt { $to }
 rsi-cycles-missing = { $count ->
         [one] 1 Zeile, in der
        *[other] { $count } Zeilen, in denen
-    } `IPOC` nicht um { $step_ms } ms weitergeht
-    .hint = Telegramme gingen verloren: der aufzeichnende Rechner war zu spät
+    } `IPOC` nicht um { $step_ms } ms fortschreitet
+    .hint = Telegramme gingen verloren, weil der aufzeichnende Rechner zu langsam war; erneut aufzeichnen, falls die Lücken stören
 
 ros-joints-change = Gelenk { $number } ist in dieser Zeile `{ $found }` und in der ersten `{ $first }`
     .hint = zwei Sender teilen das Topic: jeden in eine eigene Datei aufzeichnen
@@ -159,7 +159,7 @@ log-key-inapplicable = `{ $key }` gilt nicht für { $column ->
        *[other] `{ $column }`
     }
     .hint = { $key ->
-        [per_count] `per_count` ist der Wert eines Geberimpulses und gilt nur für ein Gelenk: den Schlüssel entfernen
+        [per_count] `per_count` ist der Wert eines Geberinkrements und gilt nur für ein Gelenk: den Schlüssel entfernen
         [values] `values` gehört zu `format = "twincat"`: den Schlüssel entfernen
         [comment] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
         [decimal] eine Array-Datei enthält keinen Text: `{ $key }` entfernen
@@ -204,8 +204,8 @@ state-delimiter = `delimiter = "{ $delimiter }"` und `decimal = "{ $decimal }"` 
 
 state-delimiter-of-rows = `delimiter` und `decimal` der Zeilen angeben
 
-header-holds-numbers = die Zeile, die die Spalten nennen soll, enthält Zahlen
-    .hint = hat die Datei keinen Kopf, `header = false` angeben und die Spalten mit Nummern angeben
+header-holds-numbers = die Kopfzeile enthält Zahlen statt Namen
+    .hint = hat die Datei keinen Kopf, `header = false` und die Nummern der Spalten angeben
 
 column-by-number = eine Spalte dieses Formats kann nicht durch ihre Nummer angegeben werden: { $format ->
         [galil] Arrays stehen in alphabetischer Reihenfolge, unabhängig von ihrem Gelenk
@@ -300,7 +300,7 @@ columns-not-read = nicht gelesen: { $count ->
 
 joint-direction-missing = `backlash` von Gelenk `{ $joint }` braucht die Anfahrrichtung
     .expected = eine Spalte `{ $column }`: +1 bei Annäherung von kleineren Werten, -1 von größeren Werten
-    .hint = eine Kampagne entnimmt sie einem Protokoll mit Zeiten; andernfalls das Gelenk aus `backlash` der Roboterdatei entfernen
+    .hint = ein Protokoll mit Zeiten verwenden oder das Gelenk aus `backlash` der Roboterdatei entfernen
 
 joint-direction-invalid = `{ $column }` { $value ->
         [missing] fehlt
@@ -331,9 +331,9 @@ recording-time-missing = die Aufzeichnung hat keine Zeitspalte
     .expected = eine Spalte `time_s` oder die Abtastrate
     .hint = die Abtastrate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
 
-state-sampling-rate = die Abtastrate angeben (`--rate-hz`): aus Zeitstempeln, die gröber sind als die Abtastung, ergeben sich keine Zeiten
+state-sampling-rate = die Abtastrate angeben (`--rate-hz`): die Zeitstempel sind gröber als die Abtastung
 
-rate-contradicts-stamps = { $samples } Abtastwerte mit { $rate_hz } Hz dauern { FIXED($by_rate_s, 2) } s; ihre Zeitstempel umfassen { FIXED($stamped_s, 2) } s
+rate-contradicts-stamps = { $samples } Abtastwerte mit { $rate_hz } Hz dauern { FIXED($by_rate_s, 2) } s; ihre Zeitstempel umfassen { FIXED($stamped_s, 2) } s
     .hint = die Abtastrate berichtigen oder die Spalten ohne die Zeitstempel angeben
 
 recording-implausible = { $count } von { $samples } Abtastwerten sind schneller als 20 m/s: so schnell bewegt sich kein Roboter
@@ -344,7 +344,7 @@ angles-not-compensated = die Drift der Winkel wird nicht durch die Referenzmarke
     .hint = die Reihenfolge angeben: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in einer Kampagne `rotation_order`
 
 cycle-before-reference-targets = Zyklus { $cycle } wurde vor allen Referenzmarken gemessen
-    .hint = die Referenzmarken vor der Prüfung messen; die ersten gehören zu Zyklus { $first }
+    .hint = die Referenzmarken vor der Prüfung messen; ihre erste Messung gehört zu Zyklus { $first }
 
 reference-target-twice = die Referenzmarke `{ $target }` wurde in Zyklus { $cycle } zweimal gemessen
     .hint = eine der Zeilen entfernen oder ihren Namen berichtigen
@@ -370,7 +370,7 @@ log-without-values = keine Zeile des Protokolls hat einen Wert für `{ $column }
     .hint = die Spalte berichtigen oder in `missing` andere Zellen angeben
 log-constant-invalid = die Konstante { $value } kann nicht die Spalte `{ $column }` eines Protokolls sein
     .hint = { $column ->
-        [cycle] eine ganze Zahl angeben, oder "visit" in einem Protokoll mit Posen
+        [cycle] eine ganze Zahl oder, in einem Protokoll mit Posen, "visit" angeben
         [assembly] 1 oder -1 angeben
         [pose] eine Zahl oder einen Namen angeben
        *[other] eine Zahl angeben
@@ -469,36 +469,36 @@ doubt-array-columns = `{ $array }` hat { $count } Spalten: Gelenke, Koordinaten 
 zero-count-alone = `zero_count` ist ohne `per_count` wirkungslos
 
 payload-column-missing = `payload` der Roboterdatei braucht die Spalte `{ $column }`
-    .expected = `load_kg`, und der Schwerpunkt im Flansch: `load_x_mm`, `load_y_mm`, `load_z_mm`
-    .hint = die Spalte ergänzen, mit 0 in Zeilen ohne Last, oder `payload` aus der Roboterdatei entfernen
+    .expected = `load_kg` und der Schwerpunkt im Flansch: `load_x_mm`, `load_y_mm`, `load_z_mm`
+    .hint = die Spalte ergänzen, mit 0 in Zeilen ohne Last; oder `payload` aus der Roboterdatei entfernen
 
 payload-invalid = `{ $column }` { $value ->
         [missing] fehlt
        *[other] ist { $value }
     }
-    .expected = eine Masse in kg von mindestens 0, oder eine Länge in mm
+    .expected = eine Masse in kg von mindestens 0 oder eine Länge in mm
     .hint = 0 angeben, wo der Roboter nichts trägt
 
-torque-column-missing = `torque` der Roboterdatei nennt das Gelenk `{ $joint }`, und die Spalte `{ $column }` fehlt
-    .hint = die Spalte ergänzen, oder das Gelenk aus `torque` der Roboterdatei entfernen
+torque-column-missing = `torque` der Roboterdatei nennt das Gelenk `{ $joint }`, aber die Spalte `{ $column }` fehlt
+    .hint = die Spalte ergänzen oder das Gelenk aus `torque` der Roboterdatei entfernen
 
 torque-invalid = `{ $column }` { $value ->
         [missing] fehlt
        *[other] ist { $value }
     }
     .expected = ein Drehmoment in N·m
-    .hint = die Zelle korrigieren, oder die Zeile ausschließen
+    .hint = die Zelle berichtigen oder die Zeile ausschließen
 
 temperature-column-missing = `drift` oder `expansion` der Roboterdatei braucht die Spalte `{ $column }`
     .expected = die Temperatur des Roboters in °C
-    .hint = die Spalte ergänzen, oder `drift` und `expansion` aus der Roboterdatei entfernen
+    .hint = die Spalte ergänzen oder `drift` und `expansion` aus der Roboterdatei entfernen
 
 temperature-invalid = `{ $column }` { $value ->
         [missing] fehlt
        *[other] ist { $value }
     }
     .expected = eine Temperatur in °C über dem absoluten Nullpunkt
-    .hint = die Zelle korrigieren, oder die Zeile ausschließen
+    .hint = die Zelle berichtigen oder die Zeile ausschließen
 
 approach-unknown = unbekannte Anfahrrichtung: { $visits }{ $count ->
         [one] {""}
