@@ -82,14 +82,14 @@ scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Robo
         [none] {""}
        *[other] {" "}({ $lengths })
     }
-    .hint = einen Abstand zwischen zwei Aufnahmen oder zu einem festen Punkt messen, oder die Position einer Zielmarke
+    .hint = einen Abstand zwischen zwei Aufnahmen oder zu einem festen Punkt oder die Position einer Zielmarke messen
 
 readings-weighted = { $own } von { $readings } Messwerten sind mit ihren eigenen Standardunsicherheiten gewichtet: { FIXED($least_mm, 4) } bis { FIXED($most_mm, 4) } mm je Koordinate
 
-rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: `{ $first }` bis `{ $second }` { FIXED($found_mm, 4) } mm { $by ->
-        [identification] ohne sie identifiziert
-       *[measurement] gemessen
-    }, { FIXED($stated_mm, 4) } mm angegeben
+rigid-part-contradicted = { $places } von { $targets } widersprechen den Messungen über ihre Unsicherheit hinaus: der Abstand von `{ $first }` bis `{ $second }` ist { FIXED($found_mm, 4) } mm { $by ->
+        [identification] (ohne diese Angaben identifiziert)
+       *[measurement] (gemessen)
+    }, angegeben sind { FIXED($stated_mm, 4) } mm
 
 stated-positions = angegebene Positionen
 
@@ -111,7 +111,7 @@ no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsi
 pose-residuals-correlated = die Residuen derselben Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt und betragen das { FIXED($ratio, 1) }-Fache der Werte aus dem Messgerät
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Abweichungen aller Messwerte einer Pose
 
-series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: weniger als acht Posen, oder gemeinsame Messwerte mehrerer Posen
+series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: eine Serie hat weniger als acht Posen, oder mehrere Posen haben gemeinsame Messwerte
 
 instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
     .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Abweichungen aller Posen sind in den Residuen nicht sichtbar
@@ -134,8 +134,8 @@ parameter-separable-poorly = `{ $parameter }` ist von { $others } nur mit einer 
         [deg] {" "}{ $unit }
        *[other] {""}
     } trennbar: { $held ->
-        [placed] er bleibt auf seinem ersten Schätzwert
-       *[nominal] er bleibt auf seinem Nennwert, der besser bekannt ist
+        [placed] er behält seinen Startwert
+       *[nominal] er bleibt auf seinem Nennwert, der genauer ist
     }
     .hint = Posen messen, in denen diese Parameter verschieden wirken
 
@@ -151,11 +151,11 @@ nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht 
 placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
     .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke, festgehaltene Parameter von Basis und Zielmarken und die Nennparameter des Roboters prüfen
 
-reference-moved = ab Pose { $pose } sind gemessene Positionen um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) gegen die bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+reference-moved = ab Pose { $pose } sind gemessene Positionen um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) gegenüber den Positionen bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen
 
-target-shifted = ab Pose { $pose } ist das Ziel `{ $target }` um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm im Koordinatensystem des Flansches) gegen seine Lage bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
-    .hint = das Ziel hat sich auf seinem Träger bewegt: ihm ab dieser Pose einen anderen Namen geben oder neu messen
+target-shifted = ab Pose { $pose } ist die Zielmarke `{ $target }` um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm im Koordinatensystem des Flansches) gegenüber ihrer Lage bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
+    .hint = die Zielmarke hat sich auf ihrem Träger bewegt: ihr ab dieser Pose einen anderen Namen geben oder neu messen
 
 poses-exchanged = { $count ->
         [one] die Gelenkwerte der Posen { $pairs } sind vertauscht
@@ -167,16 +167,16 @@ set-up-contradicted = die Messwerte widersprechen dem angegebenen Aufbau
     .hint = die Änderungen prüfen, die die Messwerte erklären
 
 set-up-untested = von diesen Daten nicht geprüft: { $changes }
-    .hint = am Roboter prüfen, oder ein zweites Ziel abseits der Achse des letzten Gelenks messen, in Posen, die alle Gelenke bewegen
+    .hint = diese Fehler am Roboter prüfen oder eine zweite Zielmarke abseits der Achse des letzten Gelenks in Posen messen, die alle Gelenke bewegen
 
-untested-change = { $change } (Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm statt { FIXED($stated_mm, 3) } mm; der Flansch weicht um bis zu { FIXED($flange_mm, 0) } mm und { FIXED($flange_deg, 0) } deg ab)
+untested-change = { $change } (Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm statt { FIXED($stated_mm, 3) } mm; der Flansch weicht um bis zu { FIXED($flange_mm, 0) } mm und { FIXED($flange_deg, 0) } deg ab)
 pair-of-poses = { $first } und { $second }
 
 parameters-weakly-identifiable = { $groups } sind aus diesen Posen nur schwach identifizierbar: Standardunsicherheiten { $uncertainties } (Korrelation { FIXED($correlation, 6) })
 
 parameter-groups-weakly-identifiable = { $count } Gruppen von Parametern sind aus diesen Posen nur schwach identifizierbar (größte Standardunsicherheiten: { $uncertainties }; innerhalb einer Gruppe heben sich die Abweichungen in der Nähe dieser Posen auf): { $groups }
 
-uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
+uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
 
 uncertainty-of-ratio = u({ $parameter }) = { SCIENTIFIC($u, 1) }
 
@@ -194,8 +194,8 @@ too-many-positions = { $positions } Positionen können nicht aus { $candidates }
 start-pose-unknown = die Startpose { $pose } ist kein Kandidat
     .hint = Posen aus der Tabelle der Kandidaten verwenden
 
-start-too-large = die Startauswahl hat { $start } Kandidaten, mehr als die { $positions } zu wählenden Positionen
-    .hint = mit weniger Posen beginnen oder mehr wählen
+start-too-large = die Startauswahl hat { $start } Kandidaten, zu wählen sind nur { $positions } Positionen
+    .hint = weniger Posen als Startauswahl angeben oder mehr Positionen wählen
 
 study-too-few-positions = { $positions } Positionen reichen nicht aus, um alle Parameter zu bestimmen
     .hint = mehr Positionen wählen
@@ -311,11 +311,11 @@ set-up-slip = { $others ->
         [none] eine Änderung erklärt die Messwerte: { $first }
        *[other] jede dieser Änderungen erklärt die Messwerte: { $first }; { $others }
     }. { $stated ->
-        [unreachable] Ohne Änderung sind Posen nicht erreichbar; mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm
-        [angles] Die Standardabweichung der Orientierungen sinkt von { FIXED($stated_deg, 2) } deg auf { FIXED($changed_deg, 2) } deg
-        [tolerances] Mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm, und die Parameter bleiben in ihren Toleranzen
-       *[residuals] Die Standardabweichung einer Koordinate sinkt von { FIXED($stated_mm, 3) } mm auf { FIXED($changed_mm, 3) } mm
-    } (an Posen, die die Identifikation auslässt): das zuerst prüfen
+        [unreachable] Ohne Änderung sind Posen nicht erreichbar; mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm
+        [angles] Die Standardabweichung der Orientierungen sinkt von { FIXED($stated_deg, 2) } deg auf { FIXED($changed_deg, 2) } deg
+        [tolerances] Mit der Änderung beträgt die Standardabweichung einer Koordinate { FIXED($changed_mm, 3) } mm, und die Parameter bleiben in ihren Toleranzen
+       *[residuals] Die Standardabweichung einer Koordinate sinkt von { FIXED($stated_mm, 3) } mm auf { FIXED($changed_mm, 3) } mm
+    } (an Posen, die die Identifikation auslässt): dies zuerst prüfen
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m Parameter, n Konfigurationen; Jacobi-Matrix in mm je mm, rad und 1
 index-o2 = O2 = smin / smax; Jacobi-Matrix in mm je mm, rad und 1
