@@ -2,18 +2,18 @@
 
 ask-anchor = der Punkt, von dem aus der Abstand gemessen ist: `other` in `constants`
 ask-angle-unit = die Einheit der Winkel: `angle_unit` in `format`
-ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointState ist in rad für Drehgelenke, in m für Schubgelenke: für ein Schubgelenk `q1_m` schreiben
+ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointState enthält rad für Drehgelenke und m für Schubgelenke: für ein Schubgelenk `q1_m` schreiben
 ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
 ask-log-of-format = ob es Folgendes ist: { $what } (`[log]` mit `format = "{ $format }"`)
 ask-number-with-gaps = ob { $column } wie vorgeschlagen die Nummer der Pose ist: sie springt von { $before } auf { $after }, die Nummer der Zeile ist also eine andere
 ask-order-of-columns = ob die Spalten x, y, z in dieser Reihenfolge sind oder Winkel und Abstände
-ask-points-in-row = ob die { $numbers } Zahlen einer Zeile { $count } Punkte zu drei Koordinaten sind, wie vorgeschlagen: nichts benennt sie
+ask-points-in-row = ob die { $numbers } Zahlen einer Zeile wie vorgeschlagen { $count } Punkte zu drei Koordinaten sind: die Spalten sind nicht benannt
 ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die erste
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
 ask-seconds = ob `{ $name }` in Sekunden ist (sonst `time_ms`, `time_ns`)
-ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind: ihre Überschriften sind gleich oder ihre Werte fast gleich: zwei Zielmarken, oder Soll und gemessene Koordinaten
+ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind: ihre Überschriften sind gleich oder ihre Werte fast gleich: zwei Zielmarken oder Sollkoordinaten und gemessene Koordinaten
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
 ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
@@ -53,18 +53,18 @@ because-topic = das Topic `{ $topic }` hat { $count ->
        *[other] { $count } Nachrichten
     } vom Typ { $message_type }
 because-unit-stated = Zeile { $line } gibt die Einheit an: { $how }
-doubt-all-commanded = alle Koordinaten heißen wie Sollwerte: sie sind keine Messung
+doubt-all-commanded = die Überschriften aller Koordinaten bezeichnen Sollwerte: die Datei enthält keine gemessenen Koordinaten
 doubt-bare-metre = die Überschriften enden auf `_m`: Meter oder „gemessen“
 doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }{ $more ->
         [0] {""}
        *[other] {" "}und { $more } weitere
     }
-doubt-controller-pose = Koordinaten von `{ $body }` sind vielleicht die, die die Steuerung berechnet: ein Messgerät misst eine Zielmarke
+doubt-controller-pose = Koordinaten von `{ $body }` hat möglicherweise die Steuerung berechnet: ein Messgerät misst eine Zielmarke
 doubt-coordinates-left = Koordinaten von { $left } werden nicht verwendet: andere haben eine passendere Überschrift
 doubt-dates = Datumsangaben mit `/` lassen offen, ob Tag oder Monat zuerst kommt: sie werden nicht gelesen
 doubt-decimal-mark = keine Zahl hat ein Dezimalzeichen: `{ $mark }` wird angenommen
 doubt-direction-length = die Richtung hat nicht in allen Zeilen den Betrag 1
-doubt-encoding = die Datei ist nicht UTF-8; prüfen, ob ihre Buchstaben als { $encoding } lesbar sind
+doubt-encoding = die Datei ist nicht UTF-8; sie wird als { $encoding } gelesen: prüfen, ob ihre Buchstaben (°, µ, Umlaute) stimmen
 doubt-first-increases = Spalte 1 steigt in allen Zeilen: ein Zeitpunkt oder eine Koordinate
 doubt-four-joints = vier Gelenke q0 bis q3 hätten dieselben Überschriften
 doubt-in-line = Zeile { $line }: { $problem }
@@ -74,14 +74,14 @@ doubt-more-problems = und { $count ->
         [one] 1 weiteres Problem
        *[other] { $count } weitere Probleme
     } dieser Art
-doubt-one-row = eine Zeile mit { $count } Zahlen ohne Überschriften: ein Programm hat ein Feld in eine Zeile geschrieben, und nichts zeigt seine Teilung
+doubt-one-row = eine Zeile mit { $count } Zahlen ohne Überschriften: ein Programm hat ein Array in eine Zeile geschrieben; seine Aufteilung ist nicht erkennbar
 doubt-order-of-joints = die Gelenke stehen in der Datei nicht der Reihe nach: sie werden nach ihren Nummern geordnet
 doubt-orientation-of-body = die Orientierung `{ $body }` wird für die des gemessenen Punkts gehalten: ihre Überschriften nennen einen anderen Körper
 doubt-origin = Zeile { $line } ist 0 0 0: sie gilt als „nicht gemessen“, wenn `missing` nichts anderes angibt
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 Spalte
        *[other] { $columns } Spalten
-    }, erklärt sie ebenso gut: eine Zeile mit dem Auge prüfen
+    }, erklärt sie ebenso gut: eine Zeile durch Ansehen prüfen
 doubt-other-sheets = die Arbeitsmappe hat { $count ->
         [one] 1 weiteres Blatt
        *[other] { $count } weitere Blätter
@@ -97,7 +97,7 @@ doubt-rows-not-read = { $count ->
 doubt-rows-refused = Zeile { $line }: { $reason }; weitere Zeilen: { $more }
 doubt-scanned = die Zahlen hinter x, y, z werden für Intensität und Farbe gehalten: ganze Zahlen bis 255
 doubt-second-log = auch das Topic `{ $topic }` hat Gelenkwerte
-doubt-sets-by-difference = die Spalten { $difference } sind in allen Zeilen die Differenz der Spalten { $measured } und { $commanded }: gelesen als gemessen minus Soll
+doubt-sets-by-difference = die Spalten { $difference } sind in allen Zeilen die Differenz der Spalten { $measured } und { $commanded }: als Messwert minus Sollwert gelesen
 doubt-several-logs = { $count } Protokolle: { $first } identifiziert den Roboter, die anderen werden damit verglichen; Zeilen einer Aufzeichnung in mehreren Dateien gehören in eine Datei
 doubt-sign-of-difference = das Vorzeichen der Differenz ist nicht angegeben: eine Zeile mit der Messung vergleichen
 doubt-six-without-headings = sechs Zahlen ohne Überschriften: eine Position und drei Winkel oder Gelenke, davon drei Schubgelenke
@@ -130,7 +130,7 @@ is-c3d = eine C3D-Datei einer Bewegungserfassung, erkannt an den ersten Bytes
 is-fanuc-ls = ein Programm einer FANUC-Steuerung, erkannt an der ersten Zeile
 is-abb-rapid = ein Modul in ABB RAPID, erkannt an MODULE und ENDMODULE
 is-ptx = ein PTX-Scan, erkannt am Kopf von zehn Zeilen
-is-leica-gsi = eine Datei in Leica GSI, erkannt an den Wörtern ihrer Zeilen
+is-leica-gsi = eine Datei im Format Leica GSI, erkannt an den Wörtern ihrer Zeilen
 is-pcdmis = eine .xyz-Datei von PC-DMIS, erkannt an der ersten Zeile
 is-ply = eine PLY-Datei, erkannt an der ersten Zeile
 is-polyworks-project = eine Projektbeschreibung von PolyWorks|Inspector, erkannt an der ersten Zeile
@@ -150,7 +150,7 @@ means-commanded = Sollwert von { $axis }
 means-count = eine laufende Nummer
 means-cycle = Nummer der Wiederholung
 means-day = Datum
-means-deleted = Marke gelöschter Zeilen
+means-deleted = Kennzeichen gelöschter Zeilen
 means-difference = Differenz von { $axis }
 means-direction = Richtung { $component }
 means-distance = Abstand
@@ -220,7 +220,7 @@ why-orthonormal = in allen Zeilen orthonormal, zeilenweise gelesen
 why-other-body = ihre Überschrift nennt einen anderen Körper als den gemessenen Punkt
 why-other-family = die Gelenke sind den Spalten `{ $kept }` entnommen
 why-others-measured = die Überschrift nennt einen Sollwert, und andere Spalten sind gemessen
-why-place = ihr Platz: nichts benennt die Spalten
+why-place = die Stelle der Spalte; die Spalten sind nicht benannt
 why-quaternion-not-joints = die vier Zahlen haben in allen Zeilen den Betrag 1: ein Quaternion, Skalar zuerst, keine Gelenke
 why-range-of-deg = die Überschrift; von { $low } bis { $high }: in rad mehr als eine Umdrehung, also passt deg oder mm
 why-range-of-rad = die Überschrift; von { $low } bis { $high }: rad oder m passt
