@@ -82,7 +82,7 @@ axis-z = z
 ball = Kugel
 bar-too-uncertain = die Unsicherheit des Kalibrierstabs ist zu groß (4:1 gefordert)
 base-and-targets = Basis und Zielmarken
-base-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Basis um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+base-motion-explains-most = die Parameter gelten nicht mehr: eine Bewegung der Basis um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 base-moved = die Basis hat sich um { $by } (k = 2) bewegt
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
@@ -154,14 +154,14 @@ cell-head-measure = Größe
 cell-measure-orientation = Orientierung
 cell-measure-position = Position
 cell-motion-by-value = Bewegung je Achswert
-cell-residuals-note = Gemessen minus berechnet; Orientierungen als Drehvektor. p: Wahrscheinlichkeit eines mindestens so großen Residuums durch Rauschen.
+cell-residuals-note = Gemessen minus berechnet; Orientierungen als Rotationsvektor. p: Wahrscheinlichkeit eines mindestens so großen Residuums durch Rauschen.
 cell-residuals-title = Residuen der Messwerte
 cell-step-choose = Die Zeilen für die Steuerung ausgeben: den Befehl mit `--controller NAME` wiederholen.
 cell-step-choose-reason = `etalon cell --help` nennt die Steuerungen; jede hat eigene Einheiten und eine eigene Reihenfolge der Winkel.
 cell-step-load = Die Zeilen für { $maker } laden.
 cell-step-load-reason = Vor der Produktion einen Messwert prüfen, der nicht in der Tabelle steht.
 cell-step-measure = Mehr Messwerte aufnehmen.
-cell-step-measure-reason = Die Messwerte haben keine Redundanz: nichts prüft das Ergebnis.
+cell-step-measure-reason = Die Messwerte haben keine Redundanz: Nichts prüft das Ergebnis.
 cell-step-messages = Zuerst die Warnungen klären.
 cell-step-messages-reason = Jede Warnung sagt, worauf sie sich auswirkt.
 cell-subtitle = Roboterzelle, { $readings ->
@@ -171,17 +171,17 @@ cell-subtitle = Roboterzelle, { $readings ->
 cell-title = { $solve ->
         [tool-point] Werkzeugmittelpunkt
         [tool-reflector] Reflektor am Werkzeug
-        [tool-axes] Werkzeug-Koordinatensystem
-        [hand-eye] Hand und Auge
-        [object] Werkstück-Koordinatensystem
-        [three-points] Werkstück-Koordinatensystem aus drei Punkten
+        [tool-axes] Werkzeugkoordinatensystem
+        [hand-eye] Hand-Auge-Kalibrierung
+        [object] Werkstückkoordinatensystem
+        [three-points] Werkstückkoordinatensystem aus drei Punkten
         [linear-axis] Linearachse
        *[rotary-axis] Drehachse
     }
 cell-verdict-axis = Maßstab { $scale } ± { $u } (k = 2)
-cell-verdict-known = { $frame }: U = { $um } µm längs x, y, z{ $turned ->
+cell-verdict-known = { $frame }: U = { $um } µm längs x, y, z{ $turned ->
         [no] {""}
-       *[yes] {" "}und { $deg } deg um x, y, z
+       *[yes] {" "}und { $deg } deg um x, y, z
     } (k = 2)
 cell-verdict-unknown = { $frame }: die Messunsicherheit ist unbekannt
 cell-verdict-warnings = { $count ->
@@ -205,8 +205,8 @@ checklist-field = Angabe
 checklist-key = Schlüssel
 checklist-keys = Schlüssel und Abschnitte
 checklist-note = { $count ->
-    [one] Eine Angabe fehlt. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
-   *[other] { $count } Angaben fehlen. Ergänzen Sie sie in campaign.toml und führen Sie die Kampagne erneut aus.
+    [one] Eine Angabe fehlt. In campaign.toml ergänzen und die Kampagne erneut ausführen.
+   *[other] { $count } Angaben fehlen. In campaign.toml ergänzen und die Kampagne erneut ausführen.
 }
 checklist-title = Vor der Unterschrift zu ergänzen
 checks-of-the-model = Prüfung des Modells
@@ -216,7 +216,7 @@ choice = Auswahl
 choice-gap = höchstens { $percent } % unter der bestmöglichen Auswahl
 choice-proven = Bewiesen: Keine andere Auswahl von { $chosen } aus { $candidates } Kandidaten ergibt ein größeres { $index }
 choice-within-percent = { $index } liegt höchstens { $percent } % unter der bestmöglichen Auswahl von { $chosen } aus { $candidates } Kandidaten
-choice-without-bound = Für { $index } ist keine Schranke bekannt: Eine bessere Auswahl kann existieren
+choice-without-bound = Für { $index } ist keine Schranke bekannt: Eine bessere Auswahl ist möglich
 chosen = gewählt
 chosen-candidate-tooltip = Pose { $pose }, { $configurations ->
         [one] 1 Konfiguration
@@ -230,7 +230,7 @@ circle = Kreis
 circle-x-y = Kreis x, y
 clause-compliance = statische Nachgiebigkeit
 clause-cornering = Eckenabweichungen
-clause-directions = Streuung der Pose-Genauigkeit aus mehreren Richtungen
+clause-directions = Mehrfachrichtungs-Streuung der Pose-Genauigkeit
 clause-distances = Abstandsgenauigkeit und Abstands-Wiederholgenauigkeit
 clause-drift = Drift der Pose-Kenngrößen
 clause-exchangeability = Austauschbarkeit
@@ -278,13 +278,13 @@ controller = Steuerung
 controller-files = Steuerungsdateien
 convention-angles = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: { $order }
 convention-angles-not-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert, die der Winkel nicht
-convention-angles-of-motion = die Winkel { $angles } sind entlang der Bewegung verfolgt und einzeln ausgewertet
+convention-angles-of-motion = die Winkel { $angles } sind entlang der Bewegung stetig fortgesetzt und einzeln ausgewertet
 convention-angles-of-unknown-order = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: nicht angegeben
 convention-ap-interval = AP: Intervall der Differenz, aus beiden Intervallen bestimmt (MOVER, Zou & Donner 2008)
 convention-ap-rp = AP: Mittel minus Sollposition; RP: mittlerer Radius + 3 s, s mit n - 1; 95-%-Intervalle, normalverteilte Streuung
 convention-approach = Anfahrt: von der vorigen Pose im Ablauf; 25-%-Regel mit U bei k = { $k }; Positionen im Weltkoordinatensystem ({ $frame })
-convention-at-rt = AT: Intervall der Differenz, aus beiden Intervallen bestimmt, wie bei AP; RT: ebenso auf der logarithmischen Skala um die Mitten beider Intervalle, die für unendlich viele Durchläufe stehen; die Bootstrap-Intervalle enthalten den wahren Wert je nach Art der Streuung in 90 bis 98 % der simulierten Prüfungen mit zehn Durchläufen und nicht in 95 % aller Prüfungen
-convention-birge = passt das Modell nicht, sind die Intervalle der Parameteränderungen mit dem Birge-Verhältnis aller Roboterparameter beider Kampagnen multipliziert (mindestens 1), denn die Parameter nehmen auf, was das Modell an den gemessenen Posen nicht beschreibt
+convention-at-rt = AT: Intervall der Differenz, aus beiden Intervallen bestimmt, wie bei AP; RT: dasselbe Verfahren auf der logarithmischen Skala um die Mitten beider Intervalle, die RT für unendlich viele Durchläufe schätzen; in simulierten Prüfungen mit zehn Durchläufen enthalten die Bootstrap-Intervalle den wahren Wert je nach Art der Streuung in 90 % bis 98 % der Prüfungen statt in 95 %
+convention-birge = Modellfehler: die Intervalle der Parameteränderungen sind mit dem Birge-Verhältnis (mindestens 1) aller Roboterparameter beider Kampagnen multipliziert, weil die Parameter an den gemessenen Posen Modellfehler aufnehmen
 convention-change-of-parameters = Parameter: Änderung geteilt durch die Wurzel aus u1² + u2², nach der t-Verteilung mit den Freiheitsgraden von Welch, wenn die Unsicherheiten aus Residuen geschätzt sind; beide Kampagnen gelten als unabhängig
 convention-compared-with = jede Kampagne ist mit der ersten und mit der vorigen verglichen, in der angegebenen Reihenfolge
 convention-compliance = Nachgiebigkeit: Verschiebung in Richtung der Kraft je Krafteinheit, kleinste Quadrate durch die unbelastete Position
@@ -297,30 +297,30 @@ convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ILAC-G8
 convention-intervals-instrument = die Intervalle berücksichtigen die Stichprobe und die erweiterte Messunsicherheit einer Koordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = die Intervalle berücksichtigen nur die Stichprobe: für das Messgerät ist keine Messunsicherheit angegeben
 convention-limit-band = Grenzband: { $band } mm um das Mittel des Stillstands
-convention-mean-errors = mittlere Abweichungen: t-Test von Welch, so viele Abweichungen wie Posen; haben beide Kampagnen dieselben Posen gemessen, zeigt er eher zu selten als zu oft eine Änderung an
-convention-mean-positions = mittlere Positionen: t-Test von Welch für jede Koordinate, allein aus der Streuung der Anfahrten: die Unsicherheit, mit der das Koordinatensystem wiedergefunden wurde, ist nicht enthalten
+convention-mean-errors = mittlere Abweichungen: t-Test von Welch mit einer Abweichung je Pose; konservativ (zu selten signifikant), wenn beide Kampagnen dieselben Posen gemessen haben
+convention-mean-positions = mittlere Positionen: t-Test von Welch für jede Koordinate, aus der Streuung der Anfahrten; die Unsicherheit der Koordinatensysteme der Messungen ist nicht enthalten
 convention-motion-clauses = die Abschnitte 7.4, 7.5, 8, 9 und 11 wurden nicht mit einem gekauften Exemplar der Norm verglichen
-convention-no-commanded-poses = keine Sollposen: AP, Abstände und Drift sind nicht bestimmt
+convention-no-commanded-poses = keine Sollposen: AP, Abstände und Drift sind nicht bestimmt (im Dokument: null)
 convention-path = Bahn: Normalebenen an { $points } Sollpunkten, den Mitten gleicher Teile; je Ebene der letzte Durchgang innerhalb von { $near } mm
 convention-path-corners = keine Ebene innerhalb von { $near } mm um eine Ecke (höchstens ein Viertel ihres Schenkels); die Ecke wird für sich ausgewertet
-convention-path-intervals = AT und RT: Intervalle durch parametrischen Bootstrap über die Durchläufe, für AT und RT unendlich vieler Durchläufe; in simulierten Prüfungen mit zehn Durchläufen enthalten sie den wahren Wert je nach Art der Streuung in 90 bis 98 % der Fälle
+convention-path-intervals = AT und RT: Intervalle für unendlich viele Durchläufe durch parametrischen Bootstrap über die Durchläufe; in simulierten Prüfungen mit zehn Durchläufen enthalten sie den wahren Wert je nach Art der Streuung in 90 % bis 98 % der Prüfungen
 convention-path-velocities = Geschwindigkeiten zwischen den Ebenen in den mittleren { $percent } % der Bahn
 convention-planar = die Sollpositionen haben kein z: alle Kenngrößen außer der Koplanarität gelten in der Ebene xy
 convention-positions-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert
 convention-readings-averaged = die Messwerte einer Anfahrt sind gemittelt; ihre Streuung ist das Rauschen des Messgeräts
-convention-rotation-vectors = AP rx bis rz: Drehvektor von der Soll- zur mittleren Orientierung um x, y, z der Tabelle; RP rx bis rz: drei Standardabweichungen der Drehungen von der mittleren Orientierung; AD r, RD r, vAP r: Winkel zwischen Orientierungen
+convention-rotation-vectors = AP rx bis rz: Rotationsvektor von der Soll- zur mittleren Orientierung um x, y, z der Tabelle; RP rx bis rz: drei Standardabweichungen der Drehungen von der mittleren Orientierung; AD r, RD r, vAP r: Winkel zwischen Orientierungen
 convention-rp-clause = RP folgt dem Text der Norm (7.2.2); die anderen Abschnitte wurden nicht mit einem gekauften Exemplar verglichen
 convention-rp-ratio = RP: F-Test des Verhältnisses, mit den Freiheitsgraden des Intervalls in geschlossener Form (normalverteilte Streuung)
 convention-set-up = die Parameter von Basis und Zielmarken ändern sich mit jedem Aufbau: eine Änderung dort kommt nicht unbedingt vom Roboter
-convention-shared-instrument = alle Kampagnen haben dasselbe Messgerät { $instrument }: seine gleichbleibenden Abweichungen stecken in jedem Wert und heben sich in den Änderungen auf, die daher genauer bekannt sind, als u angibt, wenn diese Abweichungen zu u gehören; seine Drift zwischen den Kampagnen erscheint als Änderung des Roboters
+convention-shared-instrument = alle Kampagnen haben dasselbe Messgerät { $instrument }: seine gleichbleibenden Abweichungen heben sich in den Änderungen auf; enthält u diese Abweichungen, sind die Unsicherheiten der Änderungen zu groß angegeben; eine Drift des Messgeräts zwischen den Kampagnen erscheint als Änderung des Roboters
 convention-shared-risk = Konformität: geteiltes Risiko (JCGM 106:2012, 8.2.1): entschieden, wenn die erweiterte Messunsicherheit höchstens ein Viertel des Grenzwerts ist
-convention-significance = eine Änderung ist signifikant, wenn ihre Zufallswahrscheinlichkeit, korrigiert für die Zahl der Größen ihrer Familie in einem Paar von Kampagnen, unter 5 % liegt: bei Parametern nach der Verteilung der größten Änderung mit ihren Kovarianzen (Westfall & Young 1993), bei anderen Größen nach Holm (1979); die 95-%-Intervalle sind nicht korrigiert
+convention-significance = eine Änderung ist signifikant, wenn ihr p-Wert, korrigiert für die Zahl der Größen ihrer Familie in einem Paar von Kampagnen, unter 5 % liegt: bei Parametern nach der Verteilung der größten Änderung mit ihren Kovarianzen (Westfall & Young 1993), bei anderen Größen nach Holm (1979); die 95-%-Intervalle sind nicht korrigiert
 convention-simple-acceptance = Konformität: einfache Annahme (ILAC-G8:09/2019, 4.2.1)
 convention-standing = Stillstand: { $duration } s oder länger innerhalb von { $radius } mm um das Mittel; eine Pose gilt innerhalb von { $near } mm als erreicht; ihre Position ist das Mittel der mittleren Hälfte des Stillstands
 convention-tables = 25-%-Regel mit U bei k = { $k }; Positionen im Koordinatensystem der Tabellen
 convention-times-as-stamped = Zeiten: Zeitstempel der Aufzeichnung
 convention-times-by-rate = Zeiten: Abtastwerte mit der angegebenen Rate von { $rate } Hz
-conventions = Vereinbarungen
+conventions = Konventionen
 conventions-and-drift = Konventionen, Drift der Aufzeichnung
 cooks-distance = Cook-Abstand
 cooks-distance-description = Ein Balken je Pose der Tabelle; Posen über der Linie sind einflussreich.
@@ -354,8 +354,8 @@ curve-caption = In jedem Schritt kommt die beste Position mit allen ihren Konfig
 curve-description = Kreise: Index, linke Achse. Rauten: Konditionszahl, rechte Achse.
 curve-point-tooltip = { $curve }: { $value } bei { $at }
 curve-singular = { $count ->
-    [one] Die erste Auswahl ist singulär: ihre Konditionszahl ist nicht gezeichnet.
-   *[other] Die ersten { $count } Auswahlen sind singulär: ihre Konditionszahlen sind nicht gezeichnet.
+    [one] Die erste Auswahl ist singulär: Ihre Konditionszahl ist nicht gezeichnet.
+   *[other] Die ersten { $count } Auswahlen sind singulär: Ihre Konditionszahlen sind nicht gezeichnet.
 }
 curve-title = { $index } und Konditionszahl über der Anzahl der Positionen
 curve-tooltip = { $positions ->
@@ -384,7 +384,7 @@ definition-ad-rd = AD: mittlerer Ist-Abstand minus Sollabstand; RD: drei Standar
 definition-ap = AP: Abstand der mittleren Istposition von der Sollposition, mit seinen Komponenten (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mittlerer Istwinkel minus Sollwinkel; RP: drei Standardabweichungen; ausgewertet für jeden Winkel (ISO 9283:1998, 7.2.1 und 7.2.2).
 definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Steigung der Ausgleichsgeraden durch die unbelastete Position (ISO 9283:1998, 10).
-definition-drift = dAP und dRP: Wert der letzten Reihe von Zyklen minus Wert der ersten (ISO 9283:1998, 7.6).
+definition-drift = dAP und dRP: Wert des letzten Satzes von Zyklen minus Wert des ersten (ISO 9283:1998, 7.6).
 definition-of-errors = Definition der Abweichungen
 definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9).
 definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten.
@@ -400,7 +400,7 @@ deviation = Abweichung
 deviation-along-path = Abweichung entlang der Bahn
 deviation-of-mean-value = seine Standardabweichung
 deviation-of-the-mean-path = Abweichung der mittleren Bahn
-deviations-from-the-method = Abweichungen von der Methode
+deviations-from-the-method = Abweichungen vom Verfahren
 difference = Differenz
 difference-over-u = Differenz / u
 different-instruments = Verschiedene Messgeräte: { $instruments }. Ihre systematischen Unterschiede erscheinen als Änderungen.
@@ -444,7 +444,7 @@ effect-at-worst-pose = Verschiebung an der empfindlichsten Pose ({ $unit })
 effect-tooltip = { $name }: { $value } ± { $half } { $unit } an Pose { $pose }
 effective-parameters = Effektive, nicht physikalische Parameter: { $names }. Die Residuen übersteigen die Unsicherheit des Messgeräts, und die Unsicherheit dieser Werte stammt überwiegend aus dem Modellfehler. Sie beschreiben die gemessenen Posen, können aber von den Maßen des Roboters abweichen.
 effects-cross-validated = Effekte: { $folds }-fache Kreuzvalidierung an { $poses } Posen, Wiederholungen: { $repeats }
-effects-description = Verschiebung des Messpunkts, den jeder Parameter am stärksten bewegt, für identifizierten Wert minus Nennwert; alle anderen Parameter unverändert. { $count } von { $total } Parametern.
+effects-description = Jeder Balken: Verschiebung des Messpunkts, der sich am stärksten bewegt, wenn der Parameter statt des Nennwerts den identifizierten Wert hat und alle anderen unverändert bleiben. { $count } von { $total } Parametern.
 effects-of-all = Wirkungen aller Parameter
 effects-reduce-errors = Effekte, die die Abweichungen an ausgelassenen Posen verringern: { $effects }
 effects-section = Parameter nach ihrer Wirkung
@@ -453,8 +453,8 @@ ellipsoid-semi-axes = Ellipsoid, Halbachsen
 ellipsoid-semi-axis-1 = Ellipsoid, Halbachse 1
 ellipsoid-semi-axis-2 = Ellipsoid, Halbachse 2
 ellipsoid-semi-axis-3 = Ellipsoid, Halbachse 3
-enclosing-circle-radius = Umkreis in x, y, Radius
-enclosing-sphere-radius = umschließende Kugel, Radius
+enclosing-circle-radius = Hüllkreis in x, y, Radius
+enclosing-sphere-radius = Hüllkugel, Radius
 end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
@@ -534,7 +534,7 @@ fail = nicht bestanden
 features = Geometrieelemente
 field-components = Komponenten des Felds und ihre Unsicherheit
 field-deviation = Standardabweichung
-field-gain = An zurückgehaltenen Posen, mit Parametern und Feld der anderen Posen, sinkt die Positionsabweichung (quadratischer Mittelwert) von { $without } auf { $with } µm. Das Feld beschreibt { $share } % der mittleren quadratischen Abweichung; der Gewinn ist das { $gain }fache seiner Standardunsicherheit.
+field-gain = An zurückgehaltenen Posen, mit Parametern und Feld der anderen Posen, sinkt die Positionsabweichung (quadratischer Mittelwert) von { $without } auf { $with } µm. Das Feld beschreibt { $share } % der mittleren quadratischen Abweichung; die Verringerung beträgt das { $gain }-Fache ihrer Standardunsicherheit.
 field-held-out-caption = Jede Pose wird aus Parametern und Feld der anderen Posen vorhergesagt (fünf Teile).
 field-held-out-description = Positionsabweichungen zurückgehaltener Posen ohne und mit Residuenfeld.
 field-held-out-title = Positionsabweichung zurückgehaltener Posen, ohne und mit Feld
@@ -579,12 +579,12 @@ from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen B
         [0] ; Unterschiede zwischen Aufbauten sind nicht enthalten
        *[other] { " " }und zwischen { $series } Serien; { $percent ->
             [0] kein Unterschied darüber hinaus ist nachweisbar
-           *[other] diese tragen { $percent } % der Varianzen bei
+           *[other] diese tragen { $percent } % der Varianzen bei
         }
     }
 from-the-instrument = aus dem Messgerät
-gain-over-u = Gewinn / u
-generated-candidates = gezogene Kandidaten
+gain-over-u = Verringerung / u
+generated-candidates = erzeugte Kandidaten
 geometric = geometrisch
 geometric-definition = Dissertation, Kapitel 2: Jede Größe ist an eigens dafür gemessene Punkte angepasst, ohne Optimierung des Robotermodells; gamma, beta und epsilon_theta sind auf null gesetzt; d3 ist um die Steigungen der Antriebe 2 und 3 korrigiert. Unsicherheiten: aus den Punkten, fortgepflanzt durch alle Anpassungen und Koordinatensysteme; aus den Residuen, wo deren Streuung die angegebene Unsicherheit des Messgeräts übersteigt. Abweichungen: Mittel aus gemessener minus vorhergesagter Pose, nominal und geometrisch, im geometrisch bestimmten Basiskoordinatensystem
 geometric-u-note = u (k = 1) enthält die Unsicherheit des Basiskoordinatensystems. Sie ist allen Wiederholungen gemeinsam und daher nicht in deren Standardabweichung enthalten.
@@ -611,8 +611,8 @@ head-labels = Bezeichnungen
 head-meaning = Bedeutung
 head-passes = Durchläufe
 head-refused = abgelehnt
-head-samples = Messwerte
-head-severity = Schwere
+head-samples = Abtastwerte
+head-severity = Schweregrad
 head-stroke = Hub
 head-symbols = Formelzeichen
 head-tested = dieser Bericht
@@ -632,7 +632,7 @@ histogram-tooltip = { $from } bis { $to } { $unit }: { $points ->
 how-changes-are-judged = Entscheidungsregel für Änderungen
 how-many-and-where = Anzahl und Lage der Positionen
 identification-against-geometry = Die Identifikation aller Parameter aus derselben Kampagne ergibt { $identified } mm; mit Geometrie allein bleibt das { $ratio }-Fache.
-identification-ended = Die Identifikation ist gescheitert: { $reason }.
+identification-ended = Die Identifikation ist fehlgeschlagen: { $reason }.
 identified = identifiziert
 identified-max = identifiziert, max.
 identified-minus-geometric = identifiziert − geometrisch
@@ -651,8 +651,8 @@ instrument-calibration = Kalibrierung des Messgeräts
 instrument-expanded-uncertainty = erweiterte Messunsicherheit des Messgeräts
 instrument-good-enough = Eignung des Messgeräts
 instrument-good-for-all = Geeignet: Die Messunsicherheit übersteigt an keiner Pose 25 % von AP und RP.
-instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
-instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
+instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
 instrument-uncertainty = Unsicherheit des Messgeräts
 instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
 instrument-uncertainty-with-k = U = { $uncertainty } µm je Koordinate (k = { $k })
@@ -669,7 +669,7 @@ intervals-title = { $group }: Änderung ({ $unit }), ± 2u
 iso9283-characteristics = Ergebnisse: Leistungskenngrößen (ISO 9283)
 iso9283-report = Prüfbericht nach ISO 9283:1998: { $characteristics }
 item-customer-traceability = Gegenstand, Kunde, Rückführbarkeit
-joint-motion-explains-most = die Parameter gelten nicht mehr: Eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+joint-motion-explains-most = die Parameter gelten nicht mehr: eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich um { $by } (k = 2) verschoben
 joints = Gelenke
 kind = Art
@@ -752,7 +752,7 @@ mean-error-of-set = { $quantity }, { $when } (Posen: { $set })
 mean-from-overall-mean = Abstand ihres Mittels vom Gesamtmittel (µm)
 mean-from-plane = mittlere Position von der Ebene der anderen drei
 mean-of = { $quantity }, Mittel
-mean-of-attained-positions = Mittel der erreichten Positionen.
+mean-of-attained-positions = Mittel der Istpositionen.
 mean-of-axis = Mittel { $axis }
 mean-of-identifications = Mittel aus { $runs } Identifikationen. Werte: siehe Tabelle oben.
 mean-plus-3s = Mittel + 3 s
@@ -773,7 +773,7 @@ measurement-place = Ort der Messungen
 measurement-point = Messpunkt
 measuring-order = Reihenfolge der Messung
 met = eingehalten
-method = Methode
+method = Verfahren
 method-identification = Identifikation der kinematischen Parameter ({ $model }) nach der Methode der kleinsten Quadrate
 method-iso9283 = Leistungsprüfung nach ISO 9283:1998
 method-iterations = { $method }, { $iterations ->
@@ -840,9 +840,9 @@ no-trend-pictures = { $others ->
     }: kein signifikanter Trend
 no-uncertainty-is-known = die Unsicherheit ist unbekannt
 noise = Rauschen
-noise-of-reading-x = Rauschen einer Ablesung, x
-noise-of-reading-y = Rauschen einer Ablesung, y
-noise-of-reading-z = Rauschen einer Ablesung, z
+noise-of-reading-x = Rauschen eines Messwerts, x
+noise-of-reading-y = Rauschen eines Messwerts, y
+noise-of-reading-z = Rauschen eines Messwerts, z
 nominal = nominal
 nominal-lead = Nennsteigung
 nominal-max = nominal, max.
@@ -885,7 +885,7 @@ operator-sheet = Blatt für die Messung
 operator-sheet-before = Vor der ersten Pose
 operator-sheet-note = Gelenkwerte sind die der Steuerung (deg, mm). Jede Pose abhaken, sobald ihre Punkte unter ihrer Bezeichnung gespeichert sind.
 operator-sheet-poses = Posen in der Reihenfolge der Messung
-order-of-poses = { $poses } ({ $percent } % der Gelenkbewegung in der Reihenfolge ihrer Namen)
+order-of-poses = { $poses } ({ $percent } % der Gelenkbewegung in der Reihenfolge ihrer Namen)
 order-of-the-measurement = Reihenfolge der Messung
 orientation = Orientierung
 orientation-after = nachher, Orientierung
@@ -937,8 +937,8 @@ path-passes-incomplete = { $length } mm, { $passes ->
         [one] 1 Durchlauf
        *[other] { $passes } Durchläufe
     }, { $incomplete } unvollständig
-path-repeatability-rt = Bahnwiederholgenauigkeit RT
-path-repeatability-title = Bahnwiederholgenauigkeit RT
+path-repeatability-rt = Bahn-Wiederholgenauigkeit RT
+path-repeatability-title = Bahn-Wiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
 percent-of-rated = { $percent } % der Nenngeschwindigkeit
 permissible = Fehlergrenze
@@ -957,7 +957,7 @@ platform-as-measured = Plattformmitte (aus den Kugeln)
 platform-centre = Plattformmitte C
 platform-in-base = der Plattformmitte C im Basiskoordinatensystem
 plot-ap-rp = AP und RP jeder Pose in mm
-plot-changes = Änderung jedes Parameters durch ihre Standardunsicherheit
+plot-changes = Änderung jedes Parameters geteilt durch ihre Standardunsicherheit
 plot-errors-by-pose = Größte Positionsabweichung jeder Pose in mm
 point = Punkt
 point-error-in-common = die Abweichung des Messgeräts an einem Punkt ist allen Beobachtungen dieses Punkts gemeinsam
@@ -1045,9 +1045,9 @@ rank-cut = Rangschwelle { $value }
 ratio = Verhältnis
 reached = erreicht
 read-as = gelesen als
-reading-uncertainty = { $uncertainty } mm (k = 1) je Messwert
-reading-uncertainty-with-k = U = { $uncertainty } µm je Messwert (k = { $k })
-reading-uncertainty-without-k = U = { $uncertainty } µm je Messwert (Erweiterungsfaktor nicht angegeben)
+reading-uncertainty = { $uncertainty } mm (k = 1) je Messwert
+reading-uncertainty-with-k = U = { $uncertainty } µm je Messwert (k = { $k })
+reading-uncertainty-without-k = U = { $uncertainty } µm je Messwert (Erweiterungsfaktor nicht angegeben)
 readings = Messwerte
 readings-not-judged = { $target } ({ $readings ->
         [one] 1 Messwert
@@ -1060,7 +1060,7 @@ readings-redundancy = { $target } ({ $readings ->
 reason = Grund
 recommend-file = `{ $file }` des Laufs laden: { $load } von { $count } Parametern mit ihren identifizierten Werten; die anderen bleiben auf dem Nennwert
 recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen um mehr als 5 % kleiner
-recommend-nominal = die Nennparameter behalten: die identifizierten sind an neuen Posen nicht klar besser
+recommend-nominal = die Nennparameter behalten: die identifizierten sind an neuen Posen nicht deutlich besser
 recommend-parameters = die identifizierten Parameter des Laufs laden: { $load } von { $count }; die anderen bleiben auf dem Nennwert
 recommend-resolve = noch nichts laden: nach der Bewertung des Laufs darf keine Datei geladen werden; zuerst kommen seine nächsten Schritte
 recommendation-title = Empfehlung der zu ladenden Parameter
@@ -1104,7 +1104,7 @@ reservation-few-cycles = weniger als { $required } Zyklen an { $count ->
     }
 reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt keine deutliche Verbesserung gegenüber den Nennparametern: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
-reservation-given-refused = die Parameter dürfen nicht verwendet werden: sie sind an den gemessenen Posen schlechter als die Nennparameter, oder die eines anderen Roboters
+reservation-given-refused = die Parameter dürfen nicht verwendet werden: sie sind an den gemessenen Posen schlechter als die Nennparameter oder gehören zu einem anderen Roboter
 reservation-hardly-better = die identifizierten Parameter sind kaum besser als die Nennparameter: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von AP oder RP an { $count ->
         [one] Pose { $poses }
@@ -1114,7 +1114,7 @@ reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherhei
 reservation-set-up-untested = { $count ->
         [one] ein Fehler des Aufbaus ist
        *[other] { $count } Fehler des Aufbaus sind
-    } von den Messungen nicht geprüft; der Flansch wiche um bis zu { $flange_mm } mm und { $flange_deg } deg ab
+    } von den Messungen nicht geprüft; der Flansch wiche um bis zu { $flange_mm } mm und { $flange_deg } deg ab
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld
@@ -1185,7 +1185,7 @@ samples-in-seconds = { $samples } Abtastwerte in { $seconds } s
 scale = Maßstab
 scale-bars = Kalibrierstäbe
 scaling-label = Skalierung:
-seed = Startwert
+seed = Startwert der Zufallszahlen
 serial-number = Seriennummer
 series-agree = Mit diesen Posen ist kein Unterschied zwischen den { $series } Serien nachweisbar.
 series-differ = Unterschiede zwischen den { $series } Serien tragen im Mittel { $percent } % zu den Varianzen der Parameter bei.
@@ -1219,11 +1219,11 @@ sheet-all-together = Alle zusammen
 sheet-approach = Anfahrt von
 sheet-approach-above = { $joint } von oben
 sheet-approach-below = { $joint } von unten
-sheet-between-series = Zwischen Reihen
-sheet-budget-of-errors = Abweichungsbudget
+sheet-between-series = Zwischen Serien
+sheet-budget-of-errors = Budget der Abweichungen
 sheet-cell-frames = Koordinatensysteme
 sheet-cell-residuals = Residuen der Zelle
-sheet-clauses = ISO-9283-Abschnitte
+sheet-clauses = ISO 9283, Abschnitte
 sheet-controller-values = Steuerungswerte
 sheet-corners = Ecken
 sheet-correlation = Korrelation
@@ -1235,36 +1235,36 @@ sheet-done = erledigt
 sheet-errors = Abweichungen
 sheet-frames = Koordinatensysteme
 sheet-geometry-balls = Geometrie, Kugeln
-sheet-geometry-fits = Geometrie, Ausgleichungen
+sheet-geometry-fits = Geometrie, Anpassungen
 sheet-geometry-leads = Geometrie, Steigungen
 sheet-geometry-methods = Geometrie, Verfahren
 sheet-geometry-poses = Geometrie, Posen
 sheet-geometry-quantities = Geometrie, Größen
-sheet-geometry-scale-bars = Geometrie, Maßstäbe
+sheet-geometry-scale-bars = Geometrie, Kalibrierstäbe
 sheet-geometry-workspace = Geometrie, Arbeitsraum
 sheet-influence-of-poses = Einfluss der Posen
 sheet-inputs = Eingaben
 sheet-instrument-at = Messgerät bei (mm, Basis des Roboters)
-sheet-iso9283-approaches = ISO 9283 Anfahrten
-sheet-iso9283-compliance = ISO 9283 Nachgiebigkeit
-sheet-iso9283-distances = ISO 9283 Abstände
-sheet-iso9283-drift = ISO 9283 Drift
-sheet-iso9283-poses = ISO 9283 Posen
-sheet-iso9283-reference-targets = ISO 9283 Referenzziele
-sheet-iso9283-robot = ISO 9283 Roboter
-sheet-iso9283-variation = ISO 9283 Streuung
-sheet-iso9283-visits = ISO 9283 Besuche
+sheet-iso9283-approaches = ISO 9283, Anfahrrichtungen
+sheet-iso9283-compliance = ISO 9283, Nachgiebigkeit
+sheet-iso9283-distances = ISO 9283, Abstände
+sheet-iso9283-drift = ISO 9283, Drift
+sheet-iso9283-poses = ISO 9283, Posen
+sheet-iso9283-reference-targets = ISO 9283, Referenzmarken
+sheet-iso9283-robot = ISO 9283, Roboter
+sheet-iso9283-variation = ISO 9283, Streuung
+sheet-iso9283-visits = ISO 9283, Anfahrten
 sheet-label = Bezeichnung
 sheet-messages = Meldungen
 sheet-moved-values = Veränderte Werte
 sheet-not-a-number = keine Zahl
 sheet-not-controlled = Nicht kontrolliert
 sheet-number = Nr.
-sheet-operator-date = Datum, Bediener
+sheet-operator-date = Datum, Prüfer
 sheet-packages = Pakete
 sheet-parameter-effects = Wirkung der Parameter
 sheet-path = Bahn
-sheet-posing = Posieren
+sheet-posing = Positionierzeit
 sheet-predicted-errors = Vorhergesagte Abweichungen
 sheet-program = Programm
 sheet-program-value = { $file } ({ $language })
@@ -1275,7 +1275,7 @@ sheet-reflector-axis = { $at }; Achse { $axis }, höchstens { $angle }° vom Mes
 sheet-refused-rows = Abgelehnte Zeilen
 sheet-relative-accuracy = Relative Genauigkeit
 sheet-requirements = Anforderungen
-sheet-robust-fit-poses = Robuste Ausgleichung, Posen
+sheet-robust-fit-poses = Robuste Anpassung, Posen
 sheet-rows-left-out = { $count ->
     [one] 1 weitere Zeile fehlt hier: die Dokumente enthalten sie
    *[other] { $count } weitere Zeilen fehlen hier: die Dokumente enthalten alle
@@ -1290,7 +1290,7 @@ sheet-step-instrument = Messgerät warm, nivelliert und nach Vorgabe des Herstel
 sheet-step-reflectors = Reflektoren an ihren Plätzen, fest und sauber.
 sheet-step-slow = Alle Posen einmal langsam angefahren: keine Kollision, Kabel und Sichtlinie frei.
 sheet-step-zero = Gelenkwerte der ersten Pose in der Anzeige der Steuerung stimmen mit diesem Blatt überein.
-sheet-streams = Datenströme
+sheet-streams = Aufzeichnungen
 sheet-study-parameters = Studie, Parameter
 sheet-study-positions = Studie, Positionen
 sheet-summary = Zusammenfassung
@@ -1300,9 +1300,9 @@ sheet-tool-point = Werkzeugpunkt
 sheet-trends-of-residuals = Trends der Residuen
 sheet-values = Werte
 sheet-wait = Wartezeit an jeder Pose
-sheet-wait-seconds = { $seconds } s
-sheet-wait-trigger = { $seconds } s; Ausgang { $output } ist in der zweiten Hälfte eingeschaltet
-sheet-without-partner = Ohne Partner
+sheet-wait-seconds = { $seconds } s
+sheet-wait-trigger = { $seconds } s; Ausgang { $output } ist in der zweiten Hälfte eingeschaltet
+sheet-without-partner = Ohne Zuordnung
 should-know = Zur Kenntnis
 show = Anzeigen
 show-all-rows = Alle Zeilen zeigen
@@ -1322,12 +1322,12 @@ singular-values-description = Eine Marke je Singulärwert, in absteigender Folge
 singular-values-title = Singulärwerte der Identifikation
 sketch-title = Das Modell und seine Parameter
 skipped = übersprungen
-smallest-sphere-and-circle = Radius der kleinsten umschließenden Kugel und des kleinsten umschließenden Kreises (µm)
+smallest-sphere-and-circle = Radius von Hüllkugel und Hüllkreis (µm)
 solver = Löser
 solver-gradient-vanished = konvergiert: die Residuen sind orthogonal zur Jacobi-Matrix
 solver-iteration-limit = nicht konvergiert innerhalb der zulässigen Iterationen: Startwerte prüfen
 solver-no-start = kein Startwert der Suche führte zu einem Element
-solver-not-finite = abgebrochen: Ein Residuum ist nicht endlich; Startwerte und Daten prüfen
+solver-not-finite = abgebrochen: ein Residuum ist nicht endlich; Startwerte und Daten prüfen
 solver-rank-deficient = abgebrochen: Parameter sind nicht getrennt identifizierbar; einen davon festhalten
 solver-residuals-zero = konvergiert: die Residuen sind bis auf Rundung null
 solver-rounding = bis auf Rundung konvergiert: kein kürzerer Schritt verkleinert die Residuen
@@ -1375,7 +1375,7 @@ synthetic-mark = SYNTHETISCHE DATEN
 table = Tabelle
 target = Zielmarke
 target-coordinates = { $count } Koordinaten von Zielmarken (mm)
-target-motion-explains-most = die Parameter gelten nicht mehr: Eine Bewegung der Zielmarke { $target } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
+target-motion-explains-most = die Parameter gelten nicht mehr: eine Bewegung der Zielmarke { $target } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
 target-moved = die Zielmarke { $target } hat sich auf ihrem Teil um { $by } (k = 2) bewegt
 target-movement-caption = Größte Bewegung einer Zielmarke seit ihrer ersten Messung und RMS der verbleibenden Verschiebung.
 target-named = Zielmarke { $target }
@@ -1394,7 +1394,7 @@ tested-by = Geprüft von
 text = Text
 texts-of-campaign-note = Texte der Kampagne sind nicht übersetzt.
 the-campaign-fits-no-features = Die Kampagne enthält keine angepassten Geometrieelemente.
-the-campaign-states-no-limits = Es sind keine Grenzwerte angegeben: ein Urteil ist nicht möglich.
+the-campaign-states-no-limits = Es sind keine Grenzwerte angegeben: Eine Bewertung ist nicht möglich.
 their-standard-deviation = Standardabweichung
 this-file-max = diese Datei, max.
 this-file-rms = diese Datei, RMS
@@ -1416,7 +1416,7 @@ to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
 tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
-tool-point-headline = Werkzeugpunkt, RMS: nominell minus identifiziert → erwartet
+tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend
 trend-description = Eine Marke je Kampagne mit ihrem 95-%-Intervall; Rauten: signifikante Änderung.
@@ -1425,7 +1425,7 @@ trend-of = Verlauf von
 trend-of-all-quantities = Nicht modellierter Trend aller gemessenen Größen zusammen ({ $probability }).
 trends-note = F-Tests der mittleren Abweichungen der Kalibrierposen nach der Identifikation: Parabel gegen Konstante; p-Werte für mehrfaches Testen korrigiert (Holm 1979). Ein Trend ist eine Abweichung, die das Modell nicht beschreibt.
 trends-of-the-residuals = Trends der Residuen
-trends-suggest-field = Ein Trend bleibt übrig: `field = true` in [identify] sucht ein Residuenfeld.
+trends-suggest-field = Die Residuen zeigen noch einen Trend: `field = true` in [identify] sucht ein Residuenfeld.
 true = wahr
 turn-down = Nach unten drehen
 turn-left = Nach links drehen
@@ -1435,8 +1435,8 @@ type = Typ
 u-bootstrap = u, Bootstrap
 u-draws = u, Ziehungen
 u-linear = u, linear
-u-of-deviation = dessen u (k = 1)
-u-of-identified = u des identifizierten
+u-of-deviation = u der Abweichung (k = 1)
+u-of-identified = u des identifizierten Werts
 u-over-ap = U / AP
 u-over-rp = U / RP
 u-report = u, Bericht
@@ -1459,7 +1459,7 @@ unjudged-without-uncertainty = Nicht beurteilt, weil die Unsicherheit unbekannt 
 unknown-without-redundancy = unbekannt (gleich viele Gleichungen wie Parameter)
 unshown-frame-points = Abweichungen der Punkte, die das Weltkoordinatensystem festlegen: ohne Redundanz verschieben sie nur das Koordinatensystem
 unshown-frame-targets = Positionsabweichungen der Zielmarken, die das Weltkoordinatensystem festlegen: die gemessenen Positionen sind der Bezug
-unshown-shift = eine allen Messwerten gemeinsame Verschiebung oder Drehung: Die Basis nimmt sie auf
+unshown-shift = eine allen Messwerten gemeinsame Verschiebung oder Drehung: die Basis nimmt sie auf
 valid-until = gültig bis
 valid-until-column = Gültig bis
 validation = Validierung
@@ -1521,7 +1521,7 @@ weaving-stroke-measured = { $measured } mm, Sollwert { $commanded } mm: WS { $
 weaving-turns = Pendeln, Umkehrpunkte
 weight = Gewicht
 what-changed = Änderungen zwischen Kampagnen
-what-differs-between-series = Unterschiede zwischen den Messreihen
+what-differs-between-series = Unterschiede zwischen den Serien
 what-no-reading-shows = nicht aufdeckbare Fehler
 wider-than-window = Breiter als das Fenster: seitwärts scrollen.
 with-colon = { $label }:
