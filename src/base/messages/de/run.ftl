@@ -9,7 +9,7 @@ uncertainty-source = { $section ->
        *[contact] denselben Punkt mehrmals antasten und die Streuung der Geberwerte verwenden
     }
 
-key-uncertainty-implausible = `{ $key }` = { $value } ist keine Unsicherheit einer gemessenen Koordinate in Mikrometern
+key-uncertainty-implausible = `{ $key }` = { $value } kann nicht die Unsicherheit einer gemessenen Koordinate in Mikrometern sein
     .expected = ein Wert von { $least } bis { $most }
     .hint = die Einheit prüfen: 0,0027 mm sind 2,7 µm
 
@@ -21,7 +21,7 @@ limit-without-result = der Grenzwert `{ $limit }` braucht { $needs ->
         [commanded] {"["}repeatability] mit `commanded` oder [poses]
        *[repeatability] {"["}repeatability] oder [poses]
     }
-    .hint = den Grenzwert entfernen oder den Abschnitt ergänzen, für den er gilt
+    .hint = den Grenzwert entfernen oder den Abschnitt ergänzen, der die Größe bestimmt
 
 section-beside-observations = `{ $section }` ist neben [observations] angegeben
     .hint = entweder [observations] angeben oder [[export]], [[log]] und [join]
@@ -54,23 +54,23 @@ input-in-output-folder = der Ausgabeordner enthält die Eingabe `{ $input }`
     .expected = ein Ordner ohne Eingabedateien: er wird als Ganzes ersetzt
     .hint = einen anderen Ordner angeben oder `output` entfernen: Vorgabe ist `out`
 
-feature-element = Element `{ $feature }` muss genau ein Geometrieelement bezeichnen
+feature-element = Geometrieelement `{ $feature }` muss genau ein Element nennen
     .expected = einer der Schlüssel `plane`, `line`, `circle`, `cylinder` mit den Bezeichnungen seiner Punkte
 
-feature-label-twice = Element `{ $feature }` nennt `{ $label }` zweimal
+feature-label-twice = Geometrieelement `{ $feature }` nennt `{ $label }` zweimal
     .hint = jede Bezeichnung einmal nennen
 
 nominal-without-tolerance = `nominal_mm` und `tolerance_mm` des Weltkoordinatensystems gehören zusammen
     .hint = die Positionen nach der Zeichnung und den größten zulässigen Abstand eines Punktes davon angeben
 
 world-frame-definition = das Weltkoordinatensystem muss auf genau eine Weise definiert sein
-    .expected = `plane` mit `origin` und einer Achse, oder `targets`, oder `as_exported = true`
+    .expected = `plane` mit `origin` und einer Achse oder `targets` oder `as_exported = true`
 
 key-of-other-frame = `{ $key }` hat in diesem Weltkoordinatensystem keine Wirkung
     .hint = `{ $key }` entfernen oder das Koordinatensystem durch `{ $definition }` definieren
 
 frame-axis-without-direction = die Achse des Weltkoordinatensystems hat keine Richtung
-    .expected = zwei Bezeichnungen (von, nach) oder ein Element mit einer Richtung
+    .expected = zwei Bezeichnungen (von, nach) oder ein Geometrieelement mit einer Richtung
 
 plane-frame-incomplete = ein durch eine Ebene definiertes Weltkoordinatensystem braucht `origin`, entweder `x_axis` oder `y_axis`, und `towards`
     .hint = in `towards` eine Bezeichnung auf der positiven Seite der anderen Achse nennen: sie bestimmt die Richtung von z
@@ -113,9 +113,9 @@ section-without-identify = [{ $section }] hat keine Wirkung: die Kampagne hat ke
 
 label-unknown = kein Punkt hat die Bezeichnung `{ $label }`
 
-feature-unknown = unbekanntes Element `{ $feature }`
+feature-unknown = unbekanntes Geometrieelement `{ $feature }`
 
-point-or-feature-unknown = unbekannter Punkt oder unbekanntes Element `{ $name }`
+point-or-feature-unknown = unbekannter Punkt oder unbekanntes Geometrieelement `{ $name }`
 
 target-not-exported = kein Export enthält die Zielmarke `{ $target }`
 
@@ -157,7 +157,7 @@ threads-failed = die Kampagnen können nicht gleichzeitig ausgeführt werden: { 
 data-elsewhere = ihre Daten liegen unter ${ $name }, einer nicht gesetzten Umgebungsvariablen
 
 not-an-output-folder = `{ $folder }` ist kein Ausgabeordner eines Laufs: manifest.json fehlt
-    .hint = einen Ordner angeben, den `etalon run` schrieb, oder eine ausgeführte Kampagne
+    .hint = einen Ordner angeben, den `etalon run` geschrieben hat, oder eine ausgeführte Kampagne
 
 file-not-of-run = der Lauf hat `{ $file }` nicht geschrieben
     .hint = die Kampagne erneut ausführen: `etalon run KAMPAGNE`
@@ -194,14 +194,14 @@ clock-rate-without-offset = `clock_rate` braucht `clock_offset_s` mit demselben 
 label-form-missing = die Bezeichnungen von `{ $file }` nennen Zielmarken, aber die Form der Bezeichnungen ist nicht angegeben
     .hint = `label = "{ $form }"` in diesem [[export]] angeben: alle seine Bezeichnungen haben diese Form
 
-state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen sie
+state-targets = `targets = { $targets }` in [join] angeben: die Bezeichnungen nennen diese Zielmarken
 valid-until-no-date = `valid_until` ist kein Datum: "{ $date }"
-    .expected = der letzte Tag der Gültigkeit in Anführungszeichen, wie "2027-03-02"
+    .expected = der letzte Tag der Gültigkeit in Anführungszeichen, zum Beispiel "2027-03-02"
 
 valid-until-before-measurements = `valid_until` ({ $date }) liegt vor den Messungen ({ $measured })
     .hint = `valid_until` oder `date` berichtigen
 
-template-name-reserved = eine Auswertung schreibt `{ $file }` selbst
+template-name-reserved = ein Lauf schreibt `{ $file }` selbst
     .hint = die Vorlage umbenennen
 
 controller-template = Vorlage eines Steuerungsformats
@@ -212,7 +212,7 @@ valid-stated-twice = `valid_until` und `valid_for_months` sind beide angegeben
     .hint = eines von beiden weglassen
 
 valid-months-without-date = `valid_for_months` braucht das Datum (`date`) der Messungen
-    .hint = `date = "2026-03-02"` angeben, oder den letzten Tag als `valid_until`
+    .hint = `date = "2026-03-02"` oder den letzten Tag als `valid_until` angeben
 
 valid-months-implausible = `valid_for_months` ist { $months }
     .expected = 1 bis { $most } Monate
