@@ -8,15 +8,15 @@ selftest-folder-not-written = `{ $folder }` kann nicht geschrieben werden: { $re
 
 selftest-hash-expected = ein SHA-256: 64 hexadezimale Ziffern
 
-selftest-fits = Geometrieelemente: Anpassungen stimmen mit einem unabhängigen Programm (60 Stellen) überein, Minimalzonen und Hüllkreise mit exakten Werten
-selftest-solver = Löser: veröffentlichte Probleme der nichtlinearen kleinsten Quadrate erreichen ihre veröffentlichten Minima
+selftest-fits = Geometrieelemente: Anpassungen stimmen mit einem unabhängigen Programm (60 Stellen) überein, Minimumzonen und Hüllkreise mit exakten Werten
+selftest-solver = Löser: veröffentlichte nichtlineare Probleme der kleinsten Quadrate ergeben die veröffentlichten Minima
 selftest-frames = Koordinatensysteme: Orientierungen und Transformationen stimmen mit exakten Werten überein
 selftest-kinematics = Kinematik: jedes Modell stimmt mit einem unabhängigen Programm (60 Stellen), seiner Inversen, numerischen Ableitungen und dem exportierten Code überein
 selftest-identification = Identifikation: exakte Beobachtungen ergeben die Parameter; eine ganze Kampagne ergibt die wahren Werte innerhalb ihrer Unsicherheit
 selftest-reference = Referenzkampagnen: Parameter, Kovarianz und Abweichungen stimmen mit einem unabhängigen Programm (110 Stellen) überein
 selftest-uncertainty = Unsicherheiten: veröffentlichte Beispiele des GUM (H.1 bis H.3) und von JCGM 101 (9.2 bis 9.5) werden reproduziert
 selftest-standards = ISO 9283 und ISO 230-2: die Kenngrößen stimmen mit unabhängigen Programmen überein
-selftest-coverage = Überdeckung: 95-%-Intervalle enthalten den wahren Wert in 95 % der simulierten Kampagnen
+selftest-coverage = Überdeckung: 95-%-Intervalle enthalten den wahren Wert in 95 % der simulierten Kampagnen
 selftest-formats = Exporte von Messsystemen: bekannte Texte ergeben ihre Koordinaten; jedes Format wird gelesen, wie es geschrieben wurde
 selftest-exports = Dateien für Steuerungen: geschriebene Werte werden unverändert zurückgelesen
 selftest-threads = Threads: dieselbe Eingabe ergibt dieselben Bytes auf einem und auf vielen Threads
@@ -35,10 +35,10 @@ selftest-solution = { $name }: Parameter am Minimum
 selftest-covariance = { $name }: Kovarianz
 selftest-quaternion = Quaternion einer Drehung
 selftest-quaternion-back = Drehung eines Quaternions
-selftest-rotation-vector = Drehmatrix eines Drehvektors
-selftest-rotation-vector-back = Drehvektor einer Drehmatrix
-selftest-rpy = Drehmatrix aus Roll-, Nick- und Gierwinkel
-selftest-rpy-back = Roll-, Nick- und Gierwinkel einer Drehmatrix
+selftest-rotation-vector = Rotationsmatrix eines Rotationsvektors
+selftest-rotation-vector-back = Rotationsvektor einer Rotationsmatrix
+selftest-rpy = Rotationsmatrix aus Roll-, Nick- und Gierwinkel
+selftest-rpy-back = Roll-, Nick- und Gierwinkel einer Rotationsmatrix
 selftest-apply = Transformation eines Punktes
 selftest-inverse = Transformation nach ihrer Inversen
 selftest-rigid = Transformation zwischen zwei Punktmengen
@@ -83,21 +83,21 @@ selftest-swapped = vertauscht: `{ $first }` und `{ $second }`
 selftest-wrong-unit = falsche Einheit: `{ $place }` mal { SCIENTIFIC($factor, 3) }
 
 selftest-other-version = das abgelegte Dokument ist von etalon { $before }, das Programm ist etalon { $after }
-selftest-other-input = `{ $file }` ist geändert
+selftest-other-input = `{ $file }` wurde geändert
 selftest-new-input = `{ $file }` ist nicht unter den abgelegten Eingaben
 selftest-missing-input = `{ $file }` ist keine Eingabe mehr
 selftest-other-model = der Roboter war vom Modell `{ $before }` und ist vom Modell `{ $after }`
 
 selftest-title = Validierung der Installation
 selftest-subtitle = etalon { $version } unter { $system } { $architecture }; Validierung der Software vor der Verwendung (ISO/IEC 17025:2017, 7.11.2)
-selftest-passed = { $checks } Prüfungen von { $requirements } Anforderungen bestanden; { $slips } von { $slips } Versehen wurden bemerkt
+selftest-passed = { $checks } Prüfungen von { $requirements } Anforderungen bestanden; { $slips } von { $slips } absichtlichen Fehlern wurden erkannt
 selftest-failed = { $failed ->
         [one] { $failed } von { $checks } Prüfungen ist nicht bestanden
        *[other] { $failed } von { $checks } Prüfungen sind nicht bestanden
     }
 selftest-slips-missed = { $missed ->
-        [one] { $missed } von { $slips } Versehen wurde nicht bemerkt
-       *[other] { $missed } von { $slips } Versehen wurden nicht bemerkt
+        [one] { $missed } von { $slips } absichtlichen Fehlern wurde nicht erkannt
+       *[other] { $missed } von { $slips } absichtlichen Fehlern wurden nicht erkannt
     }
 selftest-program-changed = die Programmdatei hat nicht den angegebenen SHA-256
 selftest-program-unreadable = die Programmdatei ist nicht lesbar
@@ -111,8 +111,8 @@ selftest-statement = Dieses Protokoll gilt für die Programmdatei mit diesem SHA
 selftest-overview = Anforderungen
 selftest-failed-tests = Nicht bestandene Prüfungen
 selftest-installation = Installation (IQ)
-selftest-operation = Betrieb (OQ)
-selftest-slips = Versehen, die bemerkt werden müssen
+selftest-operation = Funktion (OQ)
+selftest-slips = Absichtliche Fehler, die erkannt werden müssen
 selftest-performance = Leistung (PQ)
 selftest-program-hash = SHA-256 des Programms
 selftest-stated-hash = angegebener SHA-256
@@ -133,15 +133,15 @@ selftest-permissible = zulässig
 selftest-result = Ergebnis
 selftest-result-pass = bestanden
 selftest-result-fail = nicht bestanden
-selftest-slip = Versehen
+selftest-slip = absichtlicher Fehler
 selftest-tests-failed = nicht bestandene Prüfungen
-selftest-as-it-must = schlägt fehl, wie es muss
-selftest-missed = nicht bemerkt
+selftest-as-it-must = schlägt wie verlangt fehl
+selftest-missed = nicht erkannt
 selftest-reference-data = Referenzdaten
 selftest-package = Paket
 selftest-version = Version
 selftest-quantity = Größe
 selftest-over-u = Differenz / u
-selftest-tolerance = Zulässig: { SCIENTIFIC($of_uncertainty, 0) } Standardunsicherheiten für einen Wert, { SCIENTIFIC($of_uncertainty, 0) } seiner selbst für eine Unsicherheit, { SCIENTIFIC($relative, 0) } seiner selbst für einen Wert ohne Unsicherheit.
+selftest-tolerance = Zulässig: { SCIENTIFIC($of_uncertainty, 0) } Standardunsicherheiten für einen Wert, relativ { SCIENTIFIC($of_uncertainty, 0) } für eine Unsicherheit, relativ { SCIENTIFIC($relative, 0) } für einen Wert ohne Unsicherheit.
 selftest-cause = Bekannter Unterschied: { $cause }.
 selftest-cause-unknown = Kein bekannter Unterschied: Version, Modell und Eingaben sind dieselben.
