@@ -24,10 +24,10 @@ truth-repeatability-without-campaign = [repeatability] steht in den wahren Werte
 truth-home-count = `home` hat { $values } Gelenkwerte, der Roboter { $joints } Gelenke
     .hint = einen Wert je Gelenk angeben
 
-simulate-not-written = `simulate` kann { $what } nicht schreiben
-    .hint = zum Simulieren eine andere Datei angeben, danach die wirkliche Datei
+simulate-not-written = `etalon simulate` kann { $what } nicht schreiben
+    .hint = eine simulierbare Datei angeben und danach durch die wirkliche Datei ersetzen
 
-several-tables = `simulate` verarbeitet nicht mehrere Beobachtungstabellen
+several-tables = `etalon simulate` schreibt nur eine Beobachtungstabelle
     .hint = eine Kampagne mit einer davon simulieren
 
 simulated-kind = { $kind ->
@@ -51,10 +51,10 @@ in-numbered-table = [[{ $table }]] { $number }: { $message }
 
 in-set = Gruppe `{ $set }`: { $message }
 
-export-without-points = nichts aus den wahren Werten gehört zum Export `{ $file }`
-    .hint = einen [[point]] mit diesem `export` ergänzen oder `label` oder `target` beim Export in der Kampagne
+export-without-points = die wahren Werte enthalten keine Punkte für den Export `{ $file }`
+    .hint = einen [[point]] mit diesem `export` oder beim Export in der Kampagne `label` oder `target` ergänzen
 
-simulate-utf8 = `simulate` schreibt UTF-8
+simulate-utf8 = `etalon simulate` schreibt UTF-8
     .hint = `encoding` dieses Exports weglassen
 
 simulated-rows-lost = aus `{ $file }` würden nur { $read } von { $rows } Zeilen gelesen
@@ -75,22 +75,22 @@ observe-without-table = die wahren Werte enthalten [[observe]], aber die Kampagn
     .hint = die Tabelle in campaign.toml angeben: `[observations]` mit `file`
 
 table-without-observe = die wahren Werte enthalten kein [[observe]] für die Tabelle von [observations]
-    .hint = angeben, was beobachtet wird: kind = "point", target = "ball" ...; docs/observations.md zählt die Arten auf
+    .hint = angeben, was beobachtet wird: kind = "point", target = "ball" ...; docs/observations.md nennt die Arten
 
 campaign-not-synthetic = die Kampagne gibt nicht an, dass ihre Daten synthetisch sind: ihre Dateien können Messungen sein
     .hint = `synthetic = "Herkunft der Daten"` in campaign.toml angeben; `etalon init --synthetic ORDNER` schreibt eine solche Kampagne mit wahren Werten
 
-truth-decimals = { $decimals } Nachkommastellen sind mehr, als eine Zahl hat
+truth-decimals = { $decimals } Nachkommastellen überschreiten die Genauigkeit einer Zahl
     .expected = 0 bis { $most }
 
 joints-and-points-together = eine Datei, die Gelenke und Punkte zusammen enthält, kann nicht simuliert werden
     .hint = einen Export und ein [log] getrennt angeben
 
-point-label-formula = die Bezeichnung `{ $label }` eines [[point]] ist in einer Tabellenkalkulation eine Formel
+point-label-formula = die Bezeichnung `{ $label }` eines [[point]] wäre in einer Tabellenkalkulation eine Formel
     .hint = eine Bezeichnung verwenden, die nicht mit = + - oder @ beginnt
 
 truth-parameters-missing = [parameters] gibt { $parameters } nicht an
-    .hint = die Lage der beobachteten festen Gegenstände angeben
+    .hint = die wahren Lagen der beobachteten festen Punkte und Flächen angeben
 
 unmodelled-joint-unknown = [unmodelled] nennt `{ $joint }`, das kein Gelenk dieses Roboters ist
 
@@ -103,7 +103,7 @@ study-too-few-poses = zu wenige Posen, um alle Parameter zu identifizieren
 study-set-empty = eine Gruppe hat keine Pose, die der Roboter erreicht
     .hint = erreichbare Posen angeben
 
-study-not-by-position = `{ $model }` kann nicht durch Positionen gestellt werden
+study-not-by-position = `{ $model }` kann nicht durch Positionen festgelegt werden
     .hint = `joints` oder eine Tabelle in `file` angeben
 
 truth-not-touching = Pose { $pose }: keine Gelenkwerte nahe den wahren Werten stellen den Kontakt her
