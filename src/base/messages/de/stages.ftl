@@ -11,7 +11,7 @@ rigid-target-refused = [[rigid]] lehnt { $rows ->
         [one] die einzige Zeile
        *[other] alle { $rows } Zeilen
     } von `{ $target }` ab, die erste in `{ $file }`, Zeile { $line }: { $reason }
-    .hint = vertauschte Bezeichnungen oder `tolerance_mm` berichtigen, oder die Zielmarke aus [[rigid]] entfernen
+    .hint = vertauschte Bezeichnungen oder `tolerance_mm` berichtigen oder die Zielmarke aus [[rigid]] entfernen
 
 rigid-point-coincides = { $message }; der Punkt fällt mit `{ $other }` zusammen
 
@@ -93,7 +93,7 @@ target-twice = die Zielmarke `{ $target }` kommt an Pose { $pose }, Zyklus { $cy
 labels-unused = { $count ->
         [one] 1 Bezeichnung nennt keine Zielmarke und wird
        *[other] { $count } Bezeichnungen nennen keine Zielmarke und werden
-    } von keinem Element oder Koordinatensystem verwendet; die erste ist `{ $label }`
+    } von keinem Geometrieelement oder Koordinatensystem verwendet; die erste ist `{ $label }`
     .hint = die Bezeichnung oder `label` dieses Exports berichtigen
 
 column-step = { $column } auf { $step } { $unit }
@@ -173,7 +173,7 @@ join-contradicts = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
     } einen anderen Wert von { $column } als die verknüpfte Zeile von Protokoll `{ $log }`: { $measured } und { $logged } (Zeile { $line } des Protokolls)
-    .hint = nach Pose verknüpfen; oder `{ $column }` aus `columns` des Protokolls weglassen, wenn die Spalte dort etwas anderes zählt
+    .hint = nach Pose verknüpfen; oder `{ $column }` aus `columns` des Protokolls weglassen, wenn die Spalte dort etwas anderes bedeutet
 
 row-counts-differ = `{ $file }` hat { $rows } Zeilen, Protokoll `{ $log }` hat { $log_rows }
     .expected = gleich viele Zeilen für eine Verknüpfung nach Zeilen
@@ -195,7 +195,7 @@ targets-missing = Zielmarken fehlen { $count ->
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
     }
-    .hint = die übrigen Zielmarken dieser Posen zählen; eine Pose oder Orientierung braucht alle
+    .hint = die übrigen Zielmarken dieser Posen werden verwendet; eine Pose oder Orientierung braucht alle Zielmarken
 
 row-is-a-pose = `{ $file }` hat `pose = "row"`, sodass jede Zeile eine eigene Pose ist: diese Zeile entfernen, wenn mehrere Zielmarken an einer Pose gemessen wurden
 
@@ -205,7 +205,7 @@ log-key-twice = Protokoll `{ $log }` enthält { $count ->
         [one] 1 Schlüssel
        *[other] { $count } Schlüssel
     } mehr als einmal: { $keys }
-    .hint = dem Schlüssel `cycle` hinzufügen oder die Zeilen entfernen, die nicht zählen
+    .hint = dem Schlüssel `cycle` hinzufügen oder die ungültigen Zeilen entfernen
 
 keys-unmatched = { $count ->
         [one] 1 Schlüssel
@@ -254,7 +254,7 @@ times-missing = { $of ->
 several-rows-near = { $count ->
         [one] 1 Messpunkt hat
        *[other] { $count } Messpunkte haben
-    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die zeitlich nächste zählt
+    } mehrere Zeilen von Protokoll `{ $log }` innerhalb von { $tolerance_s } s: die zeitlich nächste Zeile wird verwendet
     .hint = `tolerance_s` auf weniger als die halbe Periode des Protokolls verringern
 
 points-without-row = { $count ->
@@ -274,9 +274,9 @@ log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` liegt { $count } Pun
     .hint = `tolerance_s` verringern oder `clock_offset_s` prüfen
 
 clock-offset-none = kein Versatz der Uhren legt alle Messpunkte in Stillstände des Protokolls: { $count ->
-        [one] der erste Punkt (bis { $last_s } s) passt
-       *[other] die ersten { $count } Punkte (bis { $last_s } s) passen mit einem gemeinsamen Versatz
-    }, der Punkt bei { $first_s } s passt nicht
+        [one] der erste Punkt (bis { $last_s } s) passt
+       *[other] die ersten { $count } Punkte (bis { $last_s } s) passen mit einem gemeinsamen Versatz
+    }, der Punkt bei { $first_s } s passt nicht
     .hint = in Bewegung gemessene Punkte entfernen; oder `clock_offset_s` als Zahl angeben: Zeilen ohne Zuordnung werden dann aufgelistet
 
 range-of-seconds = { FIXED($low_s, 3) } bis { FIXED($high_s, 3) } s
@@ -334,7 +334,7 @@ name-on-few-rows = `{ $name }` steht nur in { $count ->
         [one] 1 Zeile
        *[other] { $count } Zeilen
     }, `{ $meant }` in { $meant_count }
-    .hint = meinten Sie `{ $meant }`? sonst die Zeilen von `{ $name }` weglassen: sie reichen nicht aus, seine Lage zu bestimmen
+    .hint = war `{ $meant }` gemeint? Sonst die Zeilen von `{ $name }` ausschließen: sie bestimmen seine Lage nicht
 
 base-moves = die Gelenke { $joints } bewegen `base_link`: Positionen gelten als in einem mitbewegten Koordinatensystem gemessen
     .hint = wenn das Messgerät fest im Raum steht, die Wurzel der URDF-Datei als `base_link` angeben
@@ -430,7 +430,7 @@ surface-axis-missing = { $kind ->
 offset-of-line = `offset_mm` gilt nur für Ebenen und Kugeln, nicht für eine Gerade
     .hint = die Zelle leer lassen
 
-near-missing = eine Position auf { $kind } braucht `near_mm`
+near-missing = eine Position auf `{ $kind }` braucht `near_mm`
     .hint = ihre ungefähre Position im Weltkoordinatensystem angeben
 
 load-direction-unknown = `{ $direction }` ist keine Richtung
@@ -446,7 +446,7 @@ drift-without-commanded = `drift_set` braucht Sollposen
     .hint = sie angeben: `commanded = "commanded.csv"`
 
 attained-poses-twice = [poses] und [repeatability] geben beide Istposen an
-    .hint = den Abschnitt behalten, der zu den Messungen passt: Bezeichnungen oder Tabelle
+    .hint = [repeatability] für Punkte mit Bezeichnung oder [poses] für eine Tabelle behalten
 
 limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: an Pose { $pose } fehlt dieser Wert
     .hint = jede Pose mindestens zweimal anfahren und als Sollpose angeben
@@ -454,7 +454,7 @@ limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: an
 compensation-scatters = die Istpositionen streuen nach der Korrektur durch die Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
     .hint = nach einem falschen Messwert unter den Referenzmarken suchen oder sie weglassen
 
-reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen um { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert) von einer starren Bewegung derjenigen des ersten Zyklus ab; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
+reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen um { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert) von einer starren Bewegung seit dem ersten Zyklus ab; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
     .hint = eine Referenzmarke hat sich bewegt oder wurde falsch gemessen: sie neu messen oder weglassen
 
 repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltkoordinatensystem
@@ -483,7 +483,7 @@ pose-of-several-targets = Pose { $pose } (Zyklus { $cycle }) hat Messwerte von `
 pose-of-cycle = Pose { $pose } von Zyklus { $cycle }
 
 visit-count-differs = Pose { $pose } wurde in Zyklus { $cycle } { $found }-mal gemessen, der Ablauf fährt sie aber { $count }-mal an
-    .hint = den fehlenden Messwert ergänzen oder alle dieser Pose und dieses Zyklus entfernen: die Anfahrrichtung der anderen ist unbekannt
+    .hint = den fehlenden Messwert ergänzen oder alle Messwerte dieser Pose und dieses Zyklus entfernen: ihre Anfahrrichtungen sind unbekannt
 
 visits-missing = nicht gemessen: { $poses }{ $count ->
         [one] {""}
@@ -493,7 +493,7 @@ visits-missing = nicht gemessen: { $poses }{ $count ->
 homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
     .hint = den Wert als Obergrenze verwenden oder mit einem besseren Messgerät messen
 
-central-part-too-large = der Wert von { $option } ist größer als die ganze Bahn
+central-part-too-large = { $option } überschreitet 100 %
     .expected = eine Zahl größer als 0 und höchstens 100
 
 path-points-out-of-range = der Wert von { $option } liegt außerhalb des zulässigen Bereichs
@@ -515,7 +515,7 @@ in-observation = Pose { $pose }, Zyklus { $cycle } der Beobachtungen: { $message
 
 in-candidate = Pose { $pose } der Kandidaten: { $message }
 
-in-feature = Element `{ $name }`: { $message }
+in-feature = Geometrieelement `{ $name }`: { $message }
 
 joints-of-pose-differ = die Zeilen dieser Pose haben verschiedene Gelenkwerte
     .hint = sie berichtigen oder Wiederholungen in der Spalte `cycle` nummerieren
@@ -560,7 +560,7 @@ unplaced = { $kind ->
        *[both] { $count } Zielmarken und feste Elemente
     } nur an Validierungsposen gemessen: { $names }; Lage aus diesen Messwerten bestimmt, bei festgehaltenen identifizierten Roboterparametern
 
-validation-leaves-nothing = { $unplaced }: für die Validierung bleibt nichts übrig
+validation-leaves-nothing = { $unplaced }: für die Validierung bleibt kein redundanter Messwert
     .hint = sie auch an Kalibrierposen messen oder eine Pose, an der sie gemessen wurden, in `calibration` aufnehmen
 
 placed-by-validation = { $unplaced }; die Statistik berücksichtigt das
@@ -618,7 +618,7 @@ orientation-slip = { $slip ->
         [degrees] Winkel in Grad statt Radiant
         [negated] die Winkel mit dem anderen Vorzeichen
         [inverse] die inversen Drehungen
-       *[left-handed] ein linkshändiges Koordinatensystem ({ $name } umgekehrt)
+       *[left-handed] ein Linkssystem ({ $name } umgekehrt)
     }
 
 orientations-off = die beobachteten Orientierungen unterscheiden sich von denen des { $robot ->
@@ -630,17 +630,17 @@ orientations-off = die beobachteten Orientierungen unterscheiden sich von denen 
 few-poses-to-leave-out = { $count ->
         [one] 1 Kalibrierpose ist
        *[other] { $count } Kalibrierposen sind
-    } zu wenig, um einige auszulassen
+    } zu wenige, um einige auszulassen
     .expected = mindestens { $least }
-    .hint = mehr messen oder mehr in `calibration` nennen
+    .hint = mehr Posen messen oder mehr Posen in `calibration` nennen
 
 nothing-to-judge = keine Beobachtung ist eine Position, ein Abstand oder ein Kontakt
-    .hint = Parameter werden nach Positionsabweichungen beurteilt: Positionen messen
+    .hint = Parameter werden nach Positionsabweichungen beurteilt: Positionen, Abstände oder Kontakte messen
 
-validation-repeats-calibration = die Validierung wiederholt die Kalibrierung: die Hälfte der Validierungsposen liegt näher an einer Kalibrierpose als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen untereinander; Grenzwert { $limit }
+validation-repeats-calibration = die Validierung wiederholt die Kalibrierung: der Abstand einer Validierungspose von der nächsten Kalibrierpose beträgt im Median das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen; Grenzwert { $limit }
     .hint = die Abweichung des Roboters kann anderswo größer sein: an Posen zwischen den Kalibrierposen validieren
 
-validation-far = die Validierung ist weit von der Kalibrierung entfernt: die Hälfte der Validierungsposen liegt von der nächsten Kalibrierpose weiter entfernt als das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen untereinander; Grenzwert { $limit }
+validation-far = die Validierung ist weit von der Kalibrierung entfernt: der Abstand einer Validierungspose von der nächsten Kalibrierpose beträgt im Median das { FIXED($median, 2) }-Fache des Abstands der Kalibrierposen; Grenzwert { $limit }
     .hint = an Posen kalibrieren, die über den benutzten Arbeitsraum verteilt sind
 
 error-quantity-unknown = `{ $name }` ist keine Größe einer Abweichung
@@ -669,7 +669,7 @@ joint-does-not-move = `{ $joint }` bewegt sich nicht: mangels Daten { $count ->
     }: { $parameters }
     .hint = `{ $joint }` zwischen den Kalibrierposen bewegen oder den Roboter nur bei diesem Wert verwenden; sonst bleiben Abweichungen bis zur Toleranz von `{ $first }`
 
-direction-undetermined = aus den Punkten ist seine Richtung nur auf { FIXED($direction_deg, 0) } deg bekannt (k = 1); Grenzwert { $limit_deg } deg
+direction-undetermined = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 0) } deg; Grenzwert { $limit_deg } deg
     .hint = Punkte mit größerem Abstand messen, nicht alle auf einer Geraden
 
 direction-uncertain = seine Richtung hat eine Standardunsicherheit von { FIXED($direction_deg, 2) } deg; Grenzwert { $limit_deg } deg
@@ -706,7 +706,7 @@ angle-order-leaves = { FIXED($left_deg, 3) } deg mit `{ $order }`
 angle-orders-fit = `orientation = "{ $order }"` in [observations] oder --orientation angeben; Abweichung vom nominalen Roboter (quadratischer Mittelwert): { $orders }
 
 ball-missing = Kugel `{ $target }` fehlt (Pose { $pose }, Zyklus { $cycle })
-    .hint = sie messen oder den Rest dieser Pose und dieses Zyklus entfernen
+    .hint = die Kugel messen oder die anderen Messwerte dieser Pose und dieses Zyklus entfernen
 
 actuator-unknown = Antrieb { $actuator } existiert nicht
     .expected = 1, 2 oder 3
@@ -717,14 +717,14 @@ lead-position-unknown = Position { $position } von Antrieb { $actuator } ist nic
 geometric-frame = die geometrische Kalibrierung braucht ein durch die Schienen und Kugel R definiertes Weltkoordinatensystem
     .expected = `plane`, `origin`, `y_axis = [Ursprung, anderes Ende]` und `towards`, wie in 3.4.1 der Dissertation
 
-geometric-other-robot = [geometric] ist die geometrische Kalibrierung eines PreXYT
+geometric-other-robot = [geometric] ist nur für einen PreXYT verfügbar
     .expected = ein Roboter mit Modell `prexyt`
 
 scale-bar-error = Kalibrierstab `{ $name }`: die Abweichung von { FIXED($error_mm, 4) } mm überschreitet die Fehlergrenze von { FIXED($limit_mm, 4) } mm
     .hint = Taster, Temperatur und Aufstellung des Messgeräts prüfen und den Kalibrierstab neu messen
 
 scale-bar-uncertain = Kalibrierstab `{ $name }`: die Fehlergrenze ist das { FIXED($ratio, 1) }-Fache der erweiterten Messunsicherheit seines Kalibrierscheins, gefordert ist mindestens das { $least }-Fache
-    .hint = einen Stab verwenden, dessen Kalibrierschein eine kleinere Messunsicherheit angibt: mit diesem ist keine Prüfung möglich
+    .hint = einen Kalibrierstab mit kleinerer Messunsicherheit im Kalibrierschein verwenden: dieser Stab kann das Messgerät nicht prüfen
 
 step-scatters = { $step }: die Residuen streuen um { FIXED($found_mm, 4) } mm, die Unsicherheit des Messgeräts ist { FIXED($stated_mm, 4) } mm: die Unsicherheiten folgen aus den Residuen
     .hint = nach Spiel, einer schmutzigen Kugel oder einer losen Halterung suchen; den Schritt neu messen
@@ -735,7 +735,7 @@ table-without-poses = an keiner Pose der Tabelle `{ $title }` wurden K und L zus
 given-without-covariance = die Parameter haben keine Kovarianz
     .hint = aus mehr Daten neu identifizieren, die Freiheitsgrade übrig lassen
 
-calibrated-targets-missing = den Parametern fehlen { $names }: die Basis oder die Zielmarken sind andere
+calibrated-targets-missing = den Parametern fehlen { $names }: die Beobachtungen haben eine andere Basis oder andere Zielmarken
     .hint = die Zielmarken der Kalibrierung an derselben Stelle des bewegten Teils beobachten
 
 parameters-of-other-robot = die Parameter gehören zu einem Roboter `{ $identified }`; robot.toml beschreibt einen anderen (`{ $stated }`)
@@ -760,7 +760,7 @@ nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $state
     .hint = prüfen, ob die Parameter zu diesem Roboter gehören
 
 robot-geometry-changed = robot.toml beschreibt eine andere Geometrie als die der Identifikation: { $case ->
-        [apart] bei gleichen Parametern liegen die Flansche { $distance_mm } mm auseinander
+        [apart] bei gleichen Parametern liegen die Flansche { $distance_mm } mm auseinander
        *[other] Gelenke oder Glieder sind andere
     }
     .hint = die robot.toml angeben, mit der die Parameter identifiziert wurden, oder neu identifizieren
@@ -768,17 +768,17 @@ robot-geometry-changed = robot.toml beschreibt eine andere Geometrie als die der
 robot-geometry-unknown = robot.toml ist keine Datei der Identifikation, und parameters.json enthält keine Geometrie zum Vergleich
     .hint = prüfen, ob robot.toml den identifizierten Roboter beschreibt, oder die Kampagne erneut ausführen
 
-calibration-without-residuals = aus der Kalibrierung ergibt sich keine Standardabweichung einer Koordinate
+calibration-without-residuals = aus der Kalibrierung ergibt sich keine Standardunsicherheit einer Koordinate
     .hint = mit angegebener Standardunsicherheit identifizieren
 
-effect-would-prove = { $effect }{ $count ->
+effect-would-prove = signifikanter Effekt: { $effect }{ $count ->
         [0] {""}
        *[other] {" "}der Gelenke { $joints }
-    } würde bestätigt: die Abweichung an ausgelassenen Kalibrierposen sinkt von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratischer Mittelwert)
+    }; damit sinkt die Abweichung an ausgelassenen Kalibrierposen von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratischer Mittelwert)
     .hint = "{ $effect }" in `effects` von [identify] ergänzen oder `effects = "proven"` angeben
 
 outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Messwerte ausschließen
-    .hint = das Modell oder der Aufbau ist falsch: nachsehen, was `outliers = "keep"` meldet
+    .hint = das Modell oder der Aufbau ist falsch: die Messwerte prüfen, die `outliers = "keep"` meldet
 
 log-correlates = mit Protokoll `{ $log }` korrelieren die Residuen mit der Differenz beider Protokolle (r = { FIXED($correlation, 2) }); ihr quadratischer Mittelwert ist { FIXED($rms_mm, 3) } mm, mit Protokoll `{ $other }` dagegen { FIXED($other_rms_mm, 3) } mm
 
@@ -797,16 +797,16 @@ sets-overlap = diese Posen gehören zur Kalibrierung und zur Validierung: { $pos
 series-overlap = diese Posen gehören zu mehreren Serien: { $poses }
     .hint = jede Pose nur einer Serie zuordnen
 
-series-without-calibration = Serien ohne Pose der Kalibrierung, die nicht zählen: { $series }
+series-without-calibration = Serien ohne Kalibrierpose bleiben unberücksichtigt: { $series }
 
-series-incomplete = diese Posen der Kalibrierung gehören zu keiner Serie: { $poses }
+series-incomplete = diese Kalibrierposen gehören zu keiner Serie: { $poses }
     .hint = `"rest"` nimmt alle Posen, die zu keiner früheren Serie gehören
 
-series-single = `series` enthält nur eine Serie mit Posen der Kalibrierung
-    .hint = mindestens zwei angeben, oder `series` entfernen
+series-single = `series` enthält nur eine Serie mit Kalibrierposen
+    .hint = mindestens zwei Serien angeben oder `series` entfernen
 
 table-selection-empty = die Tabelle `{ $title }` enthält keine gemessene Pose
-    .hint = eine Tabelle zeigt Posen von `calibration` und `validation`
+    .hint = Posen von `calibration` und `validation` wählen
 
 poses-measured = { $count ->
         [one] 1 Pose ist
@@ -826,9 +826,9 @@ check-column-unit = die Einheit seiner Spalte prüfen: alle Werte liegen im Bere
 
 joint-out-of-range = Gelenk `{ $joint }` = { $value } { $unit } ist außerhalb des Bereichs
     .expected = von { $lower } bis { $upper } { $unit }: { $reason ->
-            [limits] die Grenzen der Roboterdatei, über die 1 % ihres Abstands hinausgehen darf
+            [limits] die Grenzen der Roboterdatei, über die 1 % ihres Abstands hinausgehen darf
             [turns] zwei Umdrehungen, da die Roboterdatei keine Grenzen angibt
-           *[others] nach dem Bereich, in dem die Hälfte seiner Werte liegt
+           *[others] nach dem Bereich der anderen Werte
         }
     .hint = Dezimalzeichen und Einheit des Werts prüfen; kann das Gelenk diesen Wert annehmen, { $reason ->
             [limits] seine Grenzen in der Roboterdatei berichtigen
@@ -867,7 +867,7 @@ remedy = { $remedy ->
         [hold] Parameter in [identify] festhalten oder mehr Posen messen
         [unreachable] Einheit (Grad oder Radiant), Vorzeichen und Versatz der Gelenke und die Nennparameter prüfen
         [extent] `unit` der Exporte, die Einheiten der Gelenke im Protokoll und die Längen des Roboters prüfen
-        [readings] diese Messwerte und die Reihenfolge der Zeilen des Protokolls prüfen, oder diese Posen auslassen (`exclude`, --exclude)
+        [readings] diese Messwerte und die Reihenfolge der Zeilen des Protokolls prüfen oder diese Posen auslassen (`exclude`, --exclude)
         [assembly] die Spalte `assembly` dieser Posen berichtigen oder leer lassen: der Modus wird dann aus der Messung abgeleitet
        *[joints] Einheiten, Reihenfolge und Vorzeichen der Gelenke und die Nennparameter prüfen; `hold` in [identify] hält Parameter fest
     }
@@ -918,12 +918,12 @@ uncertainty-zero = `{ $column }` ist in { $count ->
     .hint = Unsicherheiten mit mehr Nachkommastellen exportieren
 
 key-of-text-table = `{ $key }` hat für ein Blatt einer Arbeitsmappe oder ein Topic einer Aufzeichnung keine Bedeutung
-    .hint = `{ $key }` entfernen: Zellen einer Arbeitsmappe werden gelesen, wie sie sind
+    .hint = `{ $key }` entfernen: der Schlüssel gilt nur für Text mit Trennzeichen
 
 measurements-undescribed = an den { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    } ist das Residuum des Modells { FIXED($after_mm, 3) } mm (quadratischer Mittelwert) bei Positionen, die sich über { FIXED($spread_mm, 1) } mm erstrecken; { $count } von { $total } Messwerten weichen um mehr als { FIXED($limit_mm, 1) } mm ab: das Modell beschreibt diese Messungen nicht
+    } betragen die Abweichungen { FIXED($after_mm, 3) } mm (quadratischer Mittelwert), die Positionen erstrecken sich über { FIXED($spread_mm, 1) } mm; { $count } von { $total } Abweichungen übersteigen { FIXED($limit_mm, 1) } mm: das Modell beschreibt diese Messungen nicht
 
 undescribed-targets = jeder Messwert von { $targets } hat eine große Abweichung, und kein anderer: die Bezeichnungen der Zielmarke prüfen, und ob sie bewegt wurde
 
@@ -946,7 +946,7 @@ prior-of-conditions = `--frames prior` gilt nur für gemessene Positionen
 place-without-nominal = `{ $parameter }` hat keinen Nennwert: der Wert wird aus Messungen bestimmt
     .hint = Basis und Zielmarken an die Kalibrierposen anpassen: `--frames refit`
 
-given-parameters-worse = das Residuum ist { FIXED($given_mm, 3) } mm mit den gegebenen Parametern, { FIXED($nominal_mm, 3) } mm mit den Nennparametern (quadratischer Mittelwert)
+given-parameters-worse = die Abweichungen betragen { FIXED($given_mm, 3) } mm mit den gegebenen Parametern, { FIXED($nominal_mm, 3) } mm mit den Nennparametern (quadratischer Mittelwert)
     .hint = prüfen, ob die Parameter zu diesem Roboter und ob Basis und Zielmarken zu dieser Kampagne gehören (`--frames`)
 
 candidate-poses-too-few = { $wanted } Posen können nicht aus { $count } Kandidaten ausgewählt werden
@@ -961,7 +961,7 @@ one-pose-contradicts = ohne Pose `{ $pose }` widersprechen die Beobachtungen den
 one-reading-contradicts = ohne Zielmarke `{ $target }` an Pose `{ $pose }` widersprechen die Beobachtungen den Parametern nicht
     .hint = diese Zielmarke an dieser Pose neu messen
 
-target-names-permuted = mit den Namen der Zielmarken { $names } sinken die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
+target-names-permuted = mit den Namen der Zielmarken { $names } sinken die Residuen von { FIXED($before_mm, 3) } auf { FIXED($left_mm, 3) } mm
     .hint = die Namen im Export berichtigen
 
 motions-alike = { $count ->
@@ -984,7 +984,7 @@ common-scale = { $parameters } sind alle etwa das { FIXED($factor, 5) }-Fache de
 compliance-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk biegt sich entgegen der Schwerkraft
     .hint = `gravity` und die Richtung der Gelenkachse in robot.toml prüfen
 
-load-columns-slip = die angegebenen Massenmittelpunkte widersprechen den Messungen ({ FIXED($over_u, 1) } Standardunsicherheiten); { $count ->
+load-columns-slip = die angegebenen Schwerpunkte widersprechen den Messungen ({ FIXED($over_u, 1) } Standardunsicherheiten); { $count ->
         [one] eine Änderung erklärt sie: { $changes }
        *[other] jede dieser Änderungen erklärt sie: { $changes }
     }
@@ -994,24 +994,24 @@ load-change-exchanged = `{ $first }` und `{ $second }` sind vertauscht
 
 load-change-sign = `{ $column }` hat das andere Vorzeichen
 
-load-change-unit = der Massenmittelpunkt ist in { $unit }
+load-change-unit = der Schwerpunkt ist in { $unit }
 
-backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk würde seinem Antrieb vorauseilen
+backlash-negative = `{ $parameter }` ist negativ ({ FIXED($value, 5) } { $unit }): das Gelenk würde seinem Antrieb vorauseilen
     .hint = das Vorzeichen der Anfahrrichtungen prüfen (+1 bei steigendem Gelenkwert, -1 bei fallendem), und ob die Zeiten des Protokolls zu derselben Bewegung gehören
 
-torque-constant = das Drehmoment des Gelenks `{ $joint }` ist in allen Kalibriermesswerten { FIXED($value, 3) } N·m (`{ $column }`): es ist vom Nullpunkt des Gelenks nicht zu unterscheiden, und die Nachgiebigkeit dieses Gelenks wird festgehalten
+torque-constant = das Drehmoment des Gelenks `{ $joint }` ist in allen Kalibriermesswerten { FIXED($value, 3) } N·m (`{ $column }`): seine Wirkung ist vom Nullpunkt des Gelenks nicht zu unterscheiden, und die Nachgiebigkeit dieses Gelenks wird festgehalten
 
-torque-signs-differ = die identifizierte Biegung unter den Drehmomenten ist positiv für { $positive } und negativ für { $negative }: einige Gelenke geben im Drehsinn des angegebenen Drehmoments nach, andere entgegen
+torque-signs-differ = die identifizierte Biegung unter den Drehmomenten ist positiv für { $positive } und negativ für { $negative }: einige Gelenke geben im Drehsinn des angegebenen Drehmoments nach, andere im Gegensinn
     .hint = Vorzeichen und Reihenfolge der Spalten der Drehmomente prüfen
 
 torques-exchanged = das Modell beschreibt die Messwerte mit vertauschten Spalten `{ $first }` und `{ $second }`, aber nicht wie angegeben
     .hint = prüfen, zu welchem Gelenk jede Spalte der Drehmomente gehört
 
-temperature-constant = die Temperatur ist in allen Kalibriermesswerten { FIXED($value, 1) } °C: Ausdehnung und Drift sind nicht bestimmbar und werden festgehalten; Längen und Nullpunkte gelten bei dieser Temperatur
+temperature-constant = die Temperatur ist in allen Kalibriermesswerten { FIXED($value, 1) } °C: Ausdehnung und Drift sind nicht bestimmbar und werden festgehalten; Längen und Nullpunkte gelten bei dieser Temperatur
 
-temperature-questioned = die Temperaturen der Kalibriermesswerte sind { FIXED($low, 1) } bis { FIXED($high, 1) } °C, außerhalb von { $least } bis { $most } °C
+temperature-questioned = die Temperaturen der Kalibriermesswerte sind { FIXED($low, 1) } bis { FIXED($high, 1) } °C, außerhalb von { $least } bis { $most } °C
 
-temperature-units = die Einheit prüfen: als °F gelesen sind es { FIXED($from_fahrenheit, 1) } bis { FIXED($to_fahrenheit, 1) } °C, als K gelesen { FIXED($from_kelvin, 1) } bis { FIXED($to_kelvin, 1) } °C
+temperature-units = die Einheit prüfen: als °F gelesen sind es { FIXED($from_fahrenheit, 1) } bis { FIXED($to_fahrenheit, 1) } °C, als K gelesen { FIXED($from_kelvin, 1) } bis { FIXED($to_kelvin, 1) } °C
 
 ball-names-exchanged = `{ $parameter }`, der Abstand von K und L, ist { FIXED($value, 3) } { $unit }: K und L sind vertauscht
     .hint = die Namen der beiden Zielmarken in den Bezeichnungen des Exports vertauschen
@@ -1036,14 +1036,14 @@ tolerance-exceeded = { $count ->
 
 format-not-identified = die Parameter des Formats `{ $format }` konnten nicht neu identifiziert werden: { $message }
 
-clock-rate-from-standstills = die Uhr der Messung geht gegenüber der Uhr des Protokolls `{ $log }` um { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) vor (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
+clock-rate-from-standstills = die Uhr der Messung hat gegenüber der Uhr des Protokolls `{ $log }` einen Gangunterschied von { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) (möglich: { FIXED($low_ppm, 1) } bis { FIXED($high_ppm, 1) } ppm); Versatz { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls
     .hint = mit diesem Versatz und diesem Gangunterschied fällt jeder Messpunkt in einen Stillstand; der Versatz allein reicht nicht aus
 
-clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
+clock-rate-insignificant = die Stillstände des Protokolls `{ $log }` zeigen keinen signifikanten Gangunterschied der Uhren: er liegt zwischen { FIXED($low_ppm, 1) } und { FIXED($high_ppm, 1) } ppm
     .hint = `clock_rate` weglassen: der Versatz allein wird verwendet
 
 clock-from-motion = die Uhr des Protokolls `{ $log }` ist durch die Geschwindigkeiten der Bewegung bestimmt (Korrelation { FIXED($correlation, 3) }): Versatz { FIXED($offset_s, 4) } s ± { FIXED($u_s, 4) } s (k = 1) bei { FIXED($reference_s, 3) } s des Protokolls, Gang { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1)
-    .hint = die Punkte sind mit den Zeilen des Protokolls zu diesen Zeiten verbunden
+    .hint = die Punkte sind mit den Zeilen des Protokolls zu diesen Zeiten verknüpft
 
 clock-motion-unlike = die Geschwindigkeiten der Punkte und des Protokolls korrelieren bei keinem Versatz der Uhren: höchstens { FIXED($correlation, 2) }
     .hint = prüfen, ob Protokoll und Punkte zur selben Bewegung gehören, oder `clock_offset_s` als Zahl angeben
@@ -1054,7 +1054,7 @@ clock-motion-several = die Geschwindigkeiten der Punkte und des Protokolls korre
 clock-motion-short = { $count ->
         [one] 1 gemessene Geschwindigkeit ist
        *[other] { $count } gemessene Geschwindigkeiten sind
-    } zu wenig, um die Uhren an der Bewegung zu vergleichen
+    } zu wenige, um die Uhren anhand der Bewegung zu vergleichen
     .expected = mindestens 20 Geschwindigkeiten, in den Punkten und im Protokoll
 
 clock-rate-none = kein Versatz der Uhren, auch nicht mit einem Gangunterschied bis ± { $most_ppm } ppm, legt alle Messpunkte in Stillstände des Protokolls
@@ -1072,9 +1072,9 @@ sweep-joint-column-twice = zwei Spalten haben Werte des Gelenks `{ $joint }`
 
 sweep-values-partial = die Gelenkwerte sind unvollständig
     .expected = Werte aller Gelenke in jeder Zeile oder in keiner Zeile einer Messreihe
-    .hint = eine Zeile ohne bewegtes Gelenk ist eine Prüfpose und braucht die Werte aller Gelenke
+    .hint = eine Zeile ohne bewegtes Gelenk ist eine Kontrollpose und braucht die Werte aller Gelenke
 
-sweep-sign-by-values = die Gelenkwerte geben die Richtung jeder Messreihe an
+sweep-sign-by-values = die Gelenkwerte bestimmen bereits die Richtung jeder Messreihe
     .hint = --backwards weglassen
 
 sweep-other-joint = in der Messreihe von `{ $joint }` bewegt sich `{ $moved }`, `{ $joint }` ruht
@@ -1094,32 +1094,32 @@ sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte v
             [inch-as-mm] die Werte sind Zoll und werden als Millimeter gelesen
             [m-as-mm] die Werte sind Meter und werden als Millimeter gelesen: die Überschrift berichtigen
             [mm-as-m] die Werte sind Millimeter und werden als Meter gelesen: die Überschrift berichtigen
-           *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem des Motors berechnen
+           *[none] die Einheit der Spalte berichtigen oder den Gelenkwert aus dem Motorwert berechnen
         }
 
-sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von ihrer Bahn { FIXED($before_um, 1) } µm, bei Berücksichtigung der Bewegung { FIXED($after_um, 1) } µm
+sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von einer Bahn { FIXED($before_um, 1) } µm, von zwei Bahnen { FIXED($after_um, 1) } µm
     .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
 
 sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
     .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
 
 sweep-foreign = { $count ->
-        [one] 1 Messwert der Messreihe von `{ $joint }` ist weggelassen: Zeile { $lines }
-       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind weggelassen: Zeilen { $lines }
+        [one] 1 Messwert der Messreihe von `{ $joint }` ist ausgeschlossen: Zeile { $lines }
+       *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind ausgeschlossen: Zeilen { $lines }
     }
-    .hint = diese Messwerte liegen weit von der Bahn aller anderen
+    .hint = diese Zeilen prüfen: die Messwerte liegen weit von der Bahn aller anderen
 
 sweep-smooth = in der Messreihe von `{ $joint }` weichen die Zielmarken stetig um { FIXED($rms_um, 1) } µm (RMS) von ihrer Bahn ab; von Messwert zu Messwert beträgt das Rauschen { FIXED($noise_um, 1) } µm; die Unsicherheit der Achse enthält beides
     .hint = prüfen, ob alle anderen Gelenke ruhten, und mit dem Schlag des Lagers vergleichen
 
-sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
+sweep-weak = die Richtung der Achse von `{ $joint }` hat eine Standardunsicherheit von { FIXED($u_mrad, 2) } mrad
     .hint = einen längeren Bogen, eine Zielmarke weiter von der Achse oder mehr Zielmarken messen
 
-sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: stimmt die Einheit der Koordinaten?
-    .hint = wo nicht, die Spalten berechnen, hier x: --column 'x_mm={ $source }*1000'
+sweep-unit = alle Zielmarken liegen innerhalb von { FIXED($radius_mm, 3) } mm um die Achsen: die Koordinaten sind wahrscheinlich in Metern
+    .hint = die Einheit prüfen und die Spalten umrechnen, hier x: --column 'x_mm={ $source }*1000'
 
 sweep-few = die Messreihe von `{ $joint }` hat { $readings } Messwerte und braucht { $needed }
-    .hint = mehr Messwerte aufnehmen; einige mehr als nötig ergeben eine Unsicherheit
+    .hint = mehr Messwerte aufnehmen; überzählige Messwerte bestimmen die Unsicherheit
 
 sweep-undetermined = die Messwerte der Messreihe von `{ $joint }` bestimmen keine Achse
     .hint = einen längeren Bogen oder eine Zielmarke weiter von der Achse messen; ein Schubgelenk wird mit --prismatic angegeben
@@ -1133,20 +1133,20 @@ sweep-joint-missing = { $count ->
 sweep-starts-apart = die Messreihen von `{ $first }` und `{ $second }` beginnen an Zielmarke `{ $target }` { FIXED($gap_mm, 3) } mm auseinander: robot.toml wird nicht geschrieben
     .hint = jede Messreihe in derselben Pose mit der Zielmarke an ihrem Platz beginnen oder Spalten der Gelenkwerte ergänzen
 
-sweep-target-unswept = eine Zielmarke ist in keiner Messreihe: robot.toml wird nicht geschrieben
-    .hint = an Prüfposen Zielmarken der Messreihen verwenden
+sweep-target-unswept = eine Zielmarke der Kontrollposen kommt in keiner Messreihe vor: robot.toml wird nicht geschrieben
+    .hint = an Kontrollposen Zielmarken der Messreihen verwenden
 
 sweeps-exchanged = `{ $first }` und `{ $second }` sind vertauscht: die Positionen weichen mit den angegebenen Gelenken um { FIXED($stated_mm, 3) } mm (RMS) ab, mit vertauschten Gelenken um { FIXED($left_mm, 3) } mm
     .hint = ihre Namen in der Spalte `joint` und in den Überschriften vertauschen
 
-sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: die Prüfposen weichen mit der angegebenen Richtung um { FIXED($stated_mm, 3) } mm (RMS) ab, mit der umgekehrten um { FIXED($left_mm, 3) } mm
+sweep-reversed = `{ $joint }` wurde in negativer Richtung bewegt: die Kontrollposen weichen mit der angegebenen Richtung um { FIXED($stated_mm, 3) } mm (RMS) ab, mit der umgekehrten um { FIXED($left_mm, 3) } mm
     .hint = die Richtung angeben: --backwards { $joint }
 
 sweeps-disagree = { $what ->
-        [checks] Prüfposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
+        [checks] Kontrollposen weichen vom Roboter um bis zu { FIXED($distance_mm, 3) } mm ab
        *[sweeps] die Messreihen widersprechen einander um bis zu { FIXED($distance_mm, 3) } mm
     } (Standardunsicherheit { FIXED($u_mm, 4) } mm)
-    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; der Roboter kann als Ausgangspunkt dienen für `etalon identify` und `etalon run`
+    .hint = den Sitz der Zielmarken und die Gelenkwerte prüfen; `etalon identify` und `etalon run` können von diesem Roboter ausgehen
 
 table-base-not-held = die Tabelle hat ihre eigene Basis, gedreht um { FIXED($angle_deg, 4) } deg und verschoben um { FIXED($shift_mm, 4) } mm
     .hint = die Basis identifizieren oder `poe` verwenden
@@ -1157,20 +1157,20 @@ table-flange-not-held = die Tabelle hat ihren eigenen Flansch, gedreht um { FIXE
 table-tilt-not-held = die Tabelle behandelt { $joint ->
         [none] zwei Achsen
        *[other] die Achsen am Glied von `{ $joint }`
-    } als parallel: { FIXED($angle_mrad, 4) } mrad zwischen ihnen sind in der Tabelle nicht enthalten
-    .hint = `etalon identify` bestimmt beta; `poe` enthält es
+    } als parallel: den Winkel von { FIXED($angle_mrad, 4) } mrad zwischen ihnen enthält sie nicht
+    .hint = `etalon identify` bestimmt beta; `poe` enthält den Winkel
 row-excluded = ausgeschlossen: { $reason }
 row-at-origin = nicht gemessen: 0 0 0
-row-of-station-unused = Station `{ $station }`: der Punkt ist keine Zielmarke des Roboters
-row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste zählt
+row-of-station-unused = Station `{ $station }`: der Roboter hat keine Zielmarke dieses Namens
+row-of-several = { $rows } Zeilen des Protokolls `{ $log }` liegen innerhalb von { $tolerance_s } s: die nächste Zeile wird verwendet
 no-rows-around = dem Protokoll `{ $log }` fehlt innerhalb von { $tolerance_s } s eine Zeile vor oder nach diesem Punkt
 no-row-near = keine Zeile des Protokolls `{ $log }` liegt innerhalb von { $tolerance_s } s
-no-point-nearest = für keinen gemessenen Punkt ist diese Zeile die nächste
+no-point-nearest = jedem Messpunkt liegt eine andere Zeile näher
 no-row-of-key = keine Zeile des Protokolls `{ $log }` hat diesen Schlüssel
-no-point-of-key = kein gemessener Punkt hat diesen Schlüssel
-label-names-nothing = seine Bezeichnung nennt keine Zielmarke und keinen Punkt eines Elements oder Koordinatensystems
-no-row-touches = keine Zeile des Protokolls `{ $log }` berührt ihn
-row-of-unframed-pose = seine Pose hat kein Weltkoordinatensystem
+no-point-of-key = kein Messpunkt hat diesen Schlüssel
+label-names-nothing = seine Bezeichnung nennt keine Zielmarke und keinen Punkt eines Geometrieelements oder Koordinatensystems
+no-row-touches = keine Zeile des Protokolls `{ $log }` berührt den Punkt
+row-of-unframed-pose = die Pose der Zeile hat kein Weltkoordinatensystem
 
 table-of-observations = Beobachtungen
 table-of-attained-poses = Istposen
@@ -1198,10 +1198,10 @@ label-orientations-unused = die Orientierungen des Exports werden nicht verwende
     .hint = nach Pose, Zeile oder Zeitpunkt verknüpfen, wenn das Messgerät an jeder Pose den Körper am Roboter gemessen hat
 
 temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
-    .hint = `temperature_c` berichtigen, oder die Spalte, die in Grad Celsius ist
+    .hint = `temperature_c` oder die Einheit der Spalte (Grad Celsius) berichtigen
 
 temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
-    .hint = eine `expanded_temperature_uncertainty_c` angeben, die den Bereich abdeckt
+    .hint = für `expanded_temperature_uncertainty_c` einen Wert angeben, der den Bereich abdeckt
 
 axes-comment-method = Achsen aus Messreihen mit je einem bewegten Gelenk (etalon axes); ohne nominales Modell
 
@@ -1241,7 +1241,7 @@ cell-undetermined = die Messwerte bestimmen nicht alle unbekannten Größen
     .hint = Messwerte in anderen Posen oder bei anderen Achswerten hinzufügen
 
 cell-orientation-missing = die Posen haben keine Spalten einer Orientierung
-    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, oder { $prefix }rx_deg .. eines Rotationsvektors, oder { $prefix }a_deg .. von drei Winkeln, oder { $prefix }r11 .. { $prefix }r33
+    .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz oder { $prefix }rx_deg .. eines Rotationsvektors oder { $prefix }a_deg .. von drei Winkeln oder { $prefix }r11 .. { $prefix }r33
     .hint = die Spalten nennen, mit `--column { $prefix }qw=KOPF` bei anderen Spaltenköpfen
 
 cell-order-missing = die Reihenfolge der Winkel { $prefix }a, { $prefix }b, { $prefix }c ist nicht angegeben
@@ -1262,13 +1262,13 @@ cell-axis-missing = der Tabelle fehlen die Werte der Achse
     .hint = die Spalte nennen: `--column { $column }=KOPF`
 
 cell-no-controller-data = `{ $maker }` hat keine Daten für das Ergebnis von `{ $solve }`
-    .hint = die Zahlen dem Text oder `--json` entnehmen, oder ein anderes Format wählen
+    .hint = die Zahlen dem Text oder `--json` entnehmen oder ein anderes Format wählen
 
 cell-second-axis-missing = `{ $maker }` braucht zwei Drehachsen: eine längs { $axis } der Maschine, eine längs z
     .hint = das Ergebnis der anderen Achse mit `--with DATEI` angeben (JSON von `etalon cell --solve rotary-axis`)
 
-cell-axis-direction = eine Drehachse liegt { FIXED($angle_deg, 2) } deg neben der Achse { $axis } der Maschine, um die `{ $maker }` dreht
-    .hint = in den Koordinaten der Maschine messen, oder die Kinematik der Maschine wählen
+cell-axis-direction = eine Drehachse liegt { FIXED($angle_deg, 2) } deg neben der Achse { $axis } der Maschine, um die `{ $maker }` dreht
+    .hint = in den Koordinaten der Maschine messen oder die Kinematik der Maschine wählen
 
 cell-axis-sense = { $sense ->
         [opposite] die Achse längs { $axis } und die Achse längs z drehen in entgegengesetztem Sinn; `{ $maker }` hat einen Sinn für beide
@@ -1280,22 +1280,22 @@ cell-axis-sense = { $sense ->
 cell-tool-length-missing = `{ $maker }` braucht die Länge des Werkzeugs, an dessen Ende die erste Zielmarke ist
     .hint = `--tool-length-mm` angeben, 0 für eine Zielmarke an der Bezugsebene der Spindel
 
-cell-pivot-above = das Werkzeug ({ FIXED($tool_mm, 3) } mm) ist länger als der Abstand von der Achse zur ersten Zielmarke darunter ({ FIXED($along_mm, 3) } mm, Achse bei null)
-    .hint = die Länge des Werkzeugs prüfen, und dass z der Maschine die Spindel hinauf zeigt
+cell-pivot-above = das Werkzeug ({ FIXED($tool_mm, 3) } mm) ist länger als der Abstand von der Achse zur ersten Zielmarke darunter ({ FIXED($along_mm, 3) } mm, Achse bei null)
+    .hint = prüfen, ob die Länge des Werkzeugs stimmt und ob z der Maschine die Spindel hinauf zeigt
 
-cell-machine-number = `MACHINE_DEF[{ $number }]` ist keine externe Kinematik
+cell-machine-number = `MACHINE_DEF[{ $number }]` definiert keine externe Kinematik
     .expected = 2 bis 7
     .hint = `--number` angeben
 
 cell-loads-replaced = der Eintrag von Werkzeug { $number } hat Masse und Schwerpunkt null: Lastdaten sind nicht identifiziert
-    .hint = die Zeile des Koordinatensystems in die eigene Datei kopieren, oder die Zeilen der Last ergänzen
+    .hint = die Zeile des Koordinatensystems in die eigene Datei kopieren oder die Zeilen der Last ergänzen
 
-cell-axis-tilted = die Achse längs { $axis } ist um { FIXED($angle_deg, 4) } deg geneigt, und `{ $maker }` kennt keine Neigung: { FIXED($left_um, 1) } um in 100 mm Abstand von der Achse
-    .hint = die Achse ausrichten, oder diese Abweichung hinnehmen
+cell-axis-tilted = die Achse längs { $axis } ist um { FIXED($angle_deg, 4) } deg geneigt, und `{ $maker }` kennt keine Neigung: { FIXED($left_um, 1) } µm in 100 mm Abstand von der Achse
+    .hint = die Achse ausrichten oder diese Abweichung hinnehmen
 
-cell-slip = die Messwerte widersprechen sich um { FIXED($stated_mm, 3) } mm (Standardabweichung); { $count ->
-        [one] eine Änderung lässt { FIXED($left_mm, 4) } mm: { $changes }
-       *[other] jede dieser Änderungen lässt { FIXED($left_mm, 4) } mm oder wenig mehr: { $changes }
+cell-slip = die Messwerte widersprechen einander um { FIXED($stated_mm, 3) } mm (Standardabweichung); { $count ->
+        [one] mit einer Änderung bleiben { FIXED($left_mm, 4) } mm: { $changes }
+       *[other] mit jeder dieser Änderungen bleiben { FIXED($left_mm, 4) } mm oder wenig mehr: { $changes }
     }
     .hint = die Tabelle oder die Optionen berichtigen
 
@@ -1305,7 +1305,7 @@ cell-foreign = der Messwert in Zeile { $line } passt nicht zu den anderen: Resid
 cell-foreign-turned = die Orientierung in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_deg, 4) } deg
     .hint = den Messwert prüfen und mit `--without` weglassen, wenn er falsch ist
 
-cell-noise-larger = die Residuen der Positionen betragen { FIXED($found_um, 1) } um (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen
+cell-noise-larger = die Residuen der Positionen betragen { FIXED($found_um, 1) } µm (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen
     .hint = die Unsicherheit von Roboter und Messung zusammen angeben
 
 cell-noise-larger-turned = die Residuen der Orientierungen betragen { FIXED($found_deg, 4) } deg (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen
@@ -1318,12 +1318,12 @@ cell-columns-unused = { $count ->
         [one] die angegebene Spalte { $columns } wird
        *[other] die angegebenen Spalten { $columns } werden
     } von `{ $solve }` nicht verwendet
-    .hint = `etalon cell --help` nennt die Spalten jedes Problems
+    .hint = `etalon cell --help` nennt die Spalten jeder Aufgabe
 
-cell-refuted = die Residuen der Positionen betragen { FIXED($found_mm, 3) } mm (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
+cell-refuted = die Residuen der Positionen betragen { FIXED($found_mm, 3) } mm (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
     .hint = Spalten, Vorzeichen, Einheiten und die Reihenfolge der Zeilen prüfen
 
-cell-refuted-turned = die Residuen der Orientierungen betragen { FIXED($found_deg, 2) } deg (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
+cell-refuted-turned = die Residuen der Orientierungen betragen { FIXED($found_deg, 2) } deg (Standardabweichung), mehr als jede plausible Unsicherheit erklärt: das Ergebnis ist widerlegt
     .hint = Spalten, Vorzeichen, Einheiten und die Reihenfolge der Zeilen prüfen
 
 cell-data-withheld = Daten für { $maker } werden nicht geschrieben: das Ergebnis darf nicht geladen werden
@@ -1407,8 +1407,8 @@ cell-change-exchanged = die Punkte der Zeilen { $first } und { $second } sind ve
 field-refused = kein Residuenfeld: { $reason }
 
 tilt-of-base-or-joint = { $stated ->
-        [pedestal] die Kippung der Basis (`pedestal`) kann die von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) sein
-       *[lateral] die Kippung von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) kann die der Basis (`pedestal`) sein
+        [pedestal] die Kippung der Basis (`pedestal`) kann die Kippung von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) sein
+       *[lateral] die Kippung von Gelenk `{ $joint }` quer zu seiner Achse (`lateral`) kann die Kippung der Basis (`pedestal`) sein
     }: Chi-Quadrat ist { FIXED($chi_square, 1) } mit der ersten und { FIXED($of_other, 1) } mit der zweiten
     .hint = die Parameter als Kippung von Basis und erstem Gelenk zusammen verstehen
 
@@ -1433,36 +1433,36 @@ uncertainty-beyond-bound = { $component }: U = { $expanded }{ $unit ->
     [stated] {""}
    *[default] { " " }(Vorgabe für eine gemessene Ausdehnung von { $extent_mm } mm)
 }: { $cause }
-uncertainty-bound-unreadable = „{ $text }“ ist keine Grenze der Unsicherheit: erwartet wird eine Länge, ein Winkel oder beides mit ihren Einheiten
-    .hint = zum Beispiel „0.5 mm, 0.1 deg“
-bound-position = Position { $axis } von „{ $name }“
-bound-rotation = Drehung von „{ $name }“ um { $axis }
+uncertainty-bound-unreadable = `{ $text }` ist keine Grenze der Unsicherheit: erwartet wird eine Länge, ein Winkel oder beides mit ihren Einheiten
+    .hint = zum Beispiel "0.5 mm, 0.1 deg"
+bound-position = Position { $axis } von `{ $name }`
+bound-rotation = Drehung von `{ $name }` um { $axis }
 bound-direction = Komponente { $axis } der Richtung der Achse
 bound-ratio = Verhältnis der Achse
-bound-axis-direction = Richtung der Achse von „{ $joint }“
-bound-axis-point = Lage der Achse von „{ $joint }“
+bound-axis-direction = Richtung der Achse von `{ $joint }`
+bound-axis-point = Lage der Achse von `{ $joint }`
 bound-parameter = { $parameter }
 bound-open-rotation = die Messwerte zeigen die Drehung um die Richtung { $direction } kaum
 bound-open-translation = die Messwerte zeigen die Position entlang { $direction } kaum
 bound-open-combination = die Messwerte zeigen die Kombination von { $names } kaum
 bound-open-alone = die Messwerte zeigen sie kaum
 bound-remedy = { $case ->
-    [tool] berühren Sie den Punkt mit Orientierungen, die sich um zwei Achsen des Flanschs um 30° oder mehr unterscheiden
-    [poses] messen Sie weitere Posen, deren Orientierungen sich um zwei Achsen um 30° oder mehr unterscheiden, in einem größeren Bereich
-    [points] messen Sie Punkte, die weiter voneinander und von der Geraden durch die anderen entfernt sind
-    [travel] messen Sie über einen längeren Verfahrweg
-    [turn] messen Sie eine Zielmarke weiter von der Achse, über einen größeren Bogen
-    [base] messen Sie in einem größeren Bereich, und Punkte des Weltkoordinatensystems weiter auseinander, nicht auf einer Geraden
-    [region] kalibrieren Sie mit Posen im Bereich dieser Ziele
-   *[robot] messen Sie Posen, in denen die genannten Parameter verschieden wirken, oder halten Sie diese fest
-}; oder geben Sie eine größere Grenze an
+    [tool] den Punkt mit Orientierungen antasten, die sich um mindestens 30 deg um zwei Achsen des Flansches unterscheiden
+    [poses] in einem größeren Bereich weitere Posen messen, deren Orientierungen sich um mindestens 30 deg um zwei Achsen unterscheiden
+    [points] Punkte messen, die weiter voneinander und von der Geraden durch die anderen entfernt sind
+    [travel] über einen längeren Verfahrweg messen
+    [turn] eine Zielmarke weiter von der Achse und über einen größeren Bogen messen
+    [base] in einem größeren Bereich messen und Punkte des Weltkoordinatensystems wählen, die weiter auseinander und nicht auf einer Geraden liegen
+    [region] mit Posen im Bereich dieser Ziele kalibrieren
+   *[robot] Posen messen, in denen die genannten Parameter verschieden wirken, oder diese Parameter festhalten
+}; oder eine größere Grenze angeben
 
 encoder-implausible = { $count ->
-    [one] eine Verstärkung oder Nulllage eines Drehgelenks weicht
-   *[other] { $count } Verstärkungen oder Nulllagen von Drehgelenken weichen
+    [one] ein Übertragungsfaktor oder Nullpunkt eines Drehgelenks weicht
+   *[other] { $count } Übertragungsfaktoren oder Nullpunkte von Drehgelenken weichen
 } weiter vom Nennwert ab, als Geber und Referenzfahrt es zulassen: { $parameters }
-    .hint = prüfen Sie die Spalte des Gelenks im Protokoll, seine Übersetzung und seine Referenzlage; ist der Wert echt, geben Sie seine `tolerance` in robot.toml an
-value-beyond-encoder = „{ $parameter }“ = { FIXED($value, 5) }{ $unit ->
+    .hint = die Spalte des Gelenks im Protokoll, die Getriebeübersetzung und die Justage des Gelenks prüfen; stimmt der Wert, seine `tolerance` in robot.toml angeben
+value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
     [deg] {" "}deg
    *[other] {""}
 } (nominal { FIXED($nominal, 5) }, Abweichung { $times } u)
@@ -1471,5 +1471,5 @@ changes-undetected = die gewählten Posen erkennen { $count ->
     [one] eine Änderung
    *[other] { $count } Änderungen
 } nicht innerhalb der Grenze: { $changes }
-    .hint = wählen Sie mehr Posen (`--positions`), bieten Sie Kandidaten in einem größeren Bereich an, oder geben Sie eine größere Grenze an
+    .hint = mehr Posen wählen (`--positions`), Kandidaten in einem größeren Bereich anbieten oder eine größere Grenze angeben
 change-beyond-bound = { $name }: { $change } { $unit }, Grenze { $bound } { $unit }
