@@ -17,9 +17,9 @@ characteristic = { $name ->
         [variation] Mehrfachrichtungs-Streuung der Pose-Genauigkeit
         [static-compliance] statische Nachgiebigkeit
         [path-accuracy-interval] Intervall der Bahngenauigkeit
-        [path-repeatability-interval] Intervall der Bahnwiederholgenauigkeit
+        [path-repeatability-interval] Intervall der Bahn-Wiederholgenauigkeit
         [cornering] Eckenabweichungen
-        [path-repeatability] Bahnwiederholgenauigkeit
+        [path-repeatability] Bahn-Wiederholgenauigkeit
         [path-accuracy] Bahngenauigkeit
         [path-velocity] Bahngeschwindigkeit
        *[drift] Drift
@@ -94,7 +94,7 @@ weave-too-few-turns = Pendeln: { $turns ->
     .expected = mindestens fünf, um ein Viertel des Sollhubs voneinander entfernt
     .hint = eine längere Pendelbewegung aufzeichnen
 
-corner-without-points = Eckenabweichungen: kein Sollpunkt auf der Hälfte eines Schenkels nächst der Ecke
+corner-without-points = Eckenabweichungen: kein Sollpunkt auf der Schenkelhälfte, die an die Ecke grenzt
     .hint = mehr Sollpunkte angeben
 
 path-without-reorientation = Bahngenauigkeit bei Umorientierung: kein Sollwinkel ändert sich entlang der Bahn
@@ -114,7 +114,7 @@ velocity-too-few-points = Bahngeschwindigkeit: weniger als drei Sollpunkte im mi
 
 too-few-of = { $of }: { $sets }
     .expected = mindestens { $least }
-    .hint = das Fehlende messen
+    .hint = die Messungen vervollständigen
 
 sets-of-cycles = { $count ->
         [one] 1 Satz von Zyklen
@@ -143,7 +143,7 @@ robot-without-pose = Austauschbarkeit: Roboter `{ $robot }` hat Pose { $pose } n
     .expected = jeder Roboter an jeder Pose
 
 visits-read-once = Wiederholgenauigkeit ohne Rauschen: keine Anfahrt hat zwei Messwerte
-    .hint = bei jeder Anfahrt mehrere Messwerte aufnehmen: sie zeigen das Rauschen des Messgeräts
+    .hint = bei jeder Anfahrt mehrere Messwerte aufnehmen: sie bestimmen das Rauschen des Messgeräts
 
 coplanar-poses-on-line = Koplanarität: drei der vier mittleren Positionen liegen auf einer Geraden
     .hint = vier Posen nennen, die eine Ebene aufspannen
