@@ -25,7 +25,7 @@ view-other-host = die Anfrage nennt einen anderen Server
 view-other-origin = die Anfrage kommt von einer anderen Seite
     .hint = die andere Seite schließen
 
-view-token-missing = das Kennwort der Seite fehlt oder stammt von einem früheren Start
+view-token-missing = das Token der Seite fehlt oder stammt von einem früheren Start
     .hint = die Adresse öffnen, die das Programm ausgibt
 
 view-file-name = der Name der Datei ist kein einfacher Dateiname
@@ -33,7 +33,7 @@ view-file-name = der Name der Datei ist kein einfacher Dateiname
     .hint = die Datei umbenennen und erneut ablegen
 
 view-download-unknown = die Seite bietet keine Datei dieses Namens an
-    .hint = die Kampagne auswerten und eine Datei der Liste wählen
+    .hint = die Kampagne ausführen und eine Datei der Liste wählen
 
 view-file-exists = `{ $name }` ist im Ordner bereits vorhanden
     .hint = die abgelegte Datei umbenennen oder die andere aus dem Ordner entfernen
@@ -53,7 +53,7 @@ view-campaign-exists = im Ordner ist bereits eine campaign.toml
 view-without-campaign = der Ordner enthält keine lesbare Kampagne
     .hint = Dateien ablegen und den Vorschlag annehmen oder campaign.toml berichtigen
 
-view-run-in-progress = eine Auswertung läuft bereits
+view-run-in-progress = ein Lauf ist noch nicht beendet
     .hint = ihr Ende abwarten
 
 view-not-identified = die Kampagne hat keine Identifikation zum Vergleichen
@@ -74,13 +74,13 @@ view-campaign-not-editable = `{ $key }` kann die Seite in campaign.toml nicht ä
 view-parameter-stays-held = Parameter `{ $name }` ist nicht mit seinem Namen in `hold` festgehalten
     .hint = `hold` oder `effects` in [identify] von Hand ändern
 
-view-port-unavailable = der Server kann an Port { $port } nicht empfangen: { $error }
-    .hint = einen anderen `--port` angeben oder keinen für einen freien
+view-port-unavailable = der Server kann Port { $port } nicht öffnen: { $error }
+    .hint = einen anderen `--port` angeben; ohne `--port` wird ein freier Port gewählt
 
 view-browser-not-opened = der Browser ließ sich nicht öffnen
     .hint = { $url } öffnen
 
-watch-disagrees = Pose { $pose } widerspricht: { FIXED($error_um, 0) } µm an { $target }, erwartet höchstens { FIXED($expected_um, 0) } µm
+watch-disagrees = Pose { $pose } widerspricht dem Modell: { FIXED($error_um, 0) } µm an { $target }, erwartet höchstens { FIXED($expected_um, 0) } µm
     .hint = die Pose erneut messen und Zielmarke und Gelenkwerte prüfen
 
 watch-labels-exchanged = Pose { $pose } passt, wenn `{ $first }` und `{ $second }` vertauscht werden
@@ -89,7 +89,7 @@ watch-labels-exchanged = Pose { $pose } passt, wenn `{ $first }` und `{ $second 
 watch-joints-of-other-pose = Pose { $pose } passt zu den Gelenkwerten von Pose { $other }
     .hint = prüfen, wann die Steuerung das Protokoll schreibt: es ist vielleicht verspätet
 
-watch-target-missing = Pose { $pose } fehlt { $targets }
+watch-target-missing = an Pose { $pose } nicht gemessen: { $targets }
     .hint = die Zielmarke zum Messgerät drehen und die Pose erneut messen
 
 view-opened = Seite: { $url }
@@ -123,4 +123,4 @@ watch-stop-met = Grenzwert mit Schutzabstand eingehalten: { FIXED($value_um, 0) 
 watch-stop-open = noch nicht: { FIXED($value_um, 0) } µm ± { FIXED($expanded_um, 0) } µm (k = 2), Grenzwert { FIXED($limit_um, 0) } µm
 watch-stop-no-limit = kein Grenzwert ist angegeben: `position_max_mm` in [limits] angeben
 watch-next-of-plan = nächste Pose des Plans
-watch-next-of-most-information = von den übrigen Posen verringert diese die Unsicherheit der Parameter am meisten
+watch-next-of-most-information = diese Pose verringert von den übrigen die Unsicherheit der Parameter am stärksten
