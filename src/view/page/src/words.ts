@@ -17,7 +17,7 @@ const WORDS = {
   before: ["before", "vorher", "avant"],
   accept: ["Accept and write campaign.toml", "Annehmen und campaign.toml schreiben", "Accepter et écrire campaign.toml"],
   agrees: ["agrees with the model", "stimmt mit dem Modell überein", "en accord avec le modèle"],
-  allSets: ["all sets", "alle Sätze", "tous les ensembles"],
+  allSets: ["all sets", "alle Gruppen", "tous les ensembles"],
   allTargets: ["all targets", "alle Zielmarken", "toutes les cibles"],
   answer: ["Answer", "Antworten", "Répondre"],
   arrows: ["Arrows", "Pfeile", "Flèches"],
@@ -37,7 +37,7 @@ const WORDS = {
   chart: ["Chart", "Diagramm", "Graphique"],
   chartText: [
     "Error of {count} points against {axis}. Largest error after calibration: {worst}. The table of errors contains the same values.",
-    "Abweichung von {count} Punkten über {axis}. Größte Abweichung nachher: {worst}. Die Tabelle der Abweichungen enthält dieselben Werte.",
+    "Abweichung von {count} Punkten über {axis}. Größte Abweichung nach der Kalibrierung: {worst}. Die Tabelle der Abweichungen enthält dieselben Werte.",
     "Erreur de {count} points en fonction de {axis}. Plus grande erreur après étalonnage : {worst}. Le tableau des erreurs contient les mêmes valeurs.",
   ],
   check: ["Check", "Prüfen", "Vérifier"],
@@ -46,7 +46,7 @@ const WORDS = {
   close: ["Close", "Schließen", "Fermer"],
   colourBy: ["Colour", "Farbe", "Couleur"],
   conditional: ["conditional", "bedingt", "sous réserve"],
-  difference: ["Difference of campaign.toml", "Änderung von campaign.toml", "Différence de campaign.toml"],
+  difference: ["Difference of campaign.toml", "Unterschied in campaign.toml", "Différence de campaign.toml"],
   downloads: ["Downloads", "Dateien zum Herunterladen", "Téléchargements"],
   dropHere: [
     "Drop your files here",
@@ -58,7 +58,7 @@ const WORDS = {
     "Exporte des Messsystems, Protokolle der Steuerung, URDF oder robot.toml, Arbeitsmappen. Die Dateien bleiben auf diesem Rechner.",
     "Exports du système de mesure, journaux du contrôleur, URDF ou robot.toml, classeurs. Les fichiers restent sur cet ordinateur.",
   ],
-  ellipsoids: ["ellipsoids of U (k = 2)", "U-Ellipsoide (k = 2)", "ellipsoïdes de U (k = 2)"],
+  ellipsoids: ["ellipsoids of U (k = 2)", "Ellipsoide von U (k = 2)", "ellipsoïdes de U (k = 2)"],
   ellipsoidsNote: [
     "Ellipsoids: U of the computed position (k = 2), × {factor}.",
     "Ellipsoide: U der berechneten Position (k = 2), × {factor}.",
@@ -98,7 +98,7 @@ const WORDS = {
     "Begründung (steht in Kampagne und Bericht)",
     "Motif (inscrit dans la campagne et dans le rapport)",
   ],
-  kept: ["Written to campaign.toml. Run the campaign again.", "In campaign.toml geschrieben. Führen Sie die Kampagne erneut aus.", "Écrit dans campaign.toml. Relancez la campagne."],
+  kept: ["Written to campaign.toml. Run the campaign again.", "In campaign.toml geschrieben. Die Kampagne erneut ausführen.", "Écrit dans campaign.toml. Relancez la campagne."],
   keys: [
     "Arrow keys turn, Shift + arrow keys move, + and − zoom, Home fits, Page Up and Page Down change the pose.",
     "Pfeiltasten drehen, Umschalt + Pfeiltasten verschieben, + und − zoomen, Pos1 zeigt alles, Bild auf und Bild ab wechseln die Pose.",
@@ -123,7 +123,7 @@ const WORDS = {
   noMessages: ["No messages.", "Keine Meldungen.", "Aucun message."],
   noResult: [
     "This campaign has no result yet. Run the campaign.",
-    "Diese Kampagne hat noch kein Ergebnis. Führen Sie die Kampagne aus.",
+    "Diese Kampagne hat noch kein Ergebnis. Die Kampagne ausführen.",
     "Cette campagne n’a pas encore de résultat. Lancez la campagne.",
   ],
   nominal: ["Nominal", "Nennwert", "Nominal"],
@@ -162,7 +162,7 @@ const WORDS = {
   running: ["Running …", "Läuft …", "En cours …"],
   searchParameter: ["Filter parameters", "Parameter filtern", "Filtrer les paramètres"],
   selected: ["Selected pose", "Gewählte Pose", "Pose choisie"],
-  set: ["Set", "Satz", "Ensemble"],
+  set: ["Set", "Gruppe", "Ensemble"],
   shownPoints: ["{shown} of {count} points", "{shown} von {count} Punkten", "{shown} points sur {count}"],
   sideways: ["Wider than the window: scroll sideways.", "Breiter als das Fenster: seitwärts scrollen.", "Plus large que la fenêtre : faire défiler latéralement."],
   side: ["Side", "Seite", "Côté"],
@@ -196,7 +196,7 @@ const WORDS = {
   view: ["View", "Ansicht", "Vue"],
   warning: ["warning", "Warnung", "avertissement"],
   watchTab: ["Measurement", "Messung", "Mesure"],
-  waiting: ["Waiting for the first pose.", "Warten auf die erste Pose.", "En attente de la première pose."],
+  waiting: ["Waiting for the first pose.", "Die erste Pose wird erwartet.", "En attente de la première pose."],
   disagrees: ["disagrees with the model", "weicht vom Modell ab", "s’écarte du modèle"],
   expected: ["Expected: at most {value} (95 %)", "Erwartet: höchstens {value} (95 %)", "Attendu : au plus {value} (95 %)"],
   webgl: [
@@ -207,7 +207,7 @@ const WORDS = {
   whatIfBanner: ["What if: changed result is shown", "Was wäre, wenn: geändertes Ergebnis wird gezeigt", "Et si : le résultat modifié est affiché"],
   whatIfNote: [
     "Leave poses or targets out, hold or free parameters, or change the limit. The campaign stays as it is until you write the change.",
-    "Posen oder Zielmarken auslassen, Parameter festhalten oder freigeben, Grenzwert ändern. Die Kampagne bleibt unverändert, bis Sie die Änderung schreiben.",
+    "Posen oder Zielmarken auslassen, Parameter festhalten oder freigeben, Grenzwert ändern. Die Kampagne bleibt unverändert, bis die Änderung geschrieben wird.",
     "Omettez des poses ou des cibles, fixez ou libérez des paramètres, changez la limite. La campagne reste inchangée jusqu’à l’écriture.",
   ],
   whatIfTab: ["What if", "Was wäre, wenn", "Et si"],
