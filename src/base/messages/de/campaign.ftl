@@ -134,10 +134,10 @@ tool-link-missing = kein Glied trägt die Zielmarken
 tool-link-beside-branches = `tool_link` und [[branch]] geben beide die Glieder der Zielmarken an
     .hint = `tool_link` entfernen und für sein Glied ein [[branch]] mit `targets` angeben
 
-target-on-two-branches = Zielmarke `{ $target }` ist an zwei Zweigen: `{ $first }` und `{ $second }`
+target-on-two-branches = Zielmarke `{ $target }` gehört zu zwei Zweigen: `{ $first }` und `{ $second }`
     .hint = aus `targets` eines der beiden Zweige entfernen
 
-target-on-no-branch = Zielmarke `{ $target }` ist an keinem Zweig
+target-on-no-branch = Zielmarke `{ $target }` gehört zu keinem Zweig
     .hint = in `targets` des [[branch]] aufnehmen, dessen Glied sie trägt
 
 bending-in-branches = `bending` von Gelenk `{ $joint }` wird nicht modelliert: mehrere Zweige belasten es

@@ -171,7 +171,7 @@ no-whole-pose = das Modell `{ $model }` hat keine Kinematik der vollständigen P
     .hint = ein anderes Modell verwenden
 
 several-branches = ein Roboter mit mehreren Zweigen ({ $links }) hat keine einzelne Kette
-    .hint = ein Glied als `tool_link` einer robot.toml angeben, deren URDF die kalibrierte ist: `etalon export --format urdf` schreibt den kalibrierten Baum
+    .hint = ein Glied als `tool_link` in einer robot.toml angeben, die auf die kalibrierte URDF-Datei verweist: `etalon export --format urdf` schreibt den kalibrierten Baum
 
 table-quaternion-length = das Quaternion hat die Länge { FIXED($length, 4) }
     .expected = 1: qw, qx, qy, qz einer Drehung
@@ -217,8 +217,8 @@ excluded-rows = ausgeschlossen: { $count ->
 controller-error-not-measured = Format `{ $format }` enthält { $parameters } nicht: seine Datei setzt die Nennwerte dieser Parameter voraus, und ihre Abweichung wurde nicht gemessen
     .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren; empfohlene Parameter: `etalon export CAMPAIGN --parameters recommended`
 
-from-needs-robot = --from braucht den Roboter
-    .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei, oder --urdf DATEI
+from-needs-robot = --from braucht einen Roboter
+    .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei oder --urdf DATEI
 
 two-files-of-one-name = zwei Dateien heißen `{ $name }`
     .hint = einer davon einen anderen Namen geben
@@ -274,7 +274,7 @@ convert-left-out = { $count ->
     } kein Teil der Geometrie und weggelassen: { $names }
     .hint = `bending`, `harmonics`, `backlash` und `coupling` in der neuen Datei angeben und neu identifizieren
 
-convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von { $joints }: ihre Gelenkwerte sind die der Achsen
+convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von { $joints }: ihre Gelenkwerte sind Achswerte
     .hint = die Gelenkwerte multiplizieren oder in `poe` umwandeln
 
 convert-travel-unknown = der Verfahrweg von { $joints } ist nicht angegeben: die URDF-Datei enthält 1 m nach beiden Seiten
@@ -483,8 +483,8 @@ plan-side = Seite { $side } mm, Prüfebene { $plane }
 converted-by = umgewandelt mit etalon robot convert
 convert-base-of-table = Basis der Tabelle in der Basis des Roboters: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 convert-flange-of-table = Flansch des Roboters im Flansch der Tabelle: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
-from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: diejenigen weglassen, die er nicht hat
-from-joints-in-order = die Gelenke sind die von robot.toml in der Reihenfolge der Datei
+from-other-joints = die Datei hat { $columns } Gelenkspalten, der Roboter { $joints } Gelenke: die überzähligen Spalten weglassen
+from-joints-in-order = die Gelenkspalten gelten in der Reihenfolge der Datei als Gelenke von robot.toml
 from-unit-of-joints = für UNIT deg, rad, mm, m oder um schreiben: die Datei gibt sie nicht an
 
 cell-frame = { $name ->

@@ -93,7 +93,7 @@ parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen b
 parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
-positions-not-measured = Format `{ $format }` braucht gemessene Positionen, und zu den Parametern gehören keine
+positions-not-measured = Format `{ $format }` braucht gemessene Positionen, aber zu den Parametern gehören keine
     .expected = die parameters.json im Ausgabeordner einer Kampagne, die Positionen gemessen hat
 
 recording-failed = die Aufzeichnung kann nicht geschrieben werden: { $reason }

@@ -54,7 +54,7 @@ poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm 
     } bleiben { FIXED($left_mm, 3) } mm
     .hint = beide Tabellen in einem Koordinatensystem angeben; AP und AT enthalten den Abstand der Koordinatensysteme, RP und RT nicht
 
-deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }
+deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }
     .hint = die Namen der Posen und die Spalten beider Tabellen prüfen
 
 angles-not-separable = die Winkel { $first } und { $second } { $place } { $order ->
@@ -125,7 +125,7 @@ plan-cube = { $shape ->
 plan-poses = P1: Mitte; P2 bis P5: auf den Diagonalen der Prüfebene, 10 % ihrer Länge von den Ecken entfernt, in der Reihenfolge der Ecken
 plan-clauses = P1 bis P5, Lasten, Geschwindigkeiten und 30 Zyklen folgen dem Text der Norm; Bahnen, andere Anzahlen und die Reihenfolge der Ecken wurden nicht mit einem gekauften Exemplar verglichen
 plan-reach-not-examined = nicht geprüft: ob der Roboter die Posen erreicht und ob sich zwischen ihnen alle Gelenke bewegen
-plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; für jede Liste von Posen gilt ein einziger Arbeitsmodus: derjenige, der die meisten ihrer Posen erreicht; { $moves ->
+plan-reach = Reichweite: nach den Nennparametern und Grenzen der Roboterdatei; für jede Liste von Posen gilt der Arbeitsmodus, der die meisten ihrer Posen erreicht; { $moves ->
         [all] zwischen P1 und P5 bewegen sich alle Gelenke
        *[some] zwischen P1 und P5 bewegen sich nicht alle Gelenke; die Norm verlangt es
     }

@@ -365,7 +365,7 @@ stated-and-in-table = `{ $key }` ist angegeben, aber die Tabelle hat auch eine S
     .hint = eines davon entfernen
 
 no-row-selected = `only` und `without` wählen keine Zeile aus
-    .hint = ihre Zellen mit denen der Datei vergleichen
+    .hint = ihre Zellen mit den Zellen der Datei vergleichen
 log-without-values = keine Zeile des Protokolls hat einen Wert für `{ $column }`
     .hint = die Spalte berichtigen oder in `missing` andere Zellen angeben
 log-constant-invalid = die Konstante { $value } kann nicht die Spalte `{ $column }` eines Protokolls sein

@@ -28,13 +28,13 @@ because-columns = { $read } von { $rows } Zeilen enthalten Zahlen, in { $columns
         [one] 1 Spalte
        *[other] { $columns } Spalten
     }
-because-columns-of = ihre Spalten sind die von: { $what }
+because-columns-of = ihre Spalten gehören zu: { $what }
 because-comments = Zeilen, die mit `{ $comment }` beginnen, sind Kommentare
 because-decimal-marks = { $fractions } von { $numbers } Zahlen haben das Dezimalzeichen `{ $mark }`
 because-end = die letzte Zeile ist das Wort `{ $end }`
 because-fields = { $read } von { $rows } Zeilen haben { $fields } Felder, getrennt durch `{ $delimiter }`
 because-it-is = es ist Folgendes: { $what }
-because-joints-named = die Gelenke heißen wie die des Roboters
+because-joints-named = die Gelenke heißen wie die Gelenke des Roboters
 because-line = Zeile { $line } { $is ->
         [header] benennt die Spalten
        *[last] ist die letzte vor den Daten
@@ -76,7 +76,7 @@ doubt-more-problems = und { $count ->
     } dieser Art
 doubt-one-row = eine Zeile mit { $count } Zahlen ohne Überschriften: ein Programm hat ein Array in eine Zeile geschrieben; seine Aufteilung ist nicht erkennbar
 doubt-order-of-joints = die Gelenke stehen in der Datei nicht der Reihe nach: sie werden nach ihren Nummern geordnet
-doubt-orientation-of-body = die Orientierung `{ $body }` wird für die des gemessenen Punkts gehalten: ihre Überschriften nennen einen anderen Körper
+doubt-orientation-of-body = die Orientierung `{ $body }` wird dem gemessenen Punkt zugeordnet: ihre Überschriften nennen einen anderen Körper
 doubt-origin = Zeile { $line } ist 0 0 0: sie gilt als „nicht gemessen“, wenn `missing` nichts anderes angibt
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 Spalte
@@ -138,7 +138,7 @@ is-polyworks-report = ein Bericht von PolyWorks mit einer Zeile je Prüfung, erk
 is-qif = ein QIF-Dokument
 is-recorded-motion = eine aufgezeichnete Bewegung
 is-reference-targets = Referenzmarken, die von Zeit zu Zeit gemessen wurden
-is-ros-messages = Nachrichten von ROS: die Kopfzeile ist die von `rostopic echo -p`
+is-ros-messages = Nachrichten von ROS: die Kopfzeile hat die Form von `rostopic echo -p`
 is-spatialanalyzer = ein Punktexport von SpatialAnalyzer, erkannt an den Kommentaren
 is-twincat = ein Export von Beckhoff TwinCAT 3 Scope: der Kopf nennt den Beginn des Exports
 is-ur-rtde = eine RTDE-Aufzeichnung von Universal Robots: die Kopfzeile enthält die RTDE-Namen der Gelenkpositionen

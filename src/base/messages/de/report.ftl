@@ -291,7 +291,7 @@ convention-compliance = Nachgiebigkeit: Verschiebung in Richtung der Kraft je Kr
 convention-compliance-clause = Abschnitt 10 wurde nicht mit einem gekauften Exemplar der Norm verglichen
 convention-different-instruments = die Kampagnen haben verschiedene Messgeräte: ein systematischer Unterschied zwischen ihnen, den keine Streuung zeigt, erscheint als Änderung des Roboters
 convention-drift-compensated = die Drift der Positionen und Orientierungen ist durch die Referenzmarken korrigiert
-convention-f-test = Parameter insgesamt: F-Test; sind die Unsicherheiten aus den Abweichungen der Posen geschätzt, ist er eine Näherung und zeigt bei einer oder zwei gemessenen Koordinaten je Pose zu oft eine Änderung an
+convention-f-test = Parameter insgesamt: F-Test; er ist eine Näherung, wenn die Unsicherheiten aus den Abweichungen der Posen geschätzt sind, und dann zu oft signifikant, wenn nur eine oder zwei Koordinaten je Pose gemessen wurden
 convention-first-robot = von { $count } Robotern: alle Werte gelten für `{ $robot }`, außer der Austauschbarkeit
 convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
 convention-intervals-instrument = die Intervalle berücksichtigen die Stichprobe und die erweiterte Messunsicherheit einer Koordinate, { $uncertainty_um } µm (k = 2)
@@ -539,14 +539,14 @@ field-held-out-caption = Jede Pose wird aus Parametern und Feld der anderen Pose
 field-held-out-description = Positionsabweichungen zurückgehaltener Posen ohne und mit Residuenfeld.
 field-held-out-title = Positionsabweichung zurückgehaltener Posen, ohne und mit Feld
 field-inputs = abhängig von, mit gemessenem Bereich
-field-note = Das Feld beschreibt Abweichungen der Gelenke, die die Parameter übrig lassen. Außerhalb der gemessenen Bereiche klingt es ab; die Abweichungen sind dort die der Parameter allein.
+field-note = Das Feld beschreibt Abweichungen der Gelenke, die die Parameter übrig lassen. Außerhalb der gemessenen Bereiche klingt es ab; dort gelten die Abweichungen der Parameter allein.
 field-refused-because = Es wird kein Residuenfeld verwendet: { $reason }.
 field-uncertainty = { $coverage } % der Koordinaten zurückgehaltener Posen liegen innerhalb von 1,96 vorhergesagten Standardunsicherheiten. Die Standardunsicherheit des Felds wird mit { $factor } multipliziert, damit sie zu diesen Abweichungen passt.
 figure = Ergebnis
 figure-of-set = { $quantity }, { $figure } ({ $set })
 figures-of-measurement-point = Alle Werte beziehen sich auf den Messpunkt: { $point }.
-figures-with-field = Die Abweichungen nachher sind die mit dem Feld.
-figures-without-field = Die anderen Zahlen dieses Berichts sind ohne das Feld.
+figures-with-field = Die Abweichungen „nachher“ schließen das Feld ein.
+figures-without-field = Die anderen Werte dieses Berichts gelten ohne das Feld.
 file = Datei
 filter = Filter
 filter-rows = Zeilen filtern
@@ -682,7 +682,7 @@ largest = größter Beitrag
 largest-displacement = größte Verschiebung
 largest-distance = größter Abstand
 largest-error = größte Abweichung
-largest-error-drawn = `max` ist die Abweichung der Messung mit der größten Abweichung in den Daten. Jede Ziehung misst diese Messung neu. „in Übereinstimmung“ ist „nein“, wenn die Unsicherheit der Ziehungen größer ist.
+largest-error-drawn = `max` ist die Abweichung des Messwerts mit der größten Abweichung in den Daten. Jede Ziehung misst diesen Messwert neu. „in Übereinstimmung“ ist „nein“, wenn die Unsicherheit der Ziehungen größer ist.
 largest-errors-drawn = An jeder der { $places } Positionen ist die größte Abweichung gezeichnet (von { $total } Abweichungen).
 largest-errors-of-poses = Abweichungen je Pose, die größten zuerst
 largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
@@ -883,7 +883,7 @@ one-scale = gemeinsame Skala
 operator = Prüfer
 operator-sheet = Blatt für die Messung
 operator-sheet-before = Vor der ersten Pose
-operator-sheet-note = Gelenkwerte sind die der Steuerung (deg, mm). Jede Pose abhaken, sobald ihre Punkte unter ihrer Bezeichnung gespeichert sind.
+operator-sheet-note = Gelenkwerte der Steuerung (deg, mm). Jede Pose abhaken, sobald ihre Punkte unter ihrer Bezeichnung gespeichert sind.
 operator-sheet-poses = Posen in der Reihenfolge der Messung
 order-of-poses = { $poses } ({ $percent } % der Gelenkbewegung in der Reihenfolge ihrer Namen)
 order-of-the-measurement = Reihenfolge der Messung
@@ -899,7 +899,7 @@ orientation-title = Orientierung
 origin-in-the-exports = Ursprung in den Exporten
 other-planes = Weitere Ansichten
 other-pose = andere Pose
-outliers-note = Farbige Zahlen: Ausreißer (modifizierter z-Wert über 3,5; Iglewicz und Hoaglin, 1993). Bezug: die Kampagnen desselben Roboters oder, wenn er weniger als acht hat, die von Robotern derselben Bauart.
+outliers-note = Farbige Zahlen: Ausreißer (modifizierter z-Wert über 3,5; Iglewicz und Hoaglin, 1993). Bezug: die Kampagnen desselben Roboters oder, wenn dieser weniger als acht hat, die Kampagnen von Robotern derselben Bauart.
 outliers-then-largest-errors = Abweichungen je Pose: Ausreißer, dann die größten
 overshoot = Überschwingen
 overshoot-co = Überschwingen CO
@@ -915,7 +915,7 @@ parameter-named = Parameter { $name }
 parameters = Parameter
 parameters-implausible = Diese Parameter sind für den Roboter unplausibel: nicht laden.
 parameters-left-out = weggelassene Parameter
-one-pose-deviates = eine Pose widerspricht den Parametern (`{ $pose }`); ohne sie sind sie gültig
+one-pose-deviates = eine Pose (`{ $pose }`) widerspricht den Parametern; ohne diese Pose sind die Parameter gültig
 parameters-no-longer-valid = die Parameter gelten nicht mehr; keine Bewegung der Basis, eines einzelnen Gelenks oder einer einzelnen Zielmarke erklärt die Abweichung
 parameters-note = u: Standardunsicherheit (k = 1); U = 2u: erweiterte Messunsicherheit. Die Werte sind auf die zweite Stelle von u gerundet. „Vorher“: Nur Basis und Zielmarken sind angepasst. Änderung: identifiziert minus nominal.
 parameters-of-robot = Parameter des Roboters
@@ -1019,11 +1019,11 @@ preconditions-column = Voraussetzungen
 predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarkenpositionen an den Kandidaten (k = 1)
 predicted-u = vorhergesagtes u (k = 1)
 predicted-uncertainty-title = Vorhergesagte Unsicherheit der Parameter
-prediction-behind = Wo sich Zellen überdecken, ist die mit dem größten Wert gezeichnet.
+prediction-behind = Überdecken sich Zellen, ist die Zelle mit dem größten Wert gezeichnet.
 prediction-description = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, gleiche Skala für beide Bilder; größter Wert { $largest }.
 prediction-difference-title = Werkzeugpunkt: nominales minus identifiziertes Modell, { $plane }-Ebene
 prediction-expected-title = Werkzeugpunkt: erwartete Abweichung mit den identifizierten Parametern, { $plane }-Ebene
-prediction-map-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; p95_mm: Obergrenze von 95 % der Abweichungen an einem Knoten, bei Normalverteilung (Box 1954)
+prediction-map-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz nicht bestimmbarer Parameter, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; p95_mm: Obergrenze von 95 % der Abweichungen an einem Knoten, bei Normalverteilung (Box 1954)
 prediction-own-scale = Eine Zelle je { $spacing } mm im Basiskoordinatensystem, im Bereich der Kalibrierposen. Farbe von 0 bis { $colour }, Skala nur für dieses Bild; größter Wert { $largest }.
 prediction-tooltip = x { $x }, y { $y }, z { $z } mm: nominal minus identifiziert { $difference }; erwartete Abweichung { $expected } (k = 1), zu 95 % kleiner als { $largest }
 probability-by-chance = p-Wert
@@ -1062,7 +1062,7 @@ recommend-file = `{ $file }` des Laufs laden: { $load } von { $count } Parameter
 recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen um mehr als 5 % kleiner
 recommend-nominal = die Nennparameter behalten: die identifizierten sind an neuen Posen nicht deutlich besser
 recommend-parameters = die identifizierten Parameter des Laufs laden: { $load } von { $count }; die anderen bleiben auf dem Nennwert
-recommend-resolve = noch nichts laden: nach der Bewertung des Laufs darf keine Datei geladen werden; zuerst kommen seine nächsten Schritte
+recommend-resolve = noch nichts laden: nach der Bewertung des Laufs darf keine Datei geladen werden; zuerst die nächsten Schritte des Laufs ausführen
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
 recorded-motion = Aufgezeichnete Bewegung
@@ -1074,7 +1074,7 @@ region-of-orientation = Orientierung { $orientation } deg
 region-of-orientations = jede Orientierung von { $from } bis { $to } deg
 relative-accuracy = Relative Genauigkeit: Abstände zwischen Posen ({ $set })
 relative-accuracy-note = Vorhergesagter minus gemessener Abstand einer Zielmarke zwischen zwei Posen. Die Basis wirkt sich auf diese Abweichungen nicht aus; die Zielmarke nicht, wenn beide Posen dieselbe Orientierung haben. U (k = 2): Messgerät, Koordinatensysteme und Zielmarken; die Parameter werden geprüft und tragen nicht bei.
-relative-accuracy-selection = Gezählt wird eine gleichmäßige Auswahl von { $pairs } aus { $available } Paaren; das Maximum ist das der Auswahl.
+relative-accuracy-selection = Gezählt wird eine gleichmäßige Auswahl von { $pairs } aus { $available } Paaren; das Maximum bezieht sich auf diese Auswahl.
 relative-error = relative Abweichung
 relative-humidity = relative Luftfeuchte
 relaxation-alone = Relaxation allein
@@ -1382,7 +1382,7 @@ target-named = Zielmarke { $target }
 targets-as-measured = gemessene Zielmarken
 targets-from-their-places = Abstand der Zielmarken von ihren Referenzpositionen
 targets-in-world = den Zielmarken im Weltkoordinatensystem
-targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz). U ist die der anderen Messwerte.
+targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz). U ist die erweiterte Messunsicherheit der anderen Messwerte.
 temperature = Temperatur
 temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
 test-certificate = Prüfschein
@@ -1414,8 +1414,8 @@ to-hold = festzuhalten
 to-load = zu laden
 to-pose = nach Pose
 tolerance = Toleranz
-tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz der Parameter, die die Daten nicht bestimmen können, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
-tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; Parameter, die die Daten nicht bestimmen können (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
+tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz nicht bestimmbarer Parameter, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
+tool-point-expected = Erwartete Abweichung, RMS (k = 1): Parameter { $parameters } µm; nicht bestimmbare Parameter (Toleranz) { $undetermined } µm; Modellfehler { $model } µm; Lage des Punkts am Werkzeug { $point } µm. Größte erweiterte Messunsicherheit einer Pose (k = 2): { $largest } µm.
 tool-point-headline = Werkzeugpunkt, RMS: nominal minus identifiziert → erwartet
 traceability = Rückführbarkeit
 trend = Trend

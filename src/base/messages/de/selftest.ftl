@@ -102,7 +102,7 @@ selftest-slips-missed = { $missed ->
 selftest-program-changed = die Programmdatei hat nicht den angegebenen SHA-256
 selftest-program-unreadable = die Programmdatei ist nicht lesbar
 selftest-reference-changed = geänderte Referenzdaten: { $files }
-selftest-values-same = Kampagne { $campaign }: { $compared } Parameter sind die des abgelegten Dokuments
+selftest-values-same = Kampagne { $campaign }: { $compared } Parameter stimmen mit dem abgelegten Dokument überein
 selftest-values-moved = { $moved ->
         [one] Kampagne { $campaign }: { $moved } Wert weicht vom abgelegten Dokument ab
        *[other] Kampagne { $campaign }: { $moved } Werte weichen vom abgelegten Dokument ab

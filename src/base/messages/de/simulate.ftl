@@ -6,7 +6,7 @@ truth-joint-count = eine Pose hat { $values } Gelenkwerte, der Roboter { $joints
 truth-label-with-circles = `label` in [[poses]] gilt nur für `joints`, nicht für `circles`
     .hint = `label` weglassen oder `joints` angeben
 
-truth-point-unknown = [[poses]] nennt den Punkt `{ $label }`, der kein [[point]] ist
+truth-point-unknown = [[poses]] nennt den Punkt `{ $label }`, aber kein [[point]] hat diese Bezeichnung
 
 truth-circles-not-planar = `circles` gilt nur für ebene Roboter
     .hint = `joints` verwenden

@@ -314,7 +314,7 @@ number-missing = `{ $column }` fehlt oder ist keine Zahl
         }
 
 row-without-pose = eine Zeile der Art `{ $kind }` hat keine Pose
-    .hint = ohne Pose sind nur Zeilen über feste Punkte: Positionen (`point`), Abstände (`distance`) und Positionen auf `plane`, `line` oder `sphere`
+    .hint = nur Zeilen über feste Punkte haben keine Pose: Positionen (`point`), Abstände (`distance`) und Positionen auf `plane`, `line` oder `sphere`
 
 known-unsupported = für eine Zeile der Art `{ $kind }` gibt es kein [[known]]
     .expected = `point`, `distance`, `plane`, `line` oder `sphere`
@@ -460,7 +460,7 @@ reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen u
 repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltkoordinatensystem
     .hint = das Koordinatensystem durch unbewegte Punkte definieren
 
-commanded-angle-unmeasured = `{ $column }` hat Sollwerte, aber Bezeichnungen liefern nur Positionen
+commanded-angle-unmeasured = `{ $column }` hat Sollwerte, aber Punkte mit Bezeichnung haben nur Positionen
     .hint = die Spalte entfernen oder Istposen mit Winkeln als Tabelle angeben: [poses]
 
 commanded-pose-missing = für diese Posen ist keine Sollposition angegeben: { $poses }
@@ -621,7 +621,7 @@ orientation-slip = { $slip ->
        *[left-handed] ein Linkssystem ({ $name } umgekehrt)
     }
 
-orientations-off = die beobachteten Orientierungen unterscheiden sich von denen des { $robot ->
+orientations-off = die beobachteten Orientierungen unterscheiden sich von den Orientierungen des { $robot ->
         [nominal] nominalen Roboters
        *[identified] identifizierten Roboters
     } um { FIXED($median_deg, 1) } deg (Median)
@@ -759,7 +759,7 @@ nominal-value-changed = `{ $parameter }` hat in robot.toml den Nennwert { $state
     }
     .hint = prüfen, ob die Parameter zu diesem Roboter gehören
 
-robot-geometry-changed = robot.toml beschreibt eine andere Geometrie als die der Identifikation: { $case ->
+robot-geometry-changed = robot.toml beschreibt eine andere Geometrie als die Identifikation: { $case ->
         [apart] bei gleichen Parametern liegen die Flansche { $distance_mm } mm auseinander
        *[other] Gelenke oder Glieder sind andere
     }
@@ -1248,7 +1248,7 @@ cell-order-missing = die Reihenfolge der Winkel { $prefix }a, { $prefix }b, { $p
     .hint = sie nach dem Handbuch angeben: `{ $option } zyx` für A B C von KUKA, `{ $option } "fixed xyz"` für W P R von FANUC
 
 cell-mounting-missing = der Teil des Messsystems am Roboter ist nicht angegeben
-    .hint = `--mounting target` (das Messgerät steht) oder `--mounting sensor` (das Messgerät ist am Roboter) angeben
+    .hint = `--mounting target` (das Messgerät steht fest) oder `--mounting sensor` (das Messgerät ist am Roboter) angeben
 
 cell-uncertainty-not-positive = eine Standardunsicherheit fehlt oder ist nicht positiv
 
@@ -1256,7 +1256,7 @@ cell-point-unknown = `{ $name }` ist kein Punkt dieser Aufgabe
     .expected = { $known }
 
 cell-roles-mixed = Punkte zweier Regeln sind gemischt
-    .expected = origin, x, xy, oder x1, x2, y1
+    .expected = origin, x, xy; oder x1, x2, y1
 
 cell-axis-missing = der Tabelle fehlen die Werte der Achse
     .hint = die Spalte nennen: `--column { $column }=KOPF`
@@ -1327,7 +1327,7 @@ cell-refuted-turned = die Residuen der Orientierungen betragen { FIXED($found_de
     .hint = Spalten, Vorzeichen, Einheiten und die Reihenfolge der Zeilen prüfen
 
 cell-data-withheld = Daten für { $maker } werden nicht geschrieben: das Ergebnis darf nicht geladen werden
-    .hint = berichtigen, was die Fehler nennen; `--force` schreibt die Daten
+    .hint = die Ursachen der gemeldeten Fehler beheben; `--force` schreibt die Daten trotzdem
 
 cell-unit-large = der Flansch ist { FIXED($distance_m, 1) } m von der Basis entfernt, und das Werkzeug ist { FIXED($tool_m, 1) } m lang: die Positionen sind wahrscheinlich in Millimetern
     .hint = `flange_x_mm`, `flange_y_mm`, `flange_z_mm` für Millimeter verwenden

@@ -148,7 +148,7 @@ visits-read-once = Wiederholgenauigkeit ohne Rauschen: keine Anfahrt hat zwei Me
 coplanar-poses-on-line = Koplanarität: drei der vier mittleren Positionen liegen auf einer Geraden
     .hint = vier Posen nennen, die eine Ebene aufspannen
 
-distance-counts-differ = Abstand: { $first } und { $second } Positionen
+distance-counts-differ = Abstand: die beiden Posen haben { $first } und { $second } Positionen
     .expected = beide Posen in denselben Zyklen
 
 force-not-positive = statische Nachgiebigkeit: eine Kraft ist nicht positiv
