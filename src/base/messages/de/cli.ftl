@@ -215,7 +215,7 @@ excluded-rows = ausgeschlossen: { $count ->
     }, Zeilen { $rows }: { $reason }
 
 controller-error-not-measured = Format `{ $format }` enthält { $parameters } nicht: seine Datei setzt die Nennwerte dieser Parameter voraus, und ihre Abweichung wurde nicht gemessen
-    .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren; empfohlene Parameter: `etalon export CAMPAIGN --parameters recommended`
+    .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren; empfohlene Parameter: `etalon export KAMPAGNE --parameters recommended`
 
 from-needs-robot = --from braucht einen Roboter
     .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei oder --urdf DATEI
@@ -271,7 +271,7 @@ convert-shared-joints = { $axes } Achsen teilen sich { $joints } Gelenkwerte
 convert-left-out = { $count ->
         [one] 1 Parameter ist
        *[other] { $count } Parameter sind
-    } kein Teil der Geometrie und weggelassen: { $names }
+    } nicht Teil der Geometrie und daher weggelassen: { $names }
     .hint = `bending`, `harmonics`, `backlash` und `coupling` in der neuen Datei angeben und neu identifizieren
 
 convert-gains-not-held = eine URDF-Datei enthält keinen Übertragungsfaktor von { $joints }: ihre Gelenkwerte sind Achswerte

@@ -1,6 +1,6 @@
 ### Meldungen von controllers; Erklärungen in en/controllers.ftl.
 
-compensate-programs = eine Sprache oder ein Hersteller von Roboterprogrammen: die Programme mit `etalon compensate PROGRAM` korrigieren; `etalon cell` schreibt Werkzeug und Werkstückkoordinatensystem
+compensate-programs = eine Sprache oder ein Hersteller von Roboterprogrammen: die Programme mit `etalon compensate PROGRAMM` korrigieren; `etalon cell` schreibt Werkzeug und Werkstückkoordinatensystem
 
 controller-format-unknown = `{ $name }` ist kein Steuerungsformat
 
@@ -73,7 +73,7 @@ structure-wrist-meets = die Achsen 4 und 6 schneiden Achse 5 im Abstand von { FI
 structure-wrist-in-plane = das Handgelenk liegt { FIXED($mm, 1) } mm neben der Ebene von Achse 1; erwartet ist ein Schulterversatz
 
 covariance-missing = Format `{ $format }` enthält { $parameters } nicht, und parameters.json enthält deren Kovarianz nicht
-    .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: sie identifiziert ohne diese Parameter neu
+    .hint = die Kampagne mit `controllers = ["{ $format }"]` ausführen: der Lauf identifiziert ohne diese Parameter neu
 
 parameters-not-converged = die Parameter sind für eine Steuerung nicht geeignet: { $termination }
     .hint = vor dem Export neu identifizieren
@@ -139,7 +139,7 @@ galil-counts-out-of-range = Ziel { $target }: { $counts } Inkremente liegen auß
     .expected = höchstens { $most } Inkremente
 
 certificate-date-missing = ein Kalibrierschein braucht das Datum der Messungen
-    .expected = `date = "YYYY-MM-DD"` in campaign.toml
+    .expected = `date = "JJJJ-MM-TT"` in campaign.toml
     .hint = das Datum angeben und die Kampagne erneut ausführen
 
 targets-not-finite = ein Wert des Plans ist nicht endlich

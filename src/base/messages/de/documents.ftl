@@ -144,15 +144,15 @@ action-add-cycles-reason = eine Pose hat nur { $least } Anfahrten: die Intervall
 action-add-effect = `{ $line }` in robot.toml ergänzen
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
 action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
-action-add-validation-reason = Abweichungen an den Kalibrierposen allein sind kleiner als die an neuen Posen
+action-add-validation-reason = Abweichungen an den Kalibrierposen sind kleiner als Abweichungen an neuen Posen
 action-agree-rule = mit dem Kunden eine Entscheidungsregel vereinbaren: { $limit }
-action-agree-rule-reason = die Grenze liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
+action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
 action-verify = das Laden prüfen: an einigen Posen die angezeigte Pose der Steuerung mit `etalon kinematics direct` für parameters.json vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
 action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` anhand weniger gemessener Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
 action-finer-instrument = mit einer erweiterten Messunsicherheit der Position von höchstens { $uncertainty } messen
-action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty } { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %; diesen Wert { $count ->
+action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty }, also { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %; diesen Wert { $count ->
         [one] überschreitet Pose { $poses }
        *[other] überschreiten die Posen { $poses }
     }

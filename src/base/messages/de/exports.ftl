@@ -305,7 +305,7 @@ coordinate-system-differs = die Punkte von `{ $feature }` sind im Koordinatensys
 
 coordinates-look-spherical = x, y und z sehen aus wie Azimut (rad), Zenitwinkel (rad) und Entfernung
     .expected = kartesische Koordinaten: alle Zeilen haben zwei kleine Winkel und eine Länge
-    .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` oder `coordinates = "cartesian"`
+    .hint = die Spalten "azimuth", "zenith", "distance" mit `angle_unit = "rad"` oder `coordinates = "cartesian"` angeben
 
 orientation-incomplete = die Orientierung hat { $found } von { $needed } Zahlen
     .hint = die Orientierung vervollständigen oder alle ihre Zellen leer lassen

@@ -39,7 +39,7 @@ probe-direction-along-element = die Richtung { $direction } zum Taster ist paral
     .hint = die Richtung von der Oberfläche zum Taster angeben
 
 probe-larger-than-element = ein Taster mit dem Radius { $probe_mm } mm kann das Element { $element } nicht von außen berühren
-    .expected = Mittelpunkte auf einem Radius, der größer als der Tasterradius ist; ihr Radius ist { FIXED($centres_mm, 6) } mm
+    .expected = Mittelpunkte auf einem Radius, der größer als der Tasterradius ist; ihr Radius ist { FIXED($centres_mm, 6) } mm
     .hint = die andere Seite angeben: der Taster war innen
 
 compensated-twice = die Anpassung ist schon um den Tasterradius korrigiert

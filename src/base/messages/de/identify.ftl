@@ -62,7 +62,7 @@ solver-ended = { $termination ->
        *[converged] Konvergenz, aber das Ergebnis ist nicht eindeutig
     }
 
-readings-contradict = die meisten Messwerte passen, die von { $poses } nicht{ $count ->
+readings-contradict = die meisten Messwerte passen, die Messwerte von { $poses } nicht{ $count ->
         [0] {""}
        *[other] {""}: die Gelenkwerte der Posen { $pairs } sind vertauscht
     }
@@ -78,7 +78,7 @@ extents-differ = die gemessenen Punkte erstrecken sich über { FIXED($measured_m
 
 assembly-mode-contradicted = die gemessene Position widerspricht dem Montagemodus ({ $poses }): an Pose { $worst } ist die Abweichung mit dem angegebenen Modus { $stated } { FIXED($stated_mm, 1) } mm, mit Modus { $other } { FIXED($other_mm, 1) } mm
 
-scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Roboters ist der seiner Nennlängen{ $lengths ->
+scale-unobserved = keine Beobachtung enthält eine Länge: der Maßstab des Roboters folgt aus seinen Nennlängen{ $lengths ->
         [none] {""}
        *[other] {" "}({ $lengths })
     }
@@ -111,7 +111,7 @@ no-redundant-observations = es gibt so viele Gleichungen wie Parameter: die Unsi
 pose-residuals-correlated = die Residuen derselben Pose sind korreliert: die Standardunsicherheiten sind aus der Streuung der Posen geschätzt und betragen das { FIXED($ratio, 1) }-Fache der Werte aus dem Messgerät
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder das Messgerät hat gemeinsame Abweichungen aller Messwerte einer Pose
 
-series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: eine Serie hat weniger als acht Posen, oder mehrere Posen haben gemeinsame Messwerte
+series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: es sind weniger als acht Posen, oder mehrere Posen haben gemeinsame Messwerte
 
 instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
     .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Abweichungen aller Posen sind in den Residuen nicht sichtbar

@@ -13,7 +13,7 @@ ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternion
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
 ask-seconds = ob `{ $name }` in Sekunden ist (sonst `time_ms`, `time_ns`)
-ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind: ihre Überschriften sind gleich oder ihre Werte fast gleich: zwei Zielmarken oder Sollkoordinaten und gemessene Koordinaten
+ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind (ihre Überschriften sind gleich oder ihre Werte fast gleich): zwei Zielmarken oder Sollkoordinaten und gemessene Koordinaten
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
 ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
@@ -81,7 +81,7 @@ doubt-origin = Zeile { $line } ist 0 0 0: sie gilt als „nicht gemessen“, wen
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 Spalte
        *[other] { $columns } Spalten
-    }, erklärt sie ebenso gut: eine Zeile durch Ansehen prüfen
+    }, erklärt sie ebenso gut: eine Zeile selbst prüfen
 doubt-other-sheets = die Arbeitsmappe hat { $count ->
         [one] 1 weiteres Blatt
        *[other] { $count } weitere Blätter

@@ -29,7 +29,7 @@ angle-vap = vAP des Winkels { $axis }
 ap-by-set = AP je Satz
 ap-interval-from = AP, 95 % von
 ap-interval-to = AP, 95 % bis
-ap-within-limit = AP innerhalb der Grenze
+ap-within-limit = AP innerhalb des Grenzwerts
 approach-not-known = Anfahrrichtung unbekannt
 approached = angefahren
 approved-by = Freigegeben von
@@ -277,7 +277,7 @@ controlled-by = kontrolliert durch
 controller = Steuerung
 controller-files = Steuerungsdateien
 convention-angles = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: { $order }
-convention-angles-not-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert, die der Winkel nicht
+convention-angles-not-drift-compensated = die Drift der Positionen ist durch die Referenzmarken korrigiert, die Drift der Winkel nicht
 convention-angles-of-motion = die Winkel { $angles } sind entlang der Bewegung stetig fortgesetzt und einzeln ausgewertet
 convention-angles-of-unknown-order = die Winkel a, b, c sind stetig fortgesetzt und einzeln ausgewertet; Reihenfolge der Drehungen: nicht angegeben
 convention-ap-interval = AP: Intervall der Differenz, aus beiden Intervallen bestimmt (MOVER, Zou & Donner 2008)
@@ -1114,7 +1114,7 @@ reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherhei
 reservation-set-up-untested = { $count ->
         [one] ein Fehler des Aufbaus ist
        *[other] { $count } Fehler des Aufbaus sind
-    } von den Messungen nicht geprüft; der Flansch wiche um bis zu { $flange_mm } mm und { $flange_deg } deg ab
+    } von den Messungen nicht geprüft; der Flansch würde um bis zu { $flange_mm } mm und { $flange_deg } deg abweichen
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld
@@ -1174,7 +1174,7 @@ rp-circle-tooltip = Pose { $pose }: RP = { $rp } µm
 rp-in-plane = RP in x, y
 rp-interval-from = RP, 95 % von
 rp-interval-to = RP, 95 % bis
-rp-within-limit = RP innerhalb der Grenze
+rp-within-limit = RP innerhalb des Grenzwerts
 rp-without-noise = RP ohne Rauschen
 rt-interval-from = RT, 95 % von
 rt-interval-to = RT, 95 % bis

@@ -27,7 +27,7 @@ section-beside-observations = `{ $section }` ist neben [observations] angegeben
     .hint = entweder [observations] angeben oder [[export]], [[log]] und [join]
 
 join-clock-missing = eine Verknüpfung über die Zeit braucht { $keys }
-    .hint = in [join] { $lines } ergänzen: der Versatz ist die Zeit der Messung minus die Zeit des Protokolls. Gehen die Uhren verschieden, `clock_offset_s = "standstills"` angeben und in [log] `{ $standstill }`
+    .hint = in [join] { $lines } ergänzen: der Versatz ist die Zeit der Messung minus die Zeit des Protokolls. Weichen die Uhren voneinander ab, `clock_offset_s = "standstills"` angeben und in [log] `{ $standstill }`
 
 standstills-missing = der Uhrenversatz kann nicht geschätzt werden: Protokoll `{ $log }` hat keinen Abschnitt [log.standstill]
     .hint = in [log] `{ $standstill }` ergänzen (`within_mm` für Schubgelenke) oder `clock_offset_s` als Zahl angeben

@@ -64,7 +64,7 @@ point-lies-at-another = Zeile { $row }: `{ $point }` fällt mit `{ $other }` zus
         [one] {""}
        *[other] {""}; insgesamt { $rows } solche Zeilen
     }
-    .hint = wenn das Messgerät auf die andere Zielmarke zeigte oder die Bezeichnung falsch ist, sie berichtigen oder die Zeile ausschließen; [[rigid]] lehnt Zeilen nach ihren Abständen ab
+    .hint = wenn das Messgerät auf die andere Zielmarke zeigte oder die Bezeichnung falsch ist, die Bezeichnung berichtigen oder die Zeile ausschließen; [[rigid]] lehnt Zeilen nach ihren Abständen ab
 
 drift-few-readings = `{ $target }` wurde nur { $count }-mal gemessen: zu selten, um eine Drift zu erkennen
     .expected = mindestens { $least }-mal
@@ -298,14 +298,14 @@ fixed-point-on-robot = `{ $name }` ist eine Zielmarke am Roboter, kein fester Pu
 distance-to-itself = der Abstand reicht von `{ $name }` zu sich selbst
     .hint = `other` berichtigen
 
-target-of-same-branch = `{ $target }` und `{ $name }` sind am selben Zweig
+target-of-same-branch = `{ $target }` und `{ $name }` gehören zum selben Zweig
     .hint = eine Zielmarke eines anderen Zweigs angeben; die Form der Zielmarken an einem Glied steht in [[rigid]]
 
-bar-without-other-hand = `{ $name }` ist keine Zielmarke eines anderen Zweigs als `{ $target }`
-    .hint = eine Zielmarke eines anderen Zweigs angeben; `kind = "distance"` ist für einen Stab mit festem Ende
+bar-without-other-hand = `{ $name }` ist keine Zielmarke auf einem anderen Zweig als `{ $target }`
+    .hint = eine Zielmarke eines anderen Zweigs angeben; `kind = "distance"` gilt für einen Stab mit festem Ende
 
-bar-length-at-pose = ein Stab hat an allen Posen eine Länge
-    .hint = `distance_mm` in einer Zeile ohne Pose angeben; Längen, die an jeder Pose gemessen sind, sind `kind = "distance"`
+bar-length-at-pose = ein Stab hat an allen Posen dieselbe Länge
+    .hint = `distance_mm` in einer Zeile ohne Pose angeben; an jeder Pose gemessene Längen haben `kind = "distance"`
 
 number-missing = `{ $column }` fehlt oder ist keine Zahl
     .expected = { $column ->
@@ -540,10 +540,10 @@ uncertainties-twice = die Tabelle gibt sowohl Standardunsicherheiten als auch Ko
     .hint = `ux_mm`, `uy_mm`, `uz_mm` entfernen
 
 coordinate-uncertainty-missing = die Zeile gibt eine Unsicherheit an, aber `{ $column }` ist leer
-    .expected = von 0,00002 mm bis 100 mm, oder alle leer
+    .expected = für jede Koordinate 0,00002 mm bis 100 mm oder alle Zellen leer
 
-coordinate-uncertainty-unusable = `{ $column }` = { $value } ist nicht die Unsicherheit einer Koordinate
-    .expected = von 0,00002 mm bis 100 mm, oder alle leer
+coordinate-uncertainty-unusable = `{ $column }` = { $value } kann nicht die Unsicherheit einer Koordinate sein
+    .expected = für jede Koordinate 0,00002 mm bis 100 mm oder alle Zellen leer
 
 position-covariance-invalid = die Kovarianz der Zeile ist nicht positiv definit
     .hint = Reihenfolge und Einheit der Spalten `cxx_mm2` .. prüfen
@@ -733,7 +733,7 @@ table-without-poses = an keiner Pose der Tabelle `{ $title }` wurden K und L zus
     .hint = beide Kugeln im selben Zyklus messen oder andere Posen wählen
 
 given-without-covariance = die Parameter haben keine Kovarianz
-    .hint = aus mehr Daten neu identifizieren, die Freiheitsgrade übrig lassen
+    .hint = aus mehr Daten neu identifizieren: die Identifikation hatte keine Freiheitsgrade
 
 calibrated-targets-missing = den Parametern fehlen { $names }: die Beobachtungen haben eine andere Basis oder andere Zielmarken
     .hint = die Zielmarken der Kalibrierung an derselben Stelle des bewegten Teils beobachten
@@ -897,7 +897,7 @@ joint-values-repeat = Gelenkwerte stimmen bis zur letzten Ziffer überein, obwoh
     .hint = das Protokoll enthält Werte einer anderen Pose: diese Posen neu aufzeichnen oder ausschließen
 
 repeats-scatter = die Wiederholungen von `{ $label }` weichen bis zu { FIXED($off_mm, 4) } mm von ihrem Median ab; Standardunsicherheit des Messgeräts { FIXED($u_mm, 4) } mm
-    .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen, und ob sich der Punkt bewegt hat
+    .hint = `unit` des Exports und die Unsicherheit des Messgeräts prüfen und ob sich der Punkt bewegt hat
 
 repeat-off = { $away } von { $count } Wiederholungen von `{ $label }` { $away ->
         [one] weicht um
@@ -925,7 +925,7 @@ measurements-undescribed = an den { $set ->
        *[calibration] Kalibrierposen
     } betragen die Abweichungen { FIXED($after_mm, 3) } mm (quadratischer Mittelwert), die Positionen erstrecken sich über { FIXED($spread_mm, 1) } mm; { $count } von { $total } Abweichungen übersteigen { FIXED($limit_mm, 1) } mm: das Modell beschreibt diese Messungen nicht
 
-undescribed-targets = jeder Messwert von { $targets } hat eine große Abweichung, und kein anderer: die Bezeichnungen der Zielmarke prüfen, und ob sie bewegt wurde
+undescribed-targets = alle Messwerte von { $targets } und keine anderen haben große Abweichungen: die Bezeichnungen der Zielmarke prüfen und ob sie bewegt wurde
 
 undescribed-readings = { $readings }: { $remedy }
 
@@ -1335,7 +1335,7 @@ cell-unit-large = der Flansch ist { FIXED($distance_m, 1) } m von der Basis entf
 cell-unit = alle Positionen des Flansches liegen innerhalb von { FIXED($distance_mm, 3) } mm um die Basis, und das Werkzeug ist kürzer als 2 mm: die Positionen sind wahrscheinlich in Metern
     .hint = `flange_x_m`, `flange_y_m`, `flange_z_m` für Meter verwenden
 
-cell-tool-active = der Werkzeugmittelpunkt liegt { FIXED($distance_mm, 4) } mm vom Ursprung der Posen (u = { FIXED($u_mm, 4) } mm): die Posen sind wahrscheinlich die des Werkzeugs, nicht des Flansches
+cell-tool-active = der Werkzeugmittelpunkt liegt { FIXED($distance_mm, 4) } mm vom Ursprung der Posen (u = { FIXED($u_mm, 4) } mm): die Posen gehören wahrscheinlich zum Werkzeug, nicht zum Flansch
     .hint = Posen mit Werkzeug 0 exportieren
 
 cell-scale = die Achse bewegt sich um { FIXED($scale, 5) } × ihre Werte (u = { SCIENTIFIC($u, 1) })

@@ -54,7 +54,7 @@ view-without-campaign = der Ordner enthält keine lesbare Kampagne
     .hint = Dateien ablegen und den Vorschlag annehmen oder campaign.toml berichtigen
 
 view-run-in-progress = ein Lauf ist noch nicht beendet
-    .hint = ihr Ende abwarten
+    .hint = sein Ende abwarten
 
 view-not-identified = die Kampagne hat keine Identifikation zum Vergleichen
     .hint = die Fehler der Kampagne beheben oder [identify] ergänzen
@@ -123,4 +123,4 @@ watch-stop-met = Grenzwert mit Schutzabstand eingehalten: { FIXED($value_um, 0) 
 watch-stop-open = noch nicht: { FIXED($value_um, 0) } µm ± { FIXED($expanded_um, 0) } µm (k = 2), Grenzwert { FIXED($limit_um, 0) } µm
 watch-stop-no-limit = kein Grenzwert ist angegeben: `position_max_mm` in [limits] angeben
 watch-next-of-plan = nächste Pose des Plans
-watch-next-of-most-information = diese Pose verringert von den übrigen die Unsicherheit der Parameter am stärksten
+watch-next-of-most-information = von den übrigen Posen verringert diese Pose die Unsicherheit der Parameter am stärksten
