@@ -1,99 +1,99 @@
 ### Messages of compare. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
 # Means: A recorded path was not evaluated in every campaign.
-# Matters: Only paths of all campaigns are compared.
-# Do: Give streams of one path the same name in all campaigns.
+# Matters: The comparison uses only paths that every campaign evaluated.
+# Do: Set the same `name` for the [[stream]] of this path in every campaign.
 # Example: a stream with `path` in one campaign and without `path` in the other
 stream-not-in-all = stream `{ $stream }` is not in every campaign
-    .hint = give the stream of one path the same name in all campaigns
+    .hint = give the [[stream]] of this path the same name in all campaigns
 
 # Means: The commanded points of a path differ between the campaigns.
 # Matters: AT and RT of different points cannot be compared.
-# Do: Use the same path, frame, `path_points` and `near_mm`.
+# Do: Use one table of commanded points, and the same `path_points` and `near_mm`, in all campaigns.
 # Example: a path of 100 mm in one campaign, of 110 mm in the other
 stream-commands-differ = the commanded points of stream `{ $stream }` differ: AT and RT are not compared
     .hint = use the same path, frame, `path_points` and `near_mm` in all campaigns
 
-# Means: A path has fewer passes than the test of a change was validated with.
-# Matters: The intervals of AT and RT may be too narrow, so that a change may be reported without
-# cause.
-# Do: Drive the path ten times, as ISO 9283 requires.
+# Means: A path has fewer passes than the tests of a change were validated for.
+# Matters: The intervals of AT and RT may be too narrow, so a change may be reported although the
+# robot has not changed.
+# Do: Drive the path ten times in the next test, as ISO 9283 requires.
 # Example: four passes of a path
-stream-few-passes = AT and RT of stream `{ $stream }` rest on { $passes ->
+stream-few-passes = AT and RT of stream `{ $stream }` come from { $passes ->
         [one] 1 pass
        *[other] { $passes } passes
-    }; the test of a change is validated with { $validated }
+    }; the test of a change needs { $validated } passes
     .hint = drive the path ten times (ISO 9283)
 
 # Means: A change of path accuracy or repeatability is significant.
-# Matters: In simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT
-# in 90 % to 98 %. Confirm a single significant change by a repeated measurement.
-# Do: Repeat the test before you act on it.
+# Matters: In simulated tests, 93 % to 95 % of the intervals of AT contain the true value, and 90 %
+# to 98 % of the intervals of RT.
+# Do: Repeat the test. Act only if the second test shows the same change.
 # Example: AT of a square changes from 0.10 mm to 0.15 mm
-path-change-uncertain = significant change: { $names }; in simulated tests, intervals of AT contain the true value in 93 % to 95 %, those of RT in 90 % to 98 %
+path-change-uncertain = significant change: { $names }; in simulated tests, 93 % to 95 % of the intervals of AT and 90 % to 98 % of the intervals of RT contain the true value
     .hint = repeat the test before you act on it
 
-# Means: The campaigns have no document in common.
+# Means: The campaigns have no result document in common.
 # Matters: There is nothing to compare.
-# Do: Run the campaigns with this version.
+# Do: Run all campaigns with this version of etalon.
 # Example: a campaign with `parameters.json` and one with `iso9283.json`
 nothing-to-compare = the campaigns have no results in common
     .expected = parameters.json, iso9283.json or iso9283-streams.json in the folder of every campaign
     .hint = run the campaigns with this version: `etalon run CAMPAIGN`
 
-# Means: One campaign is named.
+# Means: The command has only one campaign.
 # Matters: A change is a difference between two campaigns.
-# Do: Name two folders or more.
+# Do: Add the output folder of another campaign.
 # Example: `etalon compare 2026/out`
 one-campaign = a comparison needs at least two campaigns
     .expected = two folders or more
 
-# Means: The same folder is named twice.
-# Matters: A campaign does not differ from itself.
-# Do: Name each folder once.
+# Means: The same folder is given twice.
+# Matters: A campaign cannot differ from itself.
+# Do: Give each folder once.
 # Example: `etalon compare a/out a/out`
-campaign-twice = `{ $folder }` is named twice
-    .hint = name each folder once
+campaign-twice = `{ $folder }` is given twice
+    .hint = give each folder once
 
-# Means: The campaigns measured robots of different names.
+# Means: The robot files of the campaigns have different names.
 # Matters: Differences between two robots are not changes of one robot.
-# Do: Compare campaigns of one robot. If it is the same robot, give it one `name` in robot.toml and
-# run again.
+# Do: Compare campaigns of one robot. If only the name differs, correct `name` in robot.toml and run
+# again.
 # Example: `name = "R1"` and `name = "R2"`
-robots-differ = different robots: `{ $first }` measured `{ $first_robot }`, `{ $second }` `{ $second_robot }`
-    .hint = compare campaigns of one robot; if it is the same, give it one `name` in robot.toml and run again
+robots-differ = different robots: `{ $first }` measured `{ $first_robot }`, `{ $second }` measured `{ $second_robot }`
+    .hint = compare campaigns of one robot; if only the name differs, correct `name` in robot.toml and run again
 
 # Means: The campaigns identified different robot models.
 # Matters: Parameters of different models cannot be compared.
-# Do: Identify both campaigns with one model.
+# Do: Run one of the campaigns again with the model of the other.
 # Example: `model = "serial"` and `model = "urdf"`
 models-differ = different robot models: `{ $first }` identified `{ $first_model }`, `{ $second }` `{ $second_model }`
-    .hint = identify both with one model
+    .hint = identify both campaigns with one model
 
-# Means: The campaigns have parameters of different names.
-# Matters: A parameter without partner has no change.
-# Do: Use the same robot file, targets and model.
+# Means: A parameter exists in one campaign only.
+# Matters: Its change cannot be computed.
+# Do: Use the same robot file and the same names of targets, and run again.
 # Example: a target `T3` in one campaign only
 parameters-differ = `{ $first }` and `{ $second }` have different parameters: { $parameters }
     .hint = use the same robot file, targets and model
 
-# Means: A campaign is named before an older one.
-# Matters: A change is the later-named campaign minus the earlier-named one; the signs are reversed.
-# Do: Name the earliest campaign first.
+# Means: A newer campaign is given before an older one.
+# Matters: A change is the second campaign minus the first; in this order, all signs are reversed.
+# Do: Give the oldest campaign first.
 # Example: `etalon compare 2026/out 2025/out`
-campaigns-out-of-order = `{ $first }` is named before `{ $second }`, but has the later date
-    .hint = name the earliest campaign first
+campaigns-out-of-order = `{ $first }` is given before `{ $second }`, but its date is later
+    .hint = give the oldest campaign first
 
-# Means: A document is missing in some of the campaigns.
+# Means: Some of the campaigns do not have this document.
 # Matters: Its values are not compared.
-# Do: Compare campaigns that all have it.
+# Do: To compare it, measure the same kind of test in all campaigns.
 # Example: [[stream]] in one campaign alone
 document-not-in-all = { $document } is not compared: it is missing in { $folders }
-    .hint = compare campaigns that all have it
+    .hint = compare campaigns that all have this document
 
-# Means: Poses were not tested in every campaign.
-# Matters: Only poses of all campaigns are compared.
-# Do: Give the same pose the same name in all campaigns.
+# Means: Some poses were not tested in every campaign.
+# Matters: The comparison uses only poses that every campaign has.
+# Do: If the poses are the same, give them the same names in all campaigns.
 # Example: poses 1 to 5 in one campaign, 1 to 4 in the other
 poses-not-in-all = not in every campaign: { $count ->
         [one] pose { $poses }
@@ -103,24 +103,25 @@ poses-not-in-all = not in every campaign: { $count ->
 
 homing = homing
 
-# Means: Parameters were identified in some of the campaigns only.
-# Matters: In campaigns that held them, similar parameters absorbed their error.
-# Do: Identify the same parameters in all campaigns.
+# Means: Some parameters were identified in one campaign and held in another.
+# Matters: If a parameter is held, similar parameters absorb its error.
+# Do: Use the same `hold` in all campaigns.
 # Example: `hold = ["d_3"]` in one campaign
 parameters-not-in-all = not every campaign identified { $parameters }
-    .hint = identify the same parameters: similar parameters may have absorbed the error of held ones
+    .hint = identify the same parameters: if a parameter is held, similar parameters absorb its error
 
 # Means: The robot files of the campaigns have different nominal values.
-# Matters: Held parameters affect the identified ones.
+# Matters: The values of held parameters influence the identified parameters.
 # Do: Use the same robot file in all campaigns.
 # Example: `a_2 = 300.0` and `a_2 = 300.5`
 nominal-values-differ = nominal values differ between the robot files: { $parameters }
-    .hint = use the same robot file: held parameters affect the identified ones
+    .hint = use the same robot file: held parameters influence the identified ones
 
 # Means: Residuals exceed the uncertainty of the instrument.
-# Matters: The model lacks an effect of the robot. Its parameters depend on the measured poses, so
-# that differences are no evidence of a change.
-# Do: Identify with a model that describes the robot, and measure the same poses each time.
+# Matters: The model does not describe an effect of the robot. Its parameters then depend on the
+# measured poses, so different parameters do not show that the robot changed.
+# Do: Add the missing effect to the model (`etalon recommend`), and measure the same poses each
+# time.
 # Example: an arm with bending links, identified without bending
 model-misfits = residuals of { $campaigns } exceed the instrument’s uncertainty: changes of parameters and mean errors are not tested (no p values); the intervals of parameters include the between-series component (Birge ratio up to { $birge })
-    .hint = identify with a model that describes the robot, and measure the same poses each time
+    .hint = add the missing effect to the model, and measure the same poses each time

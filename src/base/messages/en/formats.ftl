@@ -31,10 +31,10 @@ key-needs-columns = `{ $key }` needs the columns { $columns }
 # unknown.
 # Matters: The standard uncertainty is the expanded uncertainty divided by the coverage factor (GUM
 # 6.2).
-# Do: State the factor from the certificate or the manual of the instrument.
+# Do: Give the factor from the certificate or the manual of the instrument.
 # Example: a column `u95x` in `format` without `coverage_factor`
 coverage-factor-missing = expanded uncertainties need their `coverage_factor`
-    .hint = state it in `format`, for example `coverage_factor = 2`
+    .hint = give it in `format`, for example `coverage_factor = 2`
 
 row-number-unknown = `{ $stated }` is unknown, expected `row`, or `row + 100` for a second file
 # Means: Some coordinates of a row have an uncertainty and others have none.
@@ -50,11 +50,11 @@ uncertainty-column-count = `columns` names { $stated ->
     }
     .expected = one for each coordinate ({ $names }), or none
 
-# Means: The format of delimited text states no separation of columns, or more than one.
+# Means: The format of delimited text gives no separation of columns, or more than one.
 # Matters: The separation of columns is never guessed.
-# Do: State one of the three keys.
+# Do: Give one of the three keys.
 # Example: `format = { columns = ["x", "y", "z"] }`
-column-separation-unclear = the format states { $stated ->
+column-separation-unclear = the format gives { $stated ->
         [0] no separation of the columns
        *[other] { $stated } separations of the columns
     }
@@ -63,19 +63,19 @@ column-separation-unclear = the format states { $stated ->
 
 # Means: `widths` has a column without characters.
 # Matters: The column could hold no value.
-# Do: State the number of characters of each column.
+# Do: Give the number of characters of each column.
 # Example: `widths = [8, 0, 10]`
 column-width-zero = a column of `widths` is 0 characters wide
-    .hint = state the number of characters of each column
+    .hint = give the number of characters of each column
 
 # Means: `columns` names more columns than `widths` describes.
 # Matters: The last columns have no position in the row.
-# Do: State a width for each column.
+# Do: Give a width for each column.
 # Example: `widths = [8, 10]` with `columns = ["x", "y", "z"]`
 more-columns-than-widths = `columns` names { $columns } columns, `widths` has { $widths }
-    .hint = state one width for each column
+    .hint = give one width for each column
 
-# Means: The comma is stated as delimiter and as decimal mark.
+# Means: The comma is given as delimiter and as decimal mark.
 # Matters: `1,25` would be one number or two.
 # Do: Export the file with other marks.
 # Example: `delimiter = ","` with `decimal = ","`
@@ -84,7 +84,7 @@ comma-ambiguous = a comma cannot both separate columns and mark decimals: `1,25`
 
 # Means: The mark between groups of three digits is also the decimal mark or the delimiter.
 # Matters: `1.234` would be 1234 or 1.234.
-# Do: Remove `thousands`, or state the mark of the file.
+# Do: Remove `thousands`, or give the mark of the file.
 # Example: `thousands = "."` with `decimal = "."`
 thousands-mark-ambiguous = the thousands mark `{ $mark }` is also the { $other ->
         [decimal] decimal mark
@@ -99,26 +99,26 @@ thousands-mark-ambiguous = the thousands mark `{ $mark }` is also the { $other -
 column-role-twice = `columns` names `{ $role }` twice
     .hint = correct one of them; the role `-` marks a column that is not read
 
-# Means: `columns` names coordinates of a fixed kind and coordinates whose kind each row states.
+# Means: `columns` names coordinates of a fixed kind and coordinates whose kind each row gives.
 # Matters: A row would have two positions.
 # Do: Name either x, y, z (or angles and distances), or c1, c2, c3.
 # Example: `columns = ["type", "x", "y", "c3"]`
 coordinates-of-two-kinds = `columns` names both coordinates of a fixed kind and c1, c2, c3
     .expected = either x, y, z or angles and distances, or c1, c2, c3
 
-# Means: The meaning of the columns c1, c2, c3 is not stated.
-# Matters: Each row states its coordinate type; the meaning of its numbers depends on the table of
+# Means: The meaning of the columns c1, c2, c3 is not given.
+# Matters: Each row gives its coordinate type; the meaning of its numbers depends on the table of
 # types.
-# Do: Name a column `type`, and state the coordinates of each type in `types`.
+# Do: Name a column `type`, and give the coordinates of each type in `types`.
 # Example: `columns = ["label", "c1", "c2", "c3"]` without `types`
 row-types-missing = columns c1, c2, c3 need a column `type` and the key `types`
     .hint = for example `types = {"{"} 0 = ["x", "y", "z"], 7 = ["azimuth", "zenith", "distance"] {"}"}`
 
 # Means: A coordinate type does not have three coordinates.
 # Matters: c1, c2 and c3 each need a meaning.
-# Do: State three coordinates for each type, and name c1, c2 and c3 in `columns`.
+# Do: Give three coordinates for each type, and name c1, c2 and c3 in `columns`.
 # Example: `types = { 0 = ["x", "y"] }`
-row-type-incomplete = `{ $key }` does not state the meaning of c1, c2 and c3
+row-type-incomplete = `{ $key }` does not give the meaning of c1, c2 and c3
     .expected = three coordinates, and c1, c2, c3 in `columns`
 
 # Means: The named columns do not form the coordinates of one point.
@@ -133,16 +133,16 @@ not-coordinates = `{ $key }` names { $count ->
 
 # Means: The format names angles and no unit.
 # Matters: 1 rad is 57.3 deg or 63.7 gon; the unit is never guessed.
-# Do: State `angle_unit` in the format.
+# Do: Set `angle_unit` in the format.
 # Example: `columns = ["azimuth", "zenith", "distance"]` without `angle_unit`
 angle-unit-missing = `{ $key }` names angles without a unit
-    .hint = state `angle_unit` (option `--angle-unit`): "deg", "rad" or "gon"
+    .hint = set `angle_unit` (option `--angle-unit`): "deg", "rad" or "gon"
 
 # Means: `coordinates` confirms another coordinate type than the columns have.
 # Matters: One of the two statements is wrong.
 # Do: Correct `coordinates` or `columns`.
 # Example: `coordinates = "spherical"` with columns x, y, z
-coordinate-type-differs = `coordinates` states { $stated ->
+coordinate-type-differs = `coordinates` gives { $stated ->
         [cartesian] Cartesian
         [cylindrical] cylindrical
        *[spherical] spherical
@@ -153,19 +153,19 @@ coordinate-type-differs = `coordinates` states { $stated ->
     } coordinates
     .hint = correct one of them
 
-# Means: A column is given by its heading, and the format states no header row.
+# Means: A column is given by its heading, and the format gives no header row.
 # Matters: The column cannot be found.
-# Do: State `header = 1`, or give the number of the column.
+# Do: Set `header = 1`, or give the number of the column.
 # Example: `columns = { x = "X" }` without `header`
-header-not-stated = `columns` names the heading `{ $column }`, and no header row is stated
-    .hint = state `header = 1`, or give the number of the column
+header-not-stated = `columns` names the heading `{ $column }`, and no header row is given
+    .hint = set `header = 1`, or give the number of the column
 
 # Means: The last row of the header has a number in each column of coordinates.
 # Matters: The first measured point would be lost, and the number of every later row would be wrong.
-# Do: State one row less: empty lines and comments are not rows.
+# Do: Give one row less: empty lines and comments are not rows.
 # Example: `header = 1` for a file whose first line is a point
 header-is-data = row { $rows } of the header has numbers in the columns of coordinates
-    .hint = empty lines and comments are not rows: state `header = { $fewer }`
+    .hint = empty lines and comments are not rows: set `header = { $fewer }`
 
 # Means: The expression of a computed column is incomplete or has an unknown sign.
 # Matters: The values of the column cannot be computed.
@@ -231,9 +231,9 @@ rows-left-out = { $count ->
 # Means: A joint is read from an upload of Galil arrays, and the value of an encoder count is
 # unknown.
 # Matters: The arrays hold encoder counts, not mm or deg.
-# Do: State `per_count` in the unit of the key.
+# Do: Set `per_count` in the unit of the key.
 # Example: `columns = { q1_mm = "one" }` for `format = "galil"`
-count-value-missing = `{ $key }` does not state the value of one count: Galil arrays hold encoder counts
+count-value-missing = `{ $key }` does not give the value of one count: Galil arrays hold encoder counts
     .expected = `{ $key } = {"{"} name = "...", per_count = 0.001 {"}"}`, per_count in the unit of the key
 
 # Means: An array of a Galil controller has an empty cell before its end.
@@ -292,15 +292,15 @@ ros-joints-change = joint { $number } is `{ $found }` in this row and `{ $first 
 log-column-unknown = `{ $key }` is not a column of a log
     .expected = `pose`, `cycle`, `time_s`, `label`, or a joint with its unit such as `q1_deg`, `q1_rad`, `rho1_mm`
 
-# Means: Two keys state the same quantity of a log.
+# Means: Two keys give the same quantity of a log.
 # Matters: The two may differ.
-# Do: Leave one of them out.
+# Do: Remove one of them.
 # Example: `columns = { q1_deg = "J1", q1_rad = "J2" }`, or a column `time_s` beside `period_s`
-log-column-twice = `{ $key }` states `{ $name }` a second time
-    .hint = leave one of them out; `pose = "row"` replaces the column of the pose, `period_s` the column of the time
+log-column-twice = `{ $key }` gives `{ $name }` a second time
+    .hint = remove one of them; `pose = "row"` replaces the column of the pose, `period_s` the column of the time
 
-# Means: A key is stated for a column or a log to which it does not apply.
-# Matters: It would have no effect, so the log is probably of another kind than the campaign states.
+# Means: A key is given for a column or a log to which it does not apply.
+# Matters: It would have no effect, so the log is probably of another kind than the campaign gives.
 # Do: Remove the key, or correct `format`.
 # Example: `values = "raw"` for a log that is not a TwinCAT export
 log-key-inapplicable = `{ $key }` does not apply to { $column ->
@@ -323,7 +323,7 @@ log-key-inapplicable = `{ $key }` does not apply to { $column ->
 # Matters: Joint values would be wrong by the factor between the units.
 # Do: Write the key with the unit of the column.
 # Example: `q1_deg = "actual_q_0"` for UR RTDE, which records rad
-column-unit-differs = `{ $key }` states { $stated }, but `{ $column }` is in { $known ->
+column-unit-differs = `{ $key }` gives { $stated }, but `{ $column }` is in { $known ->
         [wall-clock] whole seconds of a wall clock; the clock of this log is `IPOC`
        *[other] { $known }
     }
@@ -332,7 +332,7 @@ write-column = write `{ $key } = "{ $column }"`
 
 column-in-unit = a column in { $unit }
 
-# Means: No line of the file holds all words that `header` states.
+# Means: No line of the file holds all words that `header` gives.
 # Matters: The data begin after this line.
 # Do: Copy the words from the header row of the file.
 # Example: `header = ["Meas Q"]` for a file with `Meas X`
@@ -344,7 +344,7 @@ header-words-missing = no line holds the words of the header: { $words }
 # Do: Record or export the file again.
 # Example: a file with a row of names alone
 data-rows-missing = the file has no data rows
-    .hint = export it again; if its only row holds values, state `header = false`
+    .hint = export it again; if its only row holds values, set `header = false`
 
 # Means: The number of fields in a row differs from the other rows, the columns or the format.
 # Matters: Its values would be read from the wrong columns.
@@ -366,20 +366,20 @@ fields-like = { $like ->
 
 # Means: The stated delimiter does not occur in the rows.
 # Matters: Each row is a single field.
-# Do: State the delimiter and the decimal mark of the file.
+# Do: Give the delimiter and the decimal mark of the file.
 # Example: a file separated by semicolons, read with the default delimiter `,`
 delimiter-does-not-split = the rows have one column when separated by `{ $delimiter }`
 
-state-delimiter = state `delimiter = "{ $delimiter }"` and `decimal = "{ $decimal }"` (options --delimiter and --decimal)
+state-delimiter = set `delimiter = "{ $delimiter }"` and `decimal = "{ $decimal }"` (options --delimiter and --decimal)
 
-state-delimiter-of-rows = state `delimiter` and `decimal` of the rows
+state-delimiter-of-rows = set `delimiter` and `decimal` of the rows
 
 # Means: The row that should name the columns holds numbers.
 # Matters: The file has no header: its first row of values would be lost.
-# Do: State `header = false`, and give columns by number.
+# Do: Set `header = false`, and give columns by number.
 # Example: a log whose first line is `1,0.5,0.7`
 header-holds-numbers = the header row contains numbers instead of names
-    .hint = if the file has no header, state `header = false` and give columns by number
+    .hint = if the file has no header, set `header = false` and give columns by number
 
 # Means: A column is given by its number, and its number changes between files of this format.
 # Matters: Another joint would be read without a message.
@@ -399,17 +399,17 @@ column-by-number = a column of this format cannot be given by its number: { $for
 column-number-unknown = column { $number } does not exist
     .expected = a number from 1 to { $columns }
 
-# Means: The header names a column several times, and the campaign does not state which one is
-# meant, or states a number that does not exist.
+# Means: The header names a column several times, and the campaign does not give which one is meant,
+# or gives a number that does not exist.
 # Matters: The columns hold different values.
-# Do: State `occurrence`, counted from 1.
+# Do: Set `occurrence`, counted from 1.
 # Example: `target_current_0` in a UR RTDE recording, which has it twice
 heading-repeated = the header has { $times ->
         [one] 1 column
        *[other] { $times } columns
     } `{ $column }`
     .expected = an `occurrence` from 1 to { $times }
-    .hint = state its number: `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
+    .hint = give its number: `{"{"} name = "{ $column }", occurrence = 1 {"}"}`
 
 log-row-needs-values = read the log from the controller again, or remove the row: every row needs its values
 
@@ -430,17 +430,17 @@ standstill-missing = the robot of log `{ $log }` is never at a standstill for { 
 
 # Means: The search for standstills needs times, and the log has none.
 # Matters: The duration of a standstill is unknown.
-# Do: State the column of the time, or the period of the log.
+# Do: Give the column of the time, or the period of the log.
 # Example: [log.standstill] without `time_s` in `columns`
 standstill-time-missing = [log.standstill] needs the times of the rows
-    .hint = state `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`
+    .hint = set `time_s`, `time_ms` or `time_ns` in `columns`, or `period_s`
 
 # Means: [log.standstill] has no limit for a kind of joint in the log.
 # Matters: The limit defines when this joint stands still.
-# Do: State the largest difference that the encoder shows at a standstill.
+# Do: Give the largest difference that the encoder shows at a standstill.
 # Example: a log with `q1_deg`, and [log.standstill] without `within_deg`
 standstill-limit-missing = [log.standstill] has no limit for `{ $column }`
-    .hint = state `{ $key }`: the largest difference of two values at a standstill
+    .hint = set `{ $key }`: the largest difference of two values at a standstill
 
 # Means: The pose, cycle, label or assembly mode changes while the robot stands still.
 # Matters: It is unknown which of the values belongs to the joint values.
@@ -474,14 +474,14 @@ log-columns-missing = `columns` of this log names no channel
 # Do: Export scaled values.
 # Example: `ScaleFactor` 0.001 and `Unit ScaleFactor` 1000 with `values = "raw"`
 twincat-two-scales = channel `{ $channel }` has a scale, and so has its unit
-    .hint = export scaled values and state `values = "scaled"`
+    .hint = export scaled values and set `values = "scaled"`
 
-# Means: A channel has a scale factor or offset, and the file does not state whether it is applied.
+# Means: A channel has a scale factor or offset, and the file does not give whether it is applied.
 # Matters: Joint values would be wrong by this factor.
-# Do: State `values` according to the option of the export.
+# Do: Set `values` according to the option of the export.
 # Example: `ScaleFactor` 0.001 in the head of the export, and no `values` in [log]
 twincat-scale-undecided = channel `{ $channel }` has a scale (factor and offset { $scale }; its unit { $unit_scale }): it is unknown whether the values are scaled
-    .hint = state `values = "raw"` or `values = "scaled"`, according to the option of the export
+    .hint = set `values = "raw"` or `values = "scaled"`, according to the option of the export
 
 # Means: A channel has values again after empty cells.
 # Matters: Each channel of a TwinCAT export ends once: the file was edited or damaged.
@@ -509,14 +509,14 @@ channel-samples-unused = channel `{ $channel }`: { $count ->
 
 # Means: The first lines are not the head of a TwinCAT 3 Scope export.
 # Matters: The head names the channels and their units.
-# Do: Export the recording as CSV, or state another `format`.
+# Do: Export the recording as CSV, or give another `format`.
 # Example: a CSV file of another program with `format = "twincat"`
 twincat-head-malformed = this is not a TwinCAT 3 Scope export: { $part ->
         [first-line] its first line does not begin with `Name` and a separator
         [names] no row of its head names the channels
        *[end] no empty line ends its head
     }
-    .hint = export the recording as CSV again, or state another `format`
+    .hint = export the recording as CSV again, or give another `format`
 
 # Means: A row of the head and the row of names have different numbers of fields.
 # Matters: The separator also occurs as the decimal mark, or in a name.
@@ -544,7 +544,7 @@ channel-scale-not-number = `{ $key }` of channel `{ $channel }` is `{ $value }`,
 # Do: Remove `delimiter` from this log.
 # Example: `delimiter = ";"` for an export separated by tabs
 delimiter-differs = the export is separated by { $separator }
-    .hint = remove `delimiter` from this log: the export states it
+    .hint = remove `delimiter` from this log: the export gives it
 
 # Means: Two tables have different coordinates: one has z or an angle that the other lacks.
 # Matters: An error is the difference of two positions in the same coordinates.
@@ -570,7 +570,7 @@ columns-not-read = not read: { $count ->
        *[other] columns
     } { $columns }
 
-# Means: robot.toml states backlash of a joint, and the table lacks its direction of approach.
+# Means: robot.toml gives backlash of a joint, and the table lacks its direction of approach.
 # Matters: The sign of the backlash depends on this direction.
 # Do: Add the column. A campaign derives the direction from a log with times.
 # Example: `backlash = ["q2"]` and a table without `q2_direction`
@@ -633,35 +633,35 @@ no-pose-measured = no pose was measured
 
 # Means: A recorded motion has no time stamps.
 # Matters: Velocities and passes need the time of each sample.
-# Do: State the sampling rate of the instrument, or record time stamps.
+# Do: Give the sampling rate of the instrument, or record time stamps.
 # Example: a recording with x, y, z alone
 recording-time-missing = the recording has no time column
     .expected = a column `time_s`, or the sampling rate
-    .hint = state the rate of the instrument: `--rate-hz 1000`, in a campaign `rate_hz = 1000`
+    .hint = give the rate of the instrument: `--rate-hz 1000`, in a campaign `rate_hz = 1000`
 
-state-sampling-rate = state the sampling rate (`--rate-hz`): the time stamps are coarser than the sampling
+state-sampling-rate = give the sampling rate (`--rate-hz`): the time stamps are coarser than the sampling
 
 # Means: At the stated sampling rate the samples take another time than their time stamps span.
 # Matters: All velocities would be wrong by the ratio of the two times.
 # Do: Correct the sampling rate, or leave out the column of time stamps if it is wrong.
 # Example: `--rate-hz 1000` for a recording that was sampled at 200 Hz
 rate-contradicts-stamps = { $samples } samples at { $rate_hz } Hz take { FIXED($by_rate_s, 2) } s; their time stamps span { FIXED($stamped_s, 2) } s
-    .hint = correct the sampling rate, or state the columns without the time stamps
+    .hint = correct the sampling rate, or give the columns without the time stamps
 
 # Means: The velocity of more than 1 % of the samples exceeds 20 m/s.
 # Matters: No industrial robot moves so fast: the sampling rate, the unit or the order is wrong.
 # Do: Check the sampling rate, the unit, and the order of the samples.
-# Example: a recording in m that is stated to be in inch
+# Example: a recording in m that is given to be in inch
 recording-implausible = { $count } of { $samples } samples are faster than 20 m/s: no robot moves so fast
     .hint = check the sampling rate, the unit and the order of the samples
 
 # Means: Reference targets compensate the drift of positions, but not that of angles.
 # Matters: Orientation errors contain the rotation of the set-up.
-# Do: State all three angles and the order of their rotations.
+# Do: Give all three angles and the order of their rotations.
 # Example: a table with `c_deg` alone for a spatial robot
 angles-not-compensated = angles are not compensated for drift by the reference targets
     .expected = all of a_deg, b_deg, c_deg (for a planar robot c_deg) and the order of their rotations
-    .hint = state the order: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in a campaign `rotation_order`
+    .hint = give the order: `--rotation-order "Rz(c) Ry(b) Rx(a)"`, in a campaign `rotation_order`
 
 # Means: A cycle was measured before the first measurement of the reference targets.
 # Matters: Its drift is unknown.
@@ -691,25 +691,25 @@ reference-targets-differ = the reference targets of cycle { $cycle } differ from
 observation-column-unknown = `{ $column }` is not a column of observations
     .hint = coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md lists all columns
 
-# Means: The same column of the file is stated for two quantities.
+# Means: The same column of the file is given for two quantities.
 # Matters: One of the statements is wrong.
 # Do: Correct one of them.
 # Example: `columns = { q1_deg = "J1", q2_deg = "J1" }`
-column-stated-twice = the column `{ $column }` is stated for both `{ $first }` and `{ $second }`
+column-stated-twice = the column `{ $column }` is given for both `{ $first }` and `{ $second }`
     .hint = correct one of them
 
 # Means: Several columns have the same heading.
 # Matters: It is unknown which of the columns is meant.
-# Do: Rename or remove one of the columns, or state the number of the column.
+# Do: Rename or remove one of the columns, or give the number of the column.
 # Example: a header `pose,rho1_mm,rho1_mm`
 heading-twice = the header names `{ $column }` more than once
     .hint = rename or remove one of the columns
 
-# Means: A quantity is stated for all rows, and the table also has a column for it.
+# Means: A quantity is given for all rows, and the table also has a column for it.
 # Matters: The two may differ.
-# Do: State one of them.
+# Do: Give one of them.
 # Example: `target = "ball"` for a table with a column `target`
-stated-and-in-table = `{ $key }` is stated, and the table has a column of this name
+stated-and-in-table = `{ $key }` is given, and the table has a column of this name
     .hint = remove one of them
 
 # Means: The filters `only` and `without` leave no row.
@@ -733,10 +733,10 @@ log-without-values = no row of the log has a value of `{ $column }`
 # Example: `constants = { q7_mm = "zero" }`
 log-constant-invalid = the constant { $value } cannot be the column `{ $column }` of a log
     .hint = { $column ->
-        [cycle] state a whole number, or "visit" in a log with poses
+        [cycle] give a whole number, or "visit" in a log with poses
         [assembly] state 1 or -1
-        [pose] state a number or a name
-       *[other] state a number
+        [pose] give a number or a name
+       *[other] give a number
     }
 
 # Means: A computed column has an infinite or undefined value in a row.
@@ -807,7 +807,7 @@ robot-units-ambiguous = the data do not determine the units of the joints: anoth
 
 robot-finds-targets = the nominal robot reproduces the coordinates if each value of { $column } is a target of its own
 
-robot-contradicts-unit = the heading of { $column } states { $stated }, but the kinematics of the nominal robot fit with { $unit }
+robot-contradicts-unit = the heading of { $column } gives { $stated }, but the kinematics of the nominal robot fit with { $unit }
 
 robot-contradicts-order = the nominal robot fits with the joints in the order { $columns }, against the numbers in the headings: check headings and robot file
 
@@ -854,7 +854,7 @@ zero-count-alone = `zero_count` has no effect without `per_count`
 
 # Means: `payload` in robot.toml names joints that bend under a load, and the table lacks a column of the load.
 # Matters: The deflection follows from mass and centre of mass; without the column they are unknown.
-# Do: Add the column, or state it as a constant of the file.
+# Do: Add the column, or give it as a constant of the file.
 # Example: `payload = [2, 3]` and a table without `load_kg`
 payload-column-missing = `payload` of the robot file needs the column `{ $column }`
     .expected = `load_kg`, and the centre of mass in the flange: `load_x_mm`, `load_y_mm`, `load_z_mm`

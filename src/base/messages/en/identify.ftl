@@ -9,14 +9,14 @@ no-observations = there are no observations from which parameters can be identif
 
 # Means: Residuals of the pose are used without a standard uncertainty of a coordinate.
 # Matters: Lengths and angles then have no common scale.
-# Do: State the standard uncertainty, or compare targets.
+# Do: Give the standard uncertainty, or compare targets.
 # Example: residuals of the pose of a planar platform without an instrument uncertainty
 pose-residuals-without-uncertainty = residuals of the pose mix mm and rad: they need the standard uncertainty of a coordinate
 
-# Means: An uncertainty common to several observations is stated without the uncertainty of single
+# Means: An uncertainty common to several observations is given without the uncertainty of single
 # observations, or for residuals of the pose.
 # Matters: The covariance of the residuals is undefined.
-# Do: State the uncertainty of single observations too, and compare targets.
+# Do: Give the uncertainty of single observations too, and compare targets.
 # Example: the uncertainty of a reference point without the repeatability of its contacts
 common-uncertainty-alone = an uncertainty common to several observations needs residuals of targets and the uncertainty of single observations
 
@@ -43,20 +43,20 @@ kinds-need-target-residuals = orientations, distances, contacts, surfaces and jo
 
 # Means: Several kinds of observations are used without a standard uncertainty of a coordinate.
 # Matters: Observations in mm and rad then have no common scale.
-# Do: State the standard uncertainty of a coordinate.
+# Do: Give the standard uncertainty of a coordinate.
 # Example: positions and orientations without an instrument uncertainty
 kinds-without-uncertainty = observations of several kinds need the standard uncertainty of a coordinate
 
 # Means: Readings have their own uncertainties, but the residuals are those of the pose, or a common
-# uncertainty is stated.
+# uncertainty is given.
 # Matters: Uncertainties of readings can weight only residuals of targets.
 # Do: Compare targets, or omit the uncertainties of the readings.
 # Example: readings with covariances and residuals of the pose
 own-uncertainties-unusable = readings with their own uncertainties need residuals of targets without a common uncertainty
 
-# Means: Some readings state an uncertainty, others do not, and no common value is stated.
+# Means: Some readings give an uncertainty, others do not, and no common value is given.
 # Matters: Readings without an uncertainty have no weight.
-# Do: State the uncertainty of every reading, or one value for the others.
+# Do: Give the uncertainty of every reading, or one value for the others.
 # Example: 3 of 40 readings without an uncertainty
 readings-without-uncertainty = { $without } of { $readings } readings have no uncertainty
 
@@ -66,11 +66,11 @@ readings-without-uncertainty = { $without } of { $readings } readings have no un
 # Example: `residuals = "pose"` in [identify] of a six-axis arm
 pose-residuals-not-planar = residuals of the pose are for planar robots, not for `{ $model }`
 
-# Means: A tool point is stated in the frame of a part that the robot lacks.
+# Means: A tool point is given in the frame of a part that the robot lacks.
 # Matters: The point has no defined position on the robot.
-# Do: State the point in the frame of a part of this robot.
+# Do: Give the point in the frame of a part of this robot.
 # Example: a tool point in the frame of the flange for a planar platform
-tool-part-missing = the tool point is stated in the frame of the { $part }: `{ $model }` has no { $part }
+tool-part-missing = the tool point is given in the frame of the { $part }: `{ $model }` has no { $part }
 
 # Means: The poses of a plan do not determine the parameters.
 # Matters: No uncertainty can be predicted.
@@ -178,10 +178,10 @@ stated-positions = stated positions
 
 # Means: Parameters are compared with given ones without a standard uncertainty of a coordinate.
 # Matters: The significance of differences is unknown.
-# Do: State the standard uncertainty of the instrument.
+# Do: Give the standard uncertainty of the instrument.
 # Example: a verification without an instrument uncertainty
 comparison-without-uncertainty = a comparison with given parameters needs the standard uncertainty of a coordinate
-    .hint = state the uncertainty of the instrument
+    .hint = give the uncertainty of the instrument
 
 # Means: The robot model has no pose for some of the joint values.
 # Matters: Measured and predicted positions cannot be compared.
@@ -203,10 +203,10 @@ covariance-not-positive-definite = the covariance of the parameters is not posit
 
 # Means: There are as many equations as parameters.
 # Matters: Residuals are zero, and the uncertainty of the parameters is unknown.
-# Do: Measure more poses, or state the uncertainty of the instrument.
+# Do: Measure more poses, or give the uncertainty of the instrument.
 # Example: 4 positions in space for 12 parameters
 no-redundant-observations = there are as many equations as parameters: the uncertainty of the parameters is unknown
-    .hint = measure more poses, or state the uncertainty of the instrument
+    .hint = measure more poses, or give the uncertainty of the instrument
 
 # Means: Residuals of one pose are more alike than independent errors would be.
 # Matters: Standard uncertainties from independent readings would be too small; the scatter of the
@@ -216,7 +216,8 @@ no-redundant-observations = there are as many equations as parameters: the uncer
 pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
     .hint = the robot has errors that the model does not describe, or the instrument has errors common to the readings of a pose
 
-# Means: `series` is stated, and the scatter between series cannot be estimated: there are fewer than eight poses, or a reading is common to several poses.
+# Means: `series` is given, and the scatter between series cannot be estimated: there are fewer than
+# eight poses, or a reading is common to several poses.
 # Matters: The uncertainties do not contain differences between set-ups, days or files.
 # Do: Measure at least eight poses, or treat the series as campaigns of their own and use `etalon compare`.
 # Example: `series = ["1-3", "4-6"]` with 6 poses
@@ -249,8 +250,8 @@ residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the inst
 # Matters: They are held at their nominal values; base and targets contain their deviations.
 # Predicted positions are unaffected.
 # Do: Nothing. To hold another parameter of a group, name it under `hold`. Where axes are nearly
-# parallel, as in a SCARA, a length is held and `base_z` floats: to identify the length, measure
-# the height of the base, state it as `base_z` under `[nominal]`, and hold `base_z`.
+# parallel, as in a SCARA, a length is held and `base_z` floats: to identify the length, measure the
+# height of the base, give it as `base_z` under `[nominal]`, and hold `base_z`.
 # Example: the zero of the first joint and the rotation of the base
 parameters-fixed-by-frames = the data cannot separate { $count } parameters from base and targets; they are held at their nominal values: { $parameters }
 
@@ -282,12 +283,12 @@ parameter-separable-poorly = `{ $parameter }` is separable from { $others } only
     }
     .hint = measure poses in which their effects differ
 
-# Means: A tool point is stated in the frame of the targets, but the targets do not define a frame.
+# Means: A tool point is given in the frame of the targets, but the targets do not define a frame.
 # Matters: The point has no defined position.
-# Do: State the point in the frame of the flange, or name the first target as the point.
+# Do: Give the point in the frame of the flange, or name the first target as the point.
 # Example: balls K and L of a PreXYT at one place
 tool-targets-collinear = the targets define no frame for the tool point: a spatial robot needs three targets that are not on one line, a planar robot two
-    .hint = state the point in the frame of the flange, or use the first target itself ([0, 0, 0])
+    .hint = give the point in the frame of the flange, or use the first target itself ([0, 0, 0])
 
 # Means: The nominal robot misses the measurements by more than the tolerances of its parameters
 # allow.
@@ -339,16 +340,16 @@ poses-exchanged = { $count ->
     }: with the exchange they are no outliers
     .hint = check the order of the rows of the log and the names of the poses
 
-# Means: A change of the set-up explains the measurements clearly better than the set-up as stated.
+# Means: A change of the set-up explains the measurements clearly better than the set-up as given.
 # Matters: The identified parameters absorb a mistake, and the robot would be wrong away from the
 # measured poses.
 # Do: Check the changes in the hint.
 # Example: joints 5 and 6 exchanged where the orientation of the flange hardly changes
-set-up-contradicted = the measurements contradict the set-up as stated
+set-up-contradicted = the measurements contradict the set-up as given
     .hint = check the changes that explain the measurements
 
 # Means: With each of these changes, a robot within its tolerances explains the measurements as well
-# as with the set-up as stated.
+# as with the set-up as given.
 # Matters: If one of them is a mistake of the set-up, these data do not show it. The flange would be
 # elsewhere than a controller computes.
 # Do: Check the directions and the order of the joints on the robot, or measure a second target away
@@ -391,7 +392,7 @@ separate-parameters-by-joints = measure poses over a wider range of { $joints },
 
 # Means: The number of positions to choose is zero, or exceeds the number of candidates.
 # Matters: No plan of this size exists.
-# Do: State a smaller number, or more candidates.
+# Do: Give a smaller number, or more candidates.
 # Example: 40 positions of 30 candidates
 too-many-positions = { $positions } positions cannot be chosen from { $candidates } candidates
     .expected = a number from 1 to { $candidates }
@@ -405,7 +406,7 @@ start-pose-unknown = pose { $pose } of the start is not a candidate
 
 # Means: The stated start has more poses than the plan.
 # Matters: The start does not fit into the plan.
-# Do: State fewer poses as the start, or choose more positions.
+# Do: Give fewer poses as the start, or choose more positions.
 # Example: a start from 5 poses for a plan of 4
 start-too-large = the start has { $start } candidates, more than the { $positions } positions to choose
     .hint = state fewer poses as the start, or choose more positions

@@ -52,7 +52,7 @@ because-topic = topic `{ $topic }` has { $count ->
         [one] 1 message
        *[other] { $count } messages
     } of type { $message_type }
-because-unit-stated = line { $line } states the unit: { $how }
+because-unit-stated = line { $line } gives the unit: { $how }
 doubt-all-commanded = the headings of all coordinates say commanded: the file contains no measured coordinates
 doubt-bare-metre = the headings end in `_m`: metres, or "measured"
 doubt-columns-not-read = numbers that are not read: column { $columns }{ $more ->
@@ -61,7 +61,7 @@ doubt-columns-not-read = numbers that are not read: column { $columns }{ $more -
     }
 doubt-controller-pose = coordinates of `{ $body }` may be what the controller computes: an instrument measures a target
 doubt-coordinates-left = coordinates of { $left } are not taken: others have a heading that is closer
-doubt-dates = dates with `/` do not state whether the day or the month is first: they are not read
+doubt-dates = dates with `/` do not give whether the day or the month is first: they are not read
 doubt-decimal-mark = no number has a decimal mark: `{ $mark }` is assumed
 doubt-direction-length = the direction is not a unit vector in all rows
 doubt-encoding = the file is not UTF-8 and is read as { $encoding }: check that its letters (°, µ, umlauts) are right
@@ -77,7 +77,7 @@ doubt-more-problems = and { $count ->
 doubt-one-row = one row of { $count } numbers without headings: a program wrote an array in one line, and nothing shows how it is divided
 doubt-order-of-joints = the joints are in no order in the file: they are taken in the order of their numbers
 doubt-orientation-of-body = the orientation `{ $body }` is taken for that of the measured point: its headings name another body
-doubt-origin = line { $line } is 0 0 0: taken as "not measured" unless `missing` states otherwise
+doubt-origin = line { $line } is 0 0 0: taken as "not measured" unless `missing` gives otherwise
 doubt-other-reading = { $reading }, { $columns ->
         [one] 1 column
        *[other] { $columns } columns
@@ -99,14 +99,14 @@ doubt-scanned = the numbers behind x, y, z are taken for intensity and colour: w
 doubt-second-log = topic `{ $topic }` has joint values too
 doubt-sets-by-difference = columns { $difference } are the difference of columns { $measured } and { $commanded } in all rows: taken for measured minus commanded
 doubt-several-logs = { $count } logs: { $first } identifies the robot, the others are compared with it; rows of one recording in several files belong into one file
-doubt-sign-of-difference = the sign of the difference is not stated: compare a row with the measurement
+doubt-sign-of-difference = the sign of the difference is not given: compare a row with the measurement
 doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints, three of them prismatic
 doubt-stationary-points = its { $count } points are taken for points that do not move: their names could be poses, but another file has { $poses } poses
 doubt-thousands-mark = every `{ $mark }` is before three digits: it may be a thousands mark
 doubt-time-decreases = { $column } is called a time and decreases
 doubt-topic-unreadable = topic `{ $topic }` cannot be read: { $reason }
 doubt-two-families = { $names } could be joints as well: `{ $kept }` is used
-doubt-units-differ = the file states { $unit } (line { $line }) and { $of_second } (line { $second })
+doubt-units-differ = the file gives { $unit } (line { $line }) and { $of_second } (line { $second })
 doubt-unnamed-joints = { $names } are taken as joints: no other quantity fits, but the file does not name them
 doubt-words-of-header = line { $line } has { $words } words for { $columns } columns: their order is not known
 is-aqdef = a file in the Q-DAS ASCII transfer format, by its first field
@@ -140,7 +140,7 @@ is-recorded-motion = a recorded motion
 is-reference-targets = reference targets that are measured from time to time
 is-ros-messages = messages of ROS: its header is that of `rostopic echo -p`
 is-spatialanalyzer = a SpatialAnalyzer export of points, by its comments
-is-twincat = an export of Beckhoff TwinCAT 3 Scope: its head states the start of the export
+is-twincat = an export of Beckhoff TwinCAT 3 Scope: its head gives the start of the export
 is-ur-rtde = a recording of Universal Robots RTDE: its header has RTDE's names of joint positions
 is-vda-fs = a VDA-FS file, by its header
 means-appearance = intensity or colour
@@ -187,14 +187,14 @@ why-as-many-as-joints = each row has as many numbers as an arm has joints, and n
 why-axes-differ = the headings of three columns differ in x, y, z alone
 why-behind-lengths = behind three lengths that are larger than any angle
 why-colours = whole numbers behind a point, up to 255
-why-commanded-heading = its heading states a commanded value
-why-commanded-rotation = its heading states a commanded rotation
+why-commanded-heading = its heading gives a commanded value
+why-commanded-rotation = its heading gives a commanded rotation
 why-constant = the same whole number in all rows
 why-counts = whole numbers that increase by 1
 why-counts-first = whole numbers that increase row by row, first in the row
 why-counts-with-gaps = whole numbers that increase, with gaps
 why-dates = every cell is a date or a time of day
-why-difference-heading = its heading states a difference
+why-difference-heading = its heading gives a difference
 why-empty = it is empty
 why-epoch = { $why }; { $unit } since 1970 by its size
 why-fits-without = the nominal robot fits without it
@@ -212,14 +212,14 @@ why-kinematics-fit = the kinematics of the nominal robot fit with it in { $unit 
        *[forward] {""}
     }
 why-last-of-matrix = last column of a 4x4 matrix whose rotation is orthonormal
-why-measured-heading = its heading states a measured value
+why-measured-heading = its heading gives a measured value
 why-nine-orthonormal = the nine numbers form an orthonormal matrix in all rows
 why-names-of-points = the names of points that do not move with the robot
 why-nothing-known = nothing is known of its heading
 why-orthonormal = orthonormal in all rows, row by row
 why-other-body = its heading names another body than the measured point
 why-other-family = the joints are taken from the columns `{ $kept }`
-why-others-measured = its heading states a commanded value, and others are measured
+why-others-measured = its heading gives a commanded value, and others are measured
 why-place = its place: nothing names the columns
 why-quaternion-not-joints = the four numbers have norm 1 in all rows: a quaternion, scalar first, not joints
 why-range-of-deg = its heading; from { $low } to { $high }: more than a turn in rad, so deg or mm fits

@@ -196,8 +196,8 @@ checklist-field = field
 checklist-key = key
 checklist-keys = Keys and clauses
 checklist-note = { $count ->
-    [one] A field is missing. State it in campaign.toml and run the campaign again.
-   *[other] { $count } fields are missing. State them in campaign.toml and run the campaign again.
+    [one] A field is missing. Give it in campaign.toml and run the campaign again.
+   *[other] { $count } fields are missing. Give them in campaign.toml and run the campaign again.
 }
 checklist-title = To complete before signing
 checks-of-the-model = Model checks
@@ -267,7 +267,7 @@ controller-files = Controller files
 convention-angles = angles a, b, c are unwrapped and evaluated separately; order of rotations: { $order }
 convention-angles-not-drift-compensated = drift of positions is compensated by reference targets; drift of angles is not
 convention-angles-of-motion = angles { $angles } are unwrapped along the motion and evaluated separately
-convention-angles-of-unknown-order = angles a, b, c are unwrapped and evaluated separately; order of rotations: not stated
+convention-angles-of-unknown-order = angles a, b, c are unwrapped and evaluated separately; order of rotations: not given
 convention-ap-interval = AP: interval of the difference recovered from both intervals (MOVER, Zou & Donner 2008)
 convention-ap-rp = AP: mean minus commanded; RP: mean radius + 3 s, s with n - 1; intervals 95 %, Gaussian scatter
 convention-approach = approach: the previous pose of the trajectory; the 25 % rule with U at k = { $k }; positions in the world frame ({ $frame })
@@ -283,7 +283,7 @@ convention-f-test = all parameters together: F test; it is approximate if uncert
 convention-first-robot = { $count } robots: all results except exchangeability refer to `{ $robot }`
 convention-guarded-acceptance = conformity: guarded acceptance (ILAC-G8:09/2019, 4.2.2): met or not met only if the whole interval of 95 % lies on one side of the limit
 convention-intervals-instrument = intervals include sampling and the instrument's expanded uncertainty of a coordinate, { $uncertainty_um } µm (k = 2)
-convention-intervals-sampling = intervals include sampling only: no uncertainty of the instrument is stated
+convention-intervals-sampling = intervals include sampling only: no uncertainty of the instrument is given
 convention-limit-band = limit band: { $band } mm about the mean of the standstill
 convention-mean-errors = mean errors: Welch's t test with one error for each pose; conservative (too rarely significant) if both campaigns measured the same poses
 convention-mean-positions = mean positions: Welch's t test of each coordinate from the scatter of visits; the uncertainty of the measurement frames is not included
@@ -350,12 +350,12 @@ cycles = cycles
 cylinder = cylinder
 date = date
 date-column = Date
-date-not-stated = date: not stated
+date-not-stated = date: not given
 date-of-issue = date of issue
 date-of-receipt = date of receipt
 decide-now = Decide now
 decision-rule = decision rule
-decision-rule-by-default = The campaign states no decision rule; this default applies.
+decision-rule-by-default = The campaign gives no decision rule; this default applies.
 decision-rule-explained = Decision rule: { $rule }: { $explanation }.
 decision-rule-named = Decision rule: { $rule }.
 definition = definition
@@ -626,7 +626,7 @@ instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at p
 instrument-uncertainty = instrument's uncertainty
 instrument-uncertainty-of-position = U = { $uncertainty } µm for a position
 instrument-uncertainty-with-k = U = { $uncertainty } µm per coordinate (k = { $k })
-instrument-uncertainty-without-k = U = { $uncertainty } µm per coordinate (coverage factor not stated)
+instrument-uncertainty-without-k = U = { $uncertainty } µm per coordinate (coverage factor not given)
 interval-95 = 95 % interval
 interval-from = 95 % from
 interval-of = interval of
@@ -785,7 +785,7 @@ needed = needed
 next-step = next step { $number }
 next-steps = Next steps
 no = no
-no-certificate-stated = no certificate is stated
+no-certificate-stated = no certificate is given
 no-correlated-pairs = No pair has a correlation of 0.9 or more.
 no-error-to-draw = No errors to plot.
 no-errors-are-given = The document contains no errors.
@@ -828,7 +828,7 @@ not-judged-by-misfit = not judged: the model does not fit
 not-known = unknown
 not-met = not met
 not-run = not run
-not-stated = not stated
+not-stated = not given
 not-stated-items = Not stated, besides the fields to complete before signing: { $items }.
 notes = notes
 nothing-held = No parameter is held: every column is further than the rank cut of { $cut } from the span of the others.
@@ -1002,7 +1002,7 @@ reached = reached
 read-as = read as
 reading-uncertainty = { $uncertainty } mm (k = 1) per reading
 reading-uncertainty-with-k = U = { $uncertainty } µm per reading (k = { $k })
-reading-uncertainty-without-k = U = { $uncertainty } µm per reading (coverage factor not stated)
+reading-uncertainty-without-k = U = { $uncertainty } µm per reading (coverage factor not given)
 readings = readings
 readings-not-judged = { $target } ({ $readings } readings, redundancy { $redundancy }: not judged)
 readings-redundancy = { $target } ({ $readings } readings, redundancy { $redundancy })
@@ -1126,7 +1126,7 @@ rt-interval-from = RT, 95 % from
 rt-interval-to = RT, 95 % to
 rt-location = RT at
 rt-of-angles = RT of the angles (deg)
-rule-not-stated = { $rule } (default; the campaign states no rule)
+rule-not-stated = { $rule } (default; the campaign gives no rule)
 samples-in-seconds = { $samples } samples in { $seconds } s
 scale = scale
 scale-bars = Scale bars
@@ -1276,7 +1276,7 @@ source-known-points-meaning = stated positions and lengths of fixed points
 source-model-meaning = model error: part of the residuals that no other source explains
 source-nominal-values-meaning = tolerances of the nominal parameter values
 source-repeatability-meaning = scatter of the repeats of a pose beyond the instrument's uncertainty
-source-residuals-meaning = scatter of the residuals (no uncertainty is stated)
+source-residuals-meaning = scatter of the residuals (no uncertainty is given)
 source-rigid-parts-meaning = stated shapes of the parts that carry targets
 source-scale-meaning = scale of the measuring system (common to all lengths)
 source-temperature-meaning = thermal expansion of robot and part (common to all lengths)
@@ -1328,7 +1328,7 @@ tested-by = Tested by
 text = text
 texts-of-campaign-note = Texts from the campaign are not translated.
 the-campaign-fits-no-features = The campaign has no fitted features.
-the-campaign-states-no-limits = No limits are stated: no verdict is possible.
+the-campaign-states-no-limits = No limits are given: no verdict is possible.
 their-standard-deviation = standard deviation
 this-file-max = this file, max
 this-file-rms = this file, RMS

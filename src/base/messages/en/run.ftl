@@ -1,23 +1,23 @@
 ### Messages of run. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
-# Means: [contact] is stated beside `residuals = "pose"`.
+# Means: [contact] is given beside `residuals = "pose"`.
 # Matters: The repeatability of the contact is a weight for positions of targets. Residuals of the
 # pose do not use it.
 # Do: Compare targets, or remove [contact].
 # Example: [contact] and `residuals = "pose"` in [identify]
 contact-without-targets = [contact] has no effect on residuals of the pose
-    .hint = state `residuals = "targets"`, or remove [contact]
+    .hint = set `residuals = "targets"`, or remove [contact]
 
 uncertainty-source = { $section ->
         [instrument] take it from the instrument's calibration certificate
-        [tool] state the uncertainty of the point on the tool
+        [tool] give the uncertainty of the point on the tool
        *[contact] touch one point repeatedly and use the scatter of the encoder readings
     }
 
 # Means: The uncertainty of a coordinate is smaller than that of an interferometer or larger than
 # that of a camera.
 # Matters: It is usually stated in another unit. All results would be weighted wrongly.
-# Do: State the expanded uncertainty of one coordinate in micrometres.
+# Do: Give the expanded uncertainty of one coordinate in micrometres.
 # Example: `expanded_uncertainty_um = 0.0027` for 2.7 µm
 key-uncertainty-implausible = `{ $key }` = { $value } cannot be the uncertainty of a measured coordinate in micrometres
     .expected = a value from { $least } to { $most }
@@ -30,7 +30,7 @@ key-uncertainty-implausible = `{ $key }` = { $value } cannot be the uncertainty 
 target-named-twice = target `{ $target }` is named twice
     .hint = name each target once
 
-# Means: A limit is stated for a quantity that the campaign does not determine.
+# Means: A limit is given for a quantity that the campaign does not determine.
 # Matters: The limit would never be judged, and the report would show no verdict for it.
 # Do: Remove the limit, or add the section that determines the quantity.
 # Example: `accuracy_max_mm` without commanded positions
@@ -41,30 +41,30 @@ limit-without-result = the limit `{ $limit }` needs { $needs ->
     }
     .hint = remove the limit, or add the section that determines the quantity
 
-# Means: Exports, logs or a join are stated together with a table of observations.
+# Means: Exports, logs or a join are given together with a table of observations.
 # Matters: A table of observations already holds measured values and joint values. It is undefined
 # which values apply.
-# Do: State either [observations], or [[export]], [[log]] and [join].
+# Do: Give either [observations], or [[export]], [[log]] and [join].
 # Example: [observations] and [[log]] in one campaign.toml
-section-beside-observations = `{ $section }` is stated beside [observations]
+section-beside-observations = `{ $section }` is given beside [observations]
     .hint = state either [observations], or [[export]], [[log]] and [join]
 
 # Means: A join by time has no clock offset or no tolerance.
 # Matters: Measured points and joint values are matched by their times. Without the offset of the
 # clocks they would be matched wrongly.
-# Do: State `clock_offset_s` and `tolerance_s`.
+# Do: Set `clock_offset_s` and `tolerance_s`.
 # Example: `by = "time"` without `clock_offset_s`
 join-clock-missing = a join by time needs { $keys }
-    .hint = add to [join] { $lines }: the offset is the time of the measurement minus the time of the log. If the clocks differ, state `clock_offset_s = "standstills"`, and in [log] `{ $standstill }`
+    .hint = add to [join] { $lines }: the offset is the time of the measurement minus the time of the log. If the clocks differ, set `clock_offset_s = "standstills"`, and in [log] `{ $standstill }`
 
-# Means: `clock_offset_s = "standstills"` is stated, but a log has no [log.standstill].
+# Means: `clock_offset_s = "standstills"` is given, but a log has no [log.standstill].
 # Matters: The clock offset is estimated from the times of the standstills.
-# Do: Describe the standstills, or state the clock offset as a number.
+# Do: Describe the standstills, or give the clock offset as a number.
 # Example: `clock_offset_s = "standstills"` and a [[log]] without [log.standstill]
 standstills-missing = the clock offset cannot be estimated: log `{ $log }` has no [log.standstill]
-    .hint = add to [log] `{ $standstill }` (`within_mm` for prismatic joints), or state `clock_offset_s` as a number
+    .hint = add to [log] `{ $standstill }` (`within_mm` for prismatic joints), or set `clock_offset_s` as a number
 
-# Means: `interpolate` is stated for a log with standstills.
+# Means: `interpolate` is given for a log with standstills.
 # Matters: Each point belongs to the standstill that contains its time. Joint values between
 # standstills are not used.
 # Do: Remove `interpolate`.
@@ -74,10 +74,10 @@ interpolate-with-standstills = `interpolate` has no effect: log `{ $log }` has [
 
 # Means: A key belongs to another kind of join.
 # Matters: It would have no effect, so the join is probably not the intended one.
-# Do: Remove the key, or state the join to which it belongs.
+# Do: Remove the key, or give the join to which it belongs.
 # Example: `tolerance_s` with `by = "row"`
 key-of-other-join = `{ $key }` has no effect in this join
-    .hint = remove it, or state `by = "{ $by }"`
+    .hint = remove it, or set `by = "{ $by }"`
 
 # Means: A key that needs zero or a positive number has a negative one.
 # Matters: The value has no meaning.
@@ -100,11 +100,11 @@ key-above-maximum = `{ $key }` exceeds { $most }
 join-label-missing = a join by label needs the label of the point in log `{ $log }`
     .hint = add `label` to its `columns`, with the name or the number of the column
 
-# Means: Pose or target of an export is stated by a key and by a column of the same export.
+# Means: Pose or target of an export is given by a key and by a column of the same export.
 # Matters: It is undefined which of the two applies.
 # Do: Remove one of them.
 # Example: `pose = 3` in an [[export]] whose `columns` have `pose`
-key-and-column = `{ $key }` is stated twice: as a key of the export and as one of its columns
+key-and-column = `{ $key }` is given twice: as a key of the export and as one of its columns
     .hint = remove one of them
 
 # Means: The output folder contains a file that the campaign reads.
@@ -115,9 +115,9 @@ input-in-output-folder = the output folder contains the input `{ $input }`
     .expected = a folder without inputs: a run replaces the folder as a whole
     .hint = name another folder, or remove `output`: the default is `out`
 
-# Means: A feature states no element, or more than one.
+# Means: A feature gives no element, or more than one.
 # Matters: It is undefined which element is fitted to the points.
-# Do: State one element with the labels of its points.
+# Do: Give one element with the labels of its points.
 # Example: [feature.base] with `plane` and `line`
 feature-element = feature `{ $feature }` is not exactly one element
     .expected = one of `plane`, `line`, `circle`, `cylinder` with the labels of its points
@@ -129,23 +129,23 @@ feature-element = feature `{ $feature }` is not exactly one element
 feature-label-twice = feature `{ $feature }` names `{ $label }` twice
     .hint = name each label once
 
-# Means: Only one of `nominal_mm` and `tolerance_mm` of the world frame is stated.
+# Means: Only one of `nominal_mm` and `tolerance_mm` of the world frame is given.
 # Matters: Measured points are compared with their nominal positions within the tolerance.
-# Do: State both, or neither.
+# Do: Give both, or neither.
 # Example: `nominal_mm` without `tolerance_mm`
 nominal-without-tolerance = `nominal_mm` and `tolerance_mm` of the world frame belong together
-    .hint = state the positions from the drawing and the largest allowed distance of a point from them
+    .hint = give the positions from the drawing and the largest allowed distance of a point from them
 
 # Means: The world frame is defined in no way or in several ways.
 # Matters: Every position is a position in this frame.
-# Do: State one definition.
+# Do: Give one definition.
 # Example: `targets` and `as_exported = true` together
 world-frame-definition = the world frame must be defined in exactly one way
     .expected = `plane` with `origin` and an axis, or `targets`, or `as_exported = true`
 
 # Means: A key of the world frame belongs to another definition of it.
 # Matters: It would have no effect, so the definition is probably not the intended one.
-# Do: Remove the key, or state the definition to which it belongs.
+# Do: Remove the key, or give the definition to which it belongs.
 # Example: `origin` together with `targets`
 key-of-other-frame = `{ $key }` has no effect in this world frame
     .hint = remove it, or define the frame by `{ $definition }`
@@ -158,49 +158,49 @@ key-of-other-frame = `{ $key }` has no effect in this world frame
 frame-axis-without-direction = the axis of the world frame has no direction
     .expected = two labels (from, to), or one feature with a direction
 
-# Means: A world frame from a plane lacks its origin, its axis or the side of its normal, or states
+# Means: A world frame from a plane lacks its origin, its axis or the side of its normal, or gives
 # two axes.
 # Matters: A plane alone does not determine origin, rotation and the sign of z.
-# Do: State `origin`, one of `x_axis` and `y_axis`, and `towards`.
+# Do: Set `origin`, one of `x_axis` and `y_axis`, and `towards`.
 # Example: `plane = "table"` without `towards`
 plane-frame-incomplete = a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`
     .hint = state as `towards` a label on the positive side of the other axis; it determines the direction of z
 
 # Means: A key that names a file has an empty text.
 # Matters: No file can be read.
-# Do: State the file, or remove the key.
+# Do: Give the file, or remove the key.
 # Example: `file = ""`
 file-name-empty = the name of the file is empty
-    .hint = state the file in the folder of the campaign
+    .hint = give the file in the folder of the campaign
 
 # Means: `date` does not begin with a calendar date.
 # Matters: Reports and comparisons of campaigns order results by this date.
-# Do: State year, month and day (ISO 8601).
+# Do: Give year, month and day (ISO 8601).
 # Example: `date = "31.2.2026"`
 date-invalid = `date` does not begin with a calendar date
     .expected = year-month-day (ISO 8601), for example 2026-01-31
 
 # Means: `temperature_c` is outside the temperatures of workshops and climatic chambers.
 # Matters: It is usually stated in another unit.
-# Do: State the temperature in degrees Celsius.
+# Do: Give the temperature in degrees Celsius.
 # Example: `temperature_c = 293.15`
 temperature-implausible = `temperature_c` = { $value } is not a temperature of a robot in degrees Celsius
     .expected = a value from { $least } to { $most }
     .hint = check the unit: 293.15 K is 20 °C
 
-# Means: A step of [geometric] needs another step that is not stated.
+# Means: A step of [geometric] needs another step that is not given.
 # Matters: The dimensions of the step cannot be determined alone.
-# Do: State the missing step, or remove the step that needs it.
+# Do: Give the missing step, or remove the step that needs it.
 # Example: `shaft` without `arc`
 geometric-step-missing = [geometric] lacks `{ $missing }`, which `{ $step }` needs
     .hint = add it; s needs `shaft` and `arc`; d1 and d3 need `offsets`, `mid_travel_mm`, `arc`, `turn` and `shaft`; O needs `arc`; C needs `turn`
 
-# Means: A table of errors is stated without a complete geometric calibration and [identify].
+# Means: A table of errors is given without a complete geometric calibration and [identify].
 # Matters: The table compares the geometric calibration with the identified parameters.
-# Do: State all steps of [geometric], and [identify]; or remove the table.
+# Do: Give all steps of [geometric], and [identify]; or remove the table.
 # Example: [[geometric.table]] without [identify]
 errors-table-incomplete = a table of errors needs the complete geometric calibration and [identify]
-    .hint = state all steps of [geometric] and [identify], or remove the table
+    .hint = give all steps of [geometric] and [identify], or remove the table
 
 # Means: An uncertainty, a coefficient of thermal expansion or a coverage factor is outside its
 # plausible values.
@@ -213,27 +213,27 @@ plausible-value = { $quantity ->
         [scale] check the unit: 1 µm/m is 1 ppm
         [polar] check the unit: 10 ppm are 10 µm/m, 1 arc second is 4.85 µm/m
         [expansion] check the unit: steel expands by 11.5e-6 per degree, aluminium by 23.5e-6
-        [temperature] state it in degrees Celsius
-        [coverage] state the coverage factor: 2 is a level of confidence of about 95 %
+        [temperature] give it in degrees Celsius
+        [coverage] give the coverage factor: 2 is a level of confidence of about 95 %
        *[homing] home the robot repeatedly and use the scatter of a joint at its switch
     }
 
-# Means: [homing] states no uncertainty for joints of one kind.
+# Means: [homing] gives no uncertainty for joints of one kind.
 # Matters: The uncertainty of these joints at their switches would be missing from the results.
-# Do: State it, or state 0 if homing adds no error.
+# Do: Give it, or state 0 if homing adds no error.
 # Example: `expanded_uncertainty_um` alone for a robot with revolute joints
 homing-incomplete = [homing] lacks `{ $key }` for joint `{ $joint }` (values in { $unit })
-    .hint = state it, or state 0 if homing adds no error
+    .hint = give it, or state 0 if homing adds no error
 
-# Means: `polar` of the instrument is stated for a table of observations.
+# Means: `polar` of the instrument is given for a table of observations.
 # Matters: Uncertainties of range and angle need the position of the instrument, which the table
 # does not hold.
-# Do: State the covariance of each row in the table.
+# Do: Give the covariance of each row in the table.
 # Example: [instrument.polar] and [observations] in one campaign.toml
 polar-with-observations = `polar` needs exports: a table of observations does not hold the position of the instrument
-    .hint = state the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table
+    .hint = give the covariance of each row (`cxx_mm2` to `czz_mm2`) in the table
 
-# Means: An uncertainty of identified parameters is stated in a campaign that identifies none.
+# Means: An uncertainty of identified parameters is given in a campaign that identifies none.
 # Matters: It would have no effect.
 # Do: Remove the section, or add [identify].
 # Example: [expansion] without [identify]
@@ -284,12 +284,12 @@ target-not-of-robot = `{ $target }` is not a target of this robot
 targets-incomplete = `targets` omits `{ $target }`
     .expected = all targets of this robot
 
-# Means: [geometric.workspace] is stated, and robot.toml has no travel of the actuators.
+# Means: [geometric.workspace] is given, and robot.toml has no travel of the actuators.
 # Matters: The workspace is the area that the actuators reach within their travel.
-# Do: State [reach] in robot.toml.
+# Do: Add [reach] in robot.toml.
 # Example: [geometric.workspace] without `travel_mm`
 travel-missing = the workspace needs the travel of the actuators
-    .hint = state `travel_mm` of the three actuators in [reach] of robot.toml
+    .hint = set `travel_mm` of the three actuators in [reach] of robot.toml
 
 # Means: The export of a spatial robot has no z coordinate.
 # Matters: Positions in space have three coordinates.
@@ -320,12 +320,12 @@ log-joint-unknown = `{ $key }` is not a joint of this robot
 log-joint-missing = log `{ $log }` has no column for joint `{ $joint }`
     .hint = add `{ $column }` to its `columns`, with the name or the number of the column
 
-# Means: No label of an export has the form that `label` states.
+# Means: No label of an export has the form that `label` gives.
 # Matters: Target, pose and cycle of its points are unknown.
-# Do: State the form of the labels.
+# Do: Give the form of the labels.
 # Example: `label = "{target}_{pose}"` for labels like `12-K`
 label-form-differs = no label of `{ $file }` has the form `{ $form }`
-    .hint = state the form of its labels with {"{"}target{"}"}, {"{"}pose{"}"} and {"{"}cycle{"}"}; the first is `{ $first }`
+    .hint = give the form of its labels with {"{"}target{"}"}, {"{"}pose{"}"} and {"{"}cycle{"}"}; the first is `{ $first }`
 
 # Means: The operating system did not confirm that the results of a batch are on the disk.
 # Matters: A power failure may lose some of them; the next run then repeats these campaigns.
@@ -395,10 +395,10 @@ document-schema-other = `{ $file }` has { $schema ->
 
 # Means: The run would overwrite a file in the output folder that no run wrote.
 # Matters: etalon never replaces the files of others.
-# Do: Move the file, or state another output folder.
+# Do: Move the file, or give another output folder.
 # Example: a `report.html` copied into `out` by hand
 foreign-file = `{ $file }` would be overwritten, but no run wrote it
-    .hint = move it to another folder, or state another `output` in campaign.toml
+    .hint = move it to another folder, or give another `output` in campaign.toml
 
 # Means: An input file changed while the campaign was run.
 # Matters: Results would combine two states of the file. Nothing is written.
@@ -409,29 +409,29 @@ input-changed = `{ $file }` changed while the campaign was run
 
 # Means: A command that judges parameters is applied to a campaign without [identify].
 # Matters: [identify] names the poses on which parameters are judged.
-# Do: State `calibration` and `validation` in [identify].
+# Do: Set `calibration` and `validation` in [identify].
 # Example: `etalon validate` on a campaign that tests repeatability only
 identify-missing = the campaign has no [identify], which names the poses for judging parameters
-    .hint = state `calibration` and `validation` in [identify]
+    .hint = set `calibration` and `validation` in [identify]
 
-# Means: `clock_rate` is stated, and `clock_offset_s` is a number or another word.
+# Means: `clock_rate` is given, and `clock_offset_s` is a number or another word.
 # Matters: Offset and rate are determined from the same standstills, or from the same motion.
-# Do: State both with the same word, or omit `clock_rate`.
+# Do: Give both with the same word, or omit `clock_rate`.
 # Example: `clock_offset_s = 1.5` with `clock_rate = "standstills"`
 clock-rate-without-offset = `clock_rate` needs `clock_offset_s` with the same word: `standstills` or `motion`
-    .hint = state `clock_offset_s` with the same word, or omit `clock_rate`
-# Means: The labels of an export name targets of the robot, and the campaign states no form of
+    .hint = set `clock_offset_s` with the same word, or omit `clock_rate`
+# Means: The labels of an export name targets of the robot, and the campaign gives no form of
 # labels.
 # Matters: Without targets and poses the points are not joined.
-# Do: State the form of the labels.
+# Do: Give the form of the labels.
 # Example: labels `K_12_3` and no key `label`
-label-form-missing = the labels of `{ $file }` name targets, and no form of labels is stated
-    .hint = state `label = "{ $form }"` in this [[export]]: all its labels have this form
+label-form-missing = the labels of `{ $file }` name targets, and no form of labels is given
+    .hint = set `label = "{ $form }"` in this [[export]]: all its labels have this form
 
-state-targets = state `targets = { $targets }` in [join]: the labels name these targets
+state-targets = set `targets = { $targets }` in [join]: the labels name these targets
 # Means: `valid_until` is not a date of the form year-month-day.
 # Matters: Reports and batches compare this day with other dates.
-# Do: State the last day of validity as 2027-03-02.
+# Do: Give the last day of validity as 2027-03-02.
 # Example: `valid_until = "next year"`
 valid-until-no-date = `valid_until` is not a date: "{ $date }"
     .expected = the last day of validity in quotation marks, as "2027-03-02"
@@ -458,23 +458,23 @@ controller-template = template of a controller format
 # Example: `--field old/field.json --parameters out/parameters.json`
 field-of-other-parameters = `{ $field }` does not belong to `{ $parameters }`: the hash of the parameters differs
     .hint = give both files of one run
-# Means: The last day of validity is stated as a day and as a number of months.
+# Means: The last day of validity is given as a day and as a number of months.
 # Matters: The two may differ.
-# Do: State one of them.
+# Do: Give one of them.
 # Example: `valid_until = "2027-03-02"` with `valid_for_months = 12`
 valid-stated-twice = `valid_until` and `valid_for_months` are both stated
     .hint = omit one of them
 
 # Means: `valid_for_months` counts from the date of the measurements. `date` is missing or malformed.
 # Matters: The last day of validity is unknown.
-# Do: State `date` as 2026-03-02, or `valid_until`.
+# Do: Set `date` as 2026-03-02, or `valid_until`.
 # Example: `valid_for_months = 12` without `date`
 valid-months-without-date = `valid_for_months` needs the `date` of the measurements
-    .hint = state `date = "2026-03-02"`, or the last day as `valid_until`
+    .hint = set `date = "2026-03-02"`, or the last day as `valid_until`
 
 # Means: The number of months of validity is zero, or beyond ten years.
 # Matters: Reports and commands compare the last day of validity with other dates.
-# Do: State the interval in months.
+# Do: Give the interval in months.
 # Example: `valid_for_months = 365`
 valid-months-implausible = `valid_for_months` is { $months }
     .expected = 1 to { $most } months

@@ -37,14 +37,14 @@ rigid-targets = a rigid part needs two or more targets, each named once
 
 # Means: A rule of [[rigid]] lists targets of several branches of the robot.
 # Matters: Joints move these targets against each other, so that their distances vary.
-# Do: State one [[rigid]] for the targets of each branch.
+# Do: Give one [[rigid]] for the targets of each branch.
 # Example: `targets = ["L1", "R1"]` of a left and a right hand
 rigid-across-branches = the rigid part { $targets } spans several branches of the robot
-    .hint = state one [[rigid]] for the targets of each branch
+    .hint = give one [[rigid]] for the targets of each branch
 
 # Means: `tolerance_mm` of [[rigid]] or `drift_mm` of [[fixed]] is zero, negative or not finite.
 # Matters: With such a limit, either all rows or none would be refused.
-# Do: State the largest permitted deviation of a distance, or motion of a target.
+# Do: Give the largest permitted deviation of a distance, or motion of a target.
 # Example: `tolerance_mm = 0`
 limit-not-positive = `{ $key }` must be a positive number
     .expected = { $key ->
@@ -52,12 +52,12 @@ limit-not-positive = `{ $key }` must be a positive number
            *[tolerance_mm] the largest deviation of a distance from its median, a multiple of the scatter, for example 0.1
         }
 
-# Means: [[rigid]] states an uncertainty or coverage factor of `places_mm` without `places_mm`.
+# Means: [[rigid]] gives an uncertainty or coverage factor of `places_mm` without `places_mm`.
 # Matters: The statement has no effect.
-# Do: State `places_mm`, or remove the key.
+# Do: Set `places_mm`, or remove the key.
 # Example: `coverage_factor = 2` in a [[rigid]] without `places_mm`
 rigid-uncertainty-without-places = `{ $key }` belongs to `places_mm`, which is missing
-    .hint = state `places_mm`, or remove `{ $key }`
+    .hint = set `places_mm`, or remove `{ $key }`
 
 # Means: `places_mm` of [[rigid]] names a target that is missing in `targets` of the same part.
 # Matters: The position would not be used.
@@ -65,16 +65,16 @@ rigid-uncertainty-without-places = `{ $key }` belongs to `places_mm`, which is m
 # Example: `places_mm = { SMR_9 = [0, 0, 0] }` with targets SMR_1 to SMR_3
 rigid-place-unknown = `places_mm` names `{ $target }`, which is not a target of this rigid part
 
-# Means: `places_mm` of [[rigid]] states the positions of only some targets of the part.
+# Means: `places_mm` of [[rigid]] gives the positions of only some targets of the part.
 # Matters: The shape of the part is used as a whole.
 # Do: Add the position of the target.
 # Example: `places_mm` of two of three targets
 rigid-place-missing = `places_mm` lacks the position of `{ $target }`
     .hint = add its coordinates, or remove it from `targets`
 
-# Means: `places_mm` of [[rigid]] is stated without its uncertainty.
+# Means: `places_mm` of [[rigid]] is given without its uncertainty.
 # Matters: The positions count as a measurement; its weight needs the uncertainty.
-# Do: State `expanded_uncertainty_um` and `coverage_factor` of the positions.
+# Do: Set `expanded_uncertainty_um` and `coverage_factor` of the positions.
 # Example: `places_mm` alone
 rigid-places-need-uncertainty = `places_mm` needs `{ $key }`, a positive number
     .expected = the expanded uncertainty of one coordinate, and its coverage factor
@@ -86,7 +86,7 @@ rigid-places-need-uncertainty = `places_mm` needs `{ $key }`, a positive number
 rigid-row-without-pose = [[rigid]] names `{ $target }`, but this row has neither pose nor time
     .hint = name the pose in `label` or `columns`, or remove the target from [[rigid]]
 
-# Means: Two rows of a target of [[rigid]] have the same time and do not state a pose.
+# Means: Two rows of a target of [[rigid]] have the same time and do not give a pose.
 # Matters: It is unknown which of them belongs to the rows of the other targets.
 # Do: Name the pose in `label` or `columns`.
 # Example: a target measured twice with the same time stamp
@@ -115,7 +115,7 @@ rigid-few-distances = the distance `{ $first }`-`{ $second }` of [[rigid]] canno
 
 # Means: [[identify.exclude]] names neither poses nor rows, or both.
 # Matters: It is undefined which readings are left out.
-# Do: State `poses`, optionally with `cycle` and `target`; or `file` and `rows`.
+# Do: Set `poses`, optionally with `cycle` and `target`; or `file` and `rows`.
 # Example: `rows = "3"` without `file`
 exclusion-mixed = an exclusion names either poses or the rows of a file
     .expected = `poses`, optionally with `cycle` and `target`; or `file` and `rows`
@@ -131,7 +131,7 @@ of-name = `{ $name }`: { $message }
 
 # Means: The coordinates of a row are those of another point: of the same pose, or far from the
 # other rows of its name.
-# Matters: The row is used as stated. A wrong label falsifies every result that uses this point.
+# Matters: The row is used as given. A wrong label falsifies every result that uses this point.
 # Do: Correct the label, or exclude the row. [[rigid]] refuses rows whose distances to the other
 # targets are wrong.
 # Example: the reflector `base_3` measured while the instrument pointed at `SMR_3`
@@ -160,7 +160,7 @@ drift-few-readings = `{ $target }` is measured { $count ->
 reference-drifts = `{ $target }` drifts: from rows { $first } to rows { $second } it moves { FIXED($moved_mm, 4) } mm; limit { $limit_mm } mm
     .hint = check temperature and mounting of the instrument; with `targets` and `each = "pose"` in [frame.world] the frame follows the targets
 
-# Means: Exports state the working frame of their points, and the frames differ.
+# Means: Exports give the working frame of their points, and the frames differ.
 # Matters: Points of different frames do not describe one geometry.
 # Do: Export all points in one working frame, or do not use them together.
 # Example: one QIF file relative to `Base`, another relative to `Part`
@@ -176,17 +176,17 @@ export-empty = `{ $file }` holds no points
 
 # Means: A target has a name that a spreadsheet would execute.
 # Matters: Tables of results contain the names of targets.
-# Do: Rename the target, or state a `label` without its first character.
+# Do: Rename the target, or give a `label` without its first character.
 # Example: `=ball`
 target-formula = a spreadsheet would take the name `{ $target }` for a formula
-    .hint = rename it, or state a `label` without its first character
+    .hint = rename it, or give a `label` without its first character
 
 # Means: A row names a target of the robot without a pose.
 # Matters: A measured target needs the pose of the robot, that is, its joint values.
-# Do: Name the pose in the label, or state `pose = "row"` for this export.
+# Do: Name the pose in the label, or set `pose = "row"` for this export.
 # Example: the label `SMR_1` read as `{target}`
 target-without-pose = the row names a target but no pose
-    .hint = name the pose in the label, or state `pose = "row"` for this export
+    .hint = name the pose in the label, or set `pose = "row"` for this export
 
 # Means: Two rows have the same target, pose and cycle.
 # Matters: It is unknown which of them is valid.
@@ -195,7 +195,7 @@ target-without-pose = the row names a target but no pose
 # Example: two files with `pose = "row"`
 target-twice = target `{ $target }` occurs twice at pose { $pose }, cycle { $cycle }
     .hint = the first is { $file }:{ $line }; { $numbered ->
-            [by-row] state `pose = "row + 100"` for one of the files
+            [by-row] set `pose = "row + 100"` for one of the files
            *[by-label] give each repeat its own cycle number, or remove one
         }
 
@@ -227,23 +227,23 @@ coordinates-rounded = coordinates of `{ $file }` are rounded ({ $columns }): sta
 # Means: One row of an export is exactly 0 0 0. Trackers write such rows for a lost target; a frame
 # with its origin at a measured point has such a row too, and nothing else in the file shows it.
 # Matters: The row is left out and listed in import.json.
-# Do: If the point was measured, state `missing = [""]` in `format`.
+# Do: If the point was measured, set `missing = [""]` in `format`.
 # Example: coordinates relative to the first point: `1 0 0 0`, `2 12.503 -3.118 0.044`
 origin-not-measured = line { $line } of `{ $file }` is 0 0 0: the row counts as not measured
-    .hint = if it is a measured point at the origin of the frame, state a format with `missing = [""]`
+    .hint = if it is a measured point at the origin of the frame, give a format with `missing = [""]`
 
-# Means: No point has a label of the form that a step of a procedure states.
+# Means: No point has a label of the form that a step of a procedure gives.
 # Matters: The step cannot be evaluated.
 # Do: Correct the pattern, or add the export.
 # Example: `label = "visit_{pose}_{cycle}"` where the labels begin with `pose`
 labels-missing = no point has a label of the form `{ $pattern }`
     .hint = correct the pattern, or add the export
 
-# Means: An exclusion on the command line states no reason.
+# Means: An exclusion on the command line gives no reason.
 # Matters: Readers of the report must be able to judge why measurements are excluded.
 # Do: Add the reason after a colon.
 # Example: `--exclude 13`
-exclusion-option-without-reason = { $option } { $text } states no reason
+exclusion-option-without-reason = { $option } { $text } gives no reason
     .expected = excluded poses or rows, and the reason: "13, 20-22: ball loose"
 
 exclusion-poses = { $count ->
@@ -255,7 +255,7 @@ exclusion-cycle = cycle { $cycle }
 
 exclusion-target = target `{ $target }`
 
-# Means: Readings were excluded as the campaign states.
+# Means: Readings were excluded as the campaign gives.
 # Matters: Excluded readings do not take part in the result; the report repeats them.
 # Do: Check the reason.
 # Example: `exclude = [{ poses = "13", reason = "ball loose" }]`
@@ -273,7 +273,7 @@ exclusions-leave-nothing = all readings are excluded
 
 # Means: The text of an exclusion is not a list of poses or rows.
 # Matters: No reading would be excluded.
-# Do: State names, numbers and ranges.
+# Do: Give names, numbers and ranges.
 # Example: `poses = "rest"`
 exclusion-names-nothing = `{ $stated }` names no { $of ->
         [rows] rows
@@ -295,7 +295,7 @@ not-of-this-robot = `{ $name }` is not a { $kind ->
 
 # Means: `reason` of an exclusion is empty.
 # Matters: Readers of the report must be able to judge why measurements are excluded.
-# Do: State the reason.
+# Do: Give the reason.
 # Example: `reason = ""`
 exclusion-without-reason = an exclusion needs a reason
     .hint = state in `reason` why the measurements are excluded
@@ -317,7 +317,7 @@ exclusion-matches-nothing = { $of ->
 join-by-time-empty = no measured point has a partner in log `{ $log }`: the two nearest times are { FIXED($apart_s, 3) } s apart
     .hint = check value and sign of `clock_offset_s`: time of the measurement minus time of the log
 
-both-rows-near = a point between two rows needs both within `tolerance_s`: state at least the time from row to row
+both-rows-near = a point between two rows needs both within `tolerance_s`: give at least the time from row to row
 
 # Means: No measured point and no row of the log have the same pose, cycle or row.
 # Matters: No observations remain.
@@ -368,18 +368,18 @@ row-counts-differ = `{ $file }` has { $rows } rows, but log `{ $log }` has { $lo
 
 # Means: The robot has `backlash`, but the log has neither times nor a column of directions.
 # Matters: The error of a joint with backlash depends on the direction of its last motion.
-# Do: State the times of the rows (`time_s` in `columns`, or `period_s`), or the column of
+# Do: Give the times of the rows (`time_s` in `columns`, or `period_s`), or the column of
 # directions: +1 from below, -1 from above.
 # Example: `backlash = [2]` with a log without times
 approach-direction-unknown = log `{ $log }` does not show the direction of approach of joint `{ $joint }`
-    .hint = `backlash` needs it: state the times of the rows (`time_s` in `columns`, or `period_s`), or `{ $column }` in `columns`: +1 from below, -1 from above
+    .hint = `backlash` needs it: give the times of the rows (`time_s` in `columns`, or `period_s`), or `{ $column }` in `columns`: +1 from below, -1 from above
 
 # Means: The log has no motion of a joint with backlash before the first poses.
 # Matters: The direction of approach is unknown there; these poses are left out.
-# Do: Begin the log before the first pose, or state the direction.
+# Do: Begin the log before the first pose, or give the direction.
 # Example: a log whose first row is pose 1
 backlash-direction-unknown = log `{ $log }` has no motion of a joint with backlash before pose { $poses }: left out
-    .hint = begin the log before the first pose, or state the direction
+    .hint = begin the log before the first pose, or give the direction
 
 # Means: The targets of a planar robot differ in height in the world frame by more than 0.5 mm.
 # Matters: The plane of the world is tilted relative to the plane of motion; projected lengths are
@@ -407,7 +407,7 @@ targets-missing = targets are missing at { $count ->
     }
     .hint = the other targets of these poses are used; a pose or an orientation needs all targets
 
-row-is-a-pose = `{ $file }` states `pose = "row"`, so that each row is a pose of its own: remove this line if several targets were measured at one pose
+row-is-a-pose = `{ $file }` gives `pose = "row"`, so that each row is a pose of its own: remove this line if several targets were measured at one pose
 
 key-in-lines = { $key } (lines { $lines })
 
@@ -460,14 +460,13 @@ pose-misspelt = pose `{ $pose }` { $of ->
 
 # Means: Rows of an export or of the log lack the pose, cycle or row number that the join compares.
 # Matters: These rows cannot be joined.
-# Do: State this key in `label` of the exports and in `columns` of the log, or change `by` in
-# [join].
+# Do: Give this key in `label` of the exports and in `columns` of the log, or change `by` in [join].
 # Example: `by = "pose_and_cycle"` with labels without a cycle
 join-key-missing = the join needs `{ $key }`, which is missing in some rows
-    .hint = state it in `label` of the exports and in `columns` of the log, or change `by` in [join]
+    .hint = give it in `label` of the exports and in `columns` of the log, or change `by` in [join]
 
 # Means: A join by label needs a robot with one target that touches points of a plate.
-# Matters: A label does not state which of several targets touched the point.
+# Matters: A label does not give which of several targets touched the point.
 # Do: Name one target, or join by pose.
 # Example: `by = "label"` with three targets
 join-by-label-targets = a join by label needs a robot with one target; this robot has { $count }
@@ -504,7 +503,7 @@ log-times-not-increasing = times of log `{ $log }` do not increase at its row { 
 
 # Means: The join is by time, but rows of an export or of the log have no time.
 # Matters: These rows cannot be joined.
-# Do: State the column of times as `time_s` in `columns` of exports and log.
+# Do: Give the column of times as `time_s` in `columns` of exports and log.
 # Example: `by = "time"` with an export without a column of times
 times-missing = { $of ->
         [log] the log has rows without a time
@@ -558,31 +557,31 @@ log-row-met-twice = row { $row } of log `{ $log }` is the nearest row of { $coun
 # Means: No offset of the clocks puts every measured point into a standstill of the log.
 # Matters: The standstills do not determine the offset: a point was measured in motion, or the log
 # lacks a standstill.
-# Do: State `clock_offset_s` as a number; rows without a partner are then listed.
+# Do: Set `clock_offset_s` as a number; rows without a partner are then listed.
 # Example: a point taken while the robot moved
 clock-offset-none = no offset of the clocks puts every measured point into a standstill of the log: { $count ->
         [one] the first point (up to { $last_s } s) fits
        *[other] the first { $count } points (up to { $last_s } s) fit with one offset
     }, the point at { $first_s } s does not
-    .hint = remove points measured in motion, or state `clock_offset_s` as a number; rows without a partner are then listed
+    .hint = remove points measured in motion, or set `clock_offset_s` as a number; rows without a partner are then listed
 
 range-of-seconds = { FIXED($low_s, 3) } to { FIXED($high_s, 3) } s
 
 # Means: Several offsets of the clocks put every measured point into a standstill.
 # Matters: Only one of these offsets is right; with any other, points are joined with a wrong pose.
-# Do: Compare the clocks once and state `clock_offset_s` as a number.
+# Do: Compare the clocks once and set `clock_offset_s` as a number.
 # Example: standstills at equal intervals
 clock-offsets-several = the standstills allow { $count } ranges of the clock offset, the first: { $ranges }
-    .hint = compare the clocks, and state `clock_offset_s` as a number
+    .hint = compare the clocks, and set `clock_offset_s` as a number
 
 axis-of-world = "x", "y" or "z"
 
 # Means: An [[observe]] or [[known]] of a truth lacks a required key of its kind.
 # Matters: The row cannot be simulated.
-# Do: State the key.
+# Do: Give the key.
 # Example: `kind = "distance"` without `other`
 observe-key-missing = kind `{ $kind }` needs `{ $column }`
-    .hint = state `{ $column }`
+    .hint = set `{ $column }`
 
 # Means: A distance is missing, zero, negative or not a number.
 # Matters: The row has no observation.
@@ -596,9 +595,9 @@ distance-not-positive = `distance_mm` is missing or not a length
 # Do: Give fixed points their own names.
 # Example: `other = "SMR_1"` where SMR_1 is on the robot
 fixed-point-on-robot = `{ $name }` is a target on the robot, not a fixed point
-    .hint = give fixed points their own names; rows that state only fixed points have no pose
+    .hint = give fixed points their own names; rows that give only fixed points have no pose
 
-# Means: A distance is stated from a point to the same point.
+# Means: A distance is given from a point to the same point.
 # Matters: The row has no observation.
 # Do: Correct `other`.
 # Example: `target = "A"`, `other = "A"`
@@ -607,10 +606,10 @@ distance-to-itself = the distance is from `{ $name }` to itself
 
 # Means: A row relates two targets of the same link.
 # Matters: Their distance is the same at every pose and says nothing about the robot.
-# Do: Name a target of another branch, or state the shape of the targets in [[rigid]].
+# Do: Name a target of another branch, or give the shape of the targets in [[rigid]].
 # Example: `target = "L1"`, `other = "L2"` on the same hand
 target-of-same-branch = `{ $target }` and `{ $name }` are on the same branch
-    .hint = name a target of another branch; the shape of targets on one link is stated in [[rigid]]
+    .hint = name a target of another branch; the shape of targets on one link is given in [[rigid]]
 
 # Means: `other` of a bar names something else than a target of another branch.
 # Matters: Two links of the robot hold a bar of `kind = "bar"`.
@@ -619,12 +618,13 @@ target-of-same-branch = `{ $target }` and `{ $name }` are on the same branch
 bar-without-other-hand = `{ $name }` is not a target of another branch than `{ $target }`
     .hint = name a target of another branch; `kind = "distance"` is for a bar with a fixed end
 
-# Means: A row of `kind = "bar"` with a pose states a distance.
+# Means: A row of `kind = "bar"` with a pose gives a distance.
 # Matters: A bar has one length. Its uncertainty would count once a pose.
-# Do: State the length in a row without pose, or use `kind = "distance"` for lengths that are measured at each pose.
+# Do: Give the length in a row without pose, or use `kind = "distance"` for lengths that are
+# measured at each pose.
 # Example: `kind = "bar"`, `pose = 3`, `distance_mm = 500`
 bar-length-at-pose = a bar has one length at all poses
-    .hint = state `distance_mm` in a row without pose; lengths that are measured at each pose are `kind = "distance"`
+    .hint = set `distance_mm` in a row without pose; lengths that are measured at each pose are `kind = "distance"`
 
 # Means: A required number of the row is missing or cannot be read.
 # Matters: The row has no observation.
@@ -638,20 +638,20 @@ number-missing = `{ $column }` is missing or not a number
 
 # Means: A row without a pose is of a kind that needs a pose.
 # Matters: Without a pose the joint values of the row are unknown.
-# Do: State the pose, or use a kind for fixed points and surfaces.
+# Do: Give the pose, or use a kind for fixed points and surfaces.
 # Example: a row of kind `contact` with an empty `pose`
 row-without-pose = a row of kind `{ $kind }` has no pose
     .hint = rows without a pose state positions (`point`) and distances (`distance`) of fixed points, and points on a `plane`, `line` or `sphere`
 
 # Means: A [[known]] of a truth is of a kind that always needs a pose.
 # Matters: The row cannot be simulated.
-# Do: Use `point`, `distance`, `plane`, `line` or `sphere`, or state it as [[observe]].
+# Do: Use `point`, `distance`, `plane`, `line` or `sphere`, or give it as [[observe]].
 # Example: `kind = "contact"` in [[known]]
 known-unsupported = [[known]] cannot have the kind `{ $kind }`
     .expected = `point`, `distance`, `plane`, `line` or `sphere`
 
-# Means: `near_mm` of a [[known]] is stated for a point or distance.
-# Matters: `near_mm` states the position of a point on a surface; here it has no effect.
+# Means: `near_mm` of a [[known]] is given for a point or distance.
+# Matters: `near_mm` gives the position of a point on a surface; here it has no effect.
 # Do: Remove `near_mm`.
 # Example: `near_mm` with `kind = "point"`
 near-without-surface = `near_mm` is for points on surfaces
@@ -687,10 +687,10 @@ name-on-few-rows = `{ $name }` occurs in { $count ->
 # Means: Joints of the URDF move `base_link`, and an instrument measured positions.
 # Matters: Positions are taken as relative to the moving base. An instrument usually stands in the
 # room.
-# Do: If the instrument is fixed in the room, state the root of the URDF as `base_link`.
+# Do: If the instrument is fixed in the room, give the root of the URDF as `base_link`.
 # Example: `base_link = "link_1"` of an arm on a rail
 base-moves = the joints { $joints } move `base_link`: positions are taken as relative to this moving link
-    .hint = if the instrument is fixed in the room, state the root of the URDF as `base_link`
+    .hint = if the instrument is fixed in the room, give the root of the URDF as `base_link`
 
 names-of-fixed-things = give targets, points and planes different names
 
@@ -730,16 +730,16 @@ rows-not-measured = { $count ->
 # Do: Complete the column.
 # Example: one row of 100 without its station
 station-missing = the column `station` is empty here, but other points have a station
-    .hint = state the station: rows without one belong to the station of the world, which must observe the robot at { $least } poses or more
+    .hint = give the station: rows without one belong to the station of the world, which must observe the robot at { $least } poses or more
 
 # Means: `coordinates` of a truth has letters other than x, y and z.
 # Matters: It is unknown which coordinates are simulated.
-# Do: State one to three of the letters x, y and z.
+# Do: Give one to three of the letters x, y and z.
 # Example: `coordinates = "h"`
 coordinates-unknown = `{ $text }` does not name coordinates
     .expected = letters of x, y and z: "z", "xy"
 
-# Means: A row without a pose states the position of a fixed point, and a coordinate is missing.
+# Means: A row without a pose gives the position of a fixed point, and a coordinate is missing.
 # Matters: The row has no observation.
 # Do: Complete or remove the row.
 # Example: an empty `z_mm` of a fixed point
@@ -757,17 +757,17 @@ joint-value-missing = a joint value is missing or not a number
 # uncertainty.
 # Matters: The frame of the station is identified with the robot; this needs points with three
 # coordinates.
-# Do: State x_mm, y_mm, z_mm and `u_mm`.
+# Do: Give x_mm, y_mm, z_mm and `u_mm`.
 # Example: a height alone, measured from a second station
 station-row-unsupported = { $fault ->
-        [kind] a row of kind `{ $kind }` states the station `{ $station }`
+        [kind] a row of kind `{ $kind }` gives the station `{ $station }`
         [coordinate] a coordinate measured by station `{ $station }` is missing or not a number
-        [covariance] a point measured by station `{ $station }` states a covariance
+        [covariance] a point measured by station `{ $station }` gives a covariance
        *[uncertainties] coordinates measured by station `{ $station }` have separate uncertainties
     }
     .expected = rows of kind `point` with x_mm, y_mm, z_mm and one uncertainty `u_mm`, for stations other than the first
 
-# Means: An `[[export]]` states `station`, and `[join]` has `by = "label"`.
+# Means: An `[[export]]` gives `station`, and `[join]` has `by = "label"`.
 # Matters: Points that the robot touches are measured once, in the frame of the world.
 # Do: Join by pose, row or time, or export all points in one frame.
 # Example: sockets on a table, measured by a tracker at a second place
@@ -784,7 +784,7 @@ uncertainty-not-positive = `{ $column }` = { $value } is not a standard uncertai
 # Means: Some coordinates of a target are missing. Such a row may be meant as single coordinates, each
 # an observation, and then needs its standard uncertainty.
 # Matters: A gap in a table of positions is not a measurement of single coordinates.
-# Do: Complete the row, or leave it out; if only some coordinates were measured, state their
+# Do: Complete the row, or leave it out; if only some coordinates were measured, give their
 # uncertainty.
 # Example: `nan` as the x of one row
 coordinates-of-rows-missing = { $axes } { $missing ->
@@ -797,11 +797,11 @@ coordinates-of-rows-missing = { $axes } { $missing ->
         [0] {""}
        *[other] {" "}and { $more } more
     }
-    .hint = complete the row or leave it out; if only the other coordinates were measured, state their standard uncertainty: a column `u_mm`, `expanded_uncertainty_um` in [instrument], or --standard-uncertainty-um of `etalon identify` and `etalon verify`
+    .hint = complete the row or leave it out; if only the other coordinates were measured, give their standard uncertainty: a column `u_mm`, `expanded_uncertainty_um` in [instrument], or --standard-uncertainty-um of `etalon identify` and `etalon verify`
 
-# Means: A row has no standard uncertainty, and no uncertainty is stated for all rows.
+# Means: A row has no standard uncertainty, and no uncertainty is given for all rows.
 # Matters: The weight of the row depends on its uncertainty.
-# Do: State an uncertainty for all rows, or in a column.
+# Do: Give an uncertainty for all rows, or in a column.
 # Example: a distance in a table without `u_mm`
 uncertainty-missing = { $count ->
         [one] a row has
@@ -817,14 +817,14 @@ uncertainty-missing = { $count ->
        *[other] {" "}and { $more } more
     }
     .hint = { $column ->
-            [urot_deg] state `expanded_rotation_uncertainty_deg` in [instrument], or a column `urot_deg`; of `etalon identify` and `etalon verify` --rotation-uncertainty-deg
-           *[u_mm] state `expanded_uncertainty_um` in [instrument], or a column `u_mm`; of `etalon identify` and `etalon verify` --standard-uncertainty-um
+            [urot_deg] set `expanded_rotation_uncertainty_deg` in [instrument], or a column `urot_deg`; of `etalon identify` and `etalon verify` --rotation-uncertainty-deg
+           *[u_mm] set `expanded_uncertainty_um` in [instrument], or a column `u_mm`; of `etalon identify` and `etalon verify` --standard-uncertainty-um
         }
 
-# Means: A plane or line is identified, and the column `axis` does not state the nearest axis of the
+# Means: A plane or line is identified, and the column `axis` does not give the nearest axis of the
 # world.
 # Matters: The parameters of the plane or line refer to this axis.
-# Do: State `x`, `y` or `z`.
+# Do: Set `x`, `y` or `z`.
 # Example: a row of kind `plane` without `axis`
 surface-axis-missing = { $kind ->
         [line] the line `{ $name }` needs the axis of the world that is nearest to it
@@ -835,7 +835,7 @@ surface-axis-missing = { $kind ->
            *[plane] : z for a table, x or y for a wall
         }
 
-# Means: `offset_mm` is stated for a target on a line.
+# Means: `offset_mm` is given for a target on a line.
 # Matters: The offset from a line has no defined direction.
 # Do: Leave the cell empty.
 # Example: `offset_mm = 5` in a row of kind `line`
@@ -844,10 +844,10 @@ offset-of-line = `offset_mm` is for planes and spheres, not for a line
 
 # Means: A [[known]] of a truth is a point on a plane or line without its position.
 # Matters: The point cannot be simulated.
-# Do: State `near_mm`.
+# Do: Set `near_mm`.
 # Example: `kind = "plane"` in [[known]] without `near_mm`
 near-missing = a point on a { $kind } needs `near_mm`
-    .hint = state its approximate position in the world
+    .hint = give its approximate position in the world
 
 # Means: The text in the column `direction` of a table of loads is not a signed axis.
 # Matters: The compliance is evaluated for each direction.
@@ -865,31 +865,31 @@ load-direction-unmeasured = direction `{ $direction }` needs `z_mm`: the displac
 
 # Means: A force is missing, negative or not a number.
 # Matters: The row has no load.
-# Do: State the magnitude in newtons; the direction gives the sign.
+# Do: Give the magnitude in newtons; the direction gives the sign.
 # Example: `force_n = -50`
 force-not-a-number = `{ $text }` is not a force
     .expected = newtons, zero or more: the direction gives the sign
 
-# Means: `drift_set` is stated without commanded poses.
+# Means: `drift_set` is given without commanded poses.
 # Matters: Drift is the change of pose accuracy, which needs commanded poses (ISO 9283, 7.2.4).
-# Do: State `commanded`, or remove `drift_set`.
+# Do: Set `commanded`, or remove `drift_set`.
 # Example: `drift_set = 10` without `commanded`
 drift-without-commanded = `drift_set` needs commanded poses
-    .hint = state them: `commanded = "commanded.csv"`
+    .hint = give them: `commanded = "commanded.csv"`
 
 # Means: The campaign has [poses] and [repeatability].
-# Matters: Both state the attained poses of one test: it is undefined which apply.
+# Matters: Both give the attained poses of one test: it is undefined which apply.
 # Do: Keep [repeatability] for labelled points, or [poses] for a table.
 # Example: [poses] with `attained` beside [repeatability] with `label`
 attained-poses-twice = [poses] and [repeatability] both state attained poses
     .hint = keep [repeatability] for labelled points, or [poses] for a table
 
-# Means: A limit is stated for a characteristic that some poses do not have.
+# Means: A limit is given for a characteristic that some poses do not have.
 # Matters: The limit cannot be judged at these poses.
-# Do: Visit every pose at least twice, and state its commanded position; or remove the limit.
+# Do: Visit every pose at least twice, and give its commanded position; or remove the limit.
 # Example: `repeatability_max_mm` where pose 4 was visited once
 limit-without-value = the limit `{ $limit }` cannot be judged: it has no value at pose { $pose }
-    .hint = visit every pose at least twice, and state its commanded position
+    .hint = visit every pose at least twice, and give its commanded position
 
 # Means: Compensation by reference targets increases the scatter of the positions.
 # Matters: The reference targets did not move with the measuring system; compensated values are
@@ -938,10 +938,10 @@ commanded-pose-unmeasured = pose { $pose } is commanded, but nothing was measure
 
 # Means: `trajectory` of [repeatability] is an empty list.
 # Matters: The order of the visits is unknown.
-# Do: State the poses of one cycle in their order.
+# Do: Give the poses of one cycle in their order.
 # Example: `trajectory = []`
 trajectory-empty = the trajectory has no pose
-    .hint = state the poses of one cycle in their order, for example [1, 2, 1, 3]
+    .hint = give the poses of one cycle in their order, for example [1, 2, 1, 3]
 
 # Means: `coplanar` of [repeatability] names a pose twice, or a pose that `trajectory` lacks.
 # Matters: The deviation from the plane is computed from four visited poses.
@@ -990,37 +990,37 @@ visits-missing = not measured: { $poses }{ $count ->
 homing-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the repeatability of homing, { FIXED($rp_mm, 4) } mm
     .hint = use the value as an upper bound, or measure with a better instrument
 
-# Means: The central part of a path is stated as more than 100 %.
+# Means: The central part of a path is given as more than 100 %.
 # Matters: The central part lies within the path.
-# Do: State 100 or less.
+# Do: Give 100 or less.
 # Example: `central_percent = 150`
 central-part-too-large = { $option } exceeds 100 %
     .expected = a number above 0 and at most 100
 
 # Means: The number of command points on a path is below 2 or above 100000.
 # Matters: Path accuracy is evaluated in a plane at each command point.
-# Do: State a number from 2 to 100000.
+# Do: Give a number from 2 to 100000.
 # Example: `path_points = 1`
 path-points-out-of-range = { $option } is out of range
     .expected = 2 to 100000
 
 # Means: A velocity or weave is commanded without a commanded path.
 # Matters: Such a command has no effect.
-# Do: State the file of the commanded path.
+# Do: Give the file of the commanded path.
 # Example: `velocity_mm_s = 100` without `path`
 path-not-stated = { $option } needs { $path }
-    .hint = state the file of the commanded path
+    .hint = give the file of the commanded path
 
 # Means: A weave needs stroke, frequency and direction, and one of them is missing.
 # Matters: Weaving deviations compare all three.
-# Do: State the missing one.
+# Do: Give the missing one.
 # Example: `weave_hz` alone
 weave-incomplete = the weave lacks { $option }
     .hint = state stroke, frequency and direction
 
 # Means: The direction of a weave does not have three finite numbers.
 # Matters: The swing is measured along this direction.
-# Do: State x, y and z of the direction.
+# Do: Give x, y and z of the direction.
 # Example: `weave_across = [0, 1]`
 weave-direction-count = { $option } does not have three numbers
     .expected = x, y and z of the direction of the swing
@@ -1062,39 +1062,39 @@ arms-apart = with nominal parameters the arms do not meet at these joint values
 
 # Means: Candidates are joint values of a parallel robot without the assembly mode.
 # Matters: The robot has two positions at the same joint values.
-# Do: State 1 or -1 in the column `assembly`, or state candidates as positions.
+# Do: Give 1 or -1 in the column `assembly`, or state candidates as positions.
 # Example: `pose,theta1_deg,theta2_deg` of a five-bar robot
-assembly-mode-missing = the assembly mode is not stated
+assembly-mode-missing = the assembly mode is not given
     .expected = 1 or -1 in the column `assembly`
     .hint = candidates may also be positions: `pose,x_mm,y_mm` without joints gives all working modes
 
 # Means: The positions of both assembly modes have about the same distance from the measured
 # position.
 # Matters: The measurement does not determine the mode.
-# Do: State the column `assembly`, or the position of the base under [nominal].
+# Do: Give the column `assembly`, or the position of the base under [nominal].
 # Example: a five-bar robot measured along its line of symmetry
 assembly-mode-ambiguous = both assembly modes fit equally well: { FIXED($near_mm, 2) } mm and { FIXED($far_mm, 2) } mm from the measured position
-    .hint = state a column `assembly` with 1 or -1; or state the position of the base (x_o, y_o, phi) under [nominal]
+    .hint = give a column `assembly` with 1 or -1; or give the position of the base (x_o, y_o, phi) under [nominal]
 
-# Means: The log states no assembly mode; the mode nearer to the measurement was used.
+# Means: The log gives no assembly mode; the mode nearer to the measurement was used.
 # Matters: A wrong mode would cause an error of millimetres at this pose.
-# Do: State the column `assembly`, if the log has it.
+# Do: Give the column `assembly`, if the log has it.
 # Example: a log of a five-bar robot without `assembly`
 assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); the least clear pose is { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
-    .hint = state a column `assembly` with 1 or -1 if the log has it
+    .hint = give a column `assembly` with 1 or -1 if the log has it
 
 # Means: The table has both columns `ux_mm` .. and columns `cxx_mm2` ..
 # Matters: It is undefined which columns weight the rows.
 # Do: Remove `ux_mm`, `uy_mm`, `uz_mm`.
 # Example: `ux_mm` beside `cxx_mm2`
-uncertainties-twice = the table states both standard uncertainties and covariances of coordinates
+uncertainties-twice = the table gives both standard uncertainties and covariances of coordinates
     .hint = remove `ux_mm`, `uy_mm`, `uz_mm`
 
-# Means: A row states the uncertainties of only some coordinates.
+# Means: A row gives the uncertainties of only some coordinates.
 # Matters: Its weight is unknown.
 # Do: Complete the row, or leave all cells of its uncertainties empty.
 # Example: `ux_mm` without `uy_mm` in a row
-coordinate-uncertainty-missing = the row states an uncertainty, but `{ $column }` is empty
+coordinate-uncertainty-missing = the row gives an uncertainty, but `{ $column }` is empty
     .expected = from 0.00002 to 100 mm for each coordinate, or empty cells for all
 
 # Means: The uncertainty of a coordinate is zero, negative, below 0.02 µm or above 100 mm.
@@ -1151,10 +1151,10 @@ placed-by-validation-unjudged = { $unplaced }; readings without redundancy are n
 
 # Means: The nominal robot reaches no candidate position, or its model has no inverse kinematics.
 # Matters: There are no configurations from which to choose.
-# Do: State joint values instead of positions.
+# Do: Give joint values instead of positions.
 # Example: candidates in metres
 candidate-positions-unreachable = the `{ $model }` reaches no candidate position, or the model has no inverse kinematics
-    .hint = state joint values, one column per joint with its unit
+    .hint = give joint values, one column per joint with its unit
 
 check-readings = check these readings for exchanged labels and mistakes; measure them again, or exclude them with `exclude` in [identify]
 
@@ -1183,10 +1183,10 @@ target-positions = `{ $target }` ({ $count ->
 # rounding of the file.
 # Matters: Measured coordinates contain errors of robot and instrument. These coordinates were
 # computed: parameters cannot be identified from them.
-# Do: Name the measured coordinates in `columns`; state `synthetic` for simulated data.
+# Do: Name the measured coordinates in `columns`; set `synthetic` for simulated data.
 # Example: `columns` names the commanded position of an export instead of the measured one
 coordinates-commanded = the nominal robot reproduces the coordinates of { $targets } from the joint values to { SCIENTIFIC($largest_mm, 2) } mm, the rounding of the file: they were commanded, not measured
-    .hint = name the measured coordinates in `columns`; if the data are simulated, state `synthetic` in the campaign
+    .hint = name the measured coordinates in `columns`; if the data are simulated, set `synthetic` in the campaign
 
 # Means: The points of the world frame fit the mirror image of `nominal_mm` rather than `nominal_mm`
 # itself.
@@ -1200,18 +1200,18 @@ frame-points-mirrored = the points of the world frame are { FIXED($off_mm, 3) } 
 # Means: One point of the world frame deviates from its nominal position, and the others fit without
 # it.
 # Matters: The point shifts or rotates the frame, and with it every position.
-# Do: Check the point, its label and `nominal_mm`, or state the tolerance of the drawing.
+# Do: Check the point, its label and `nominal_mm`, or give the tolerance of the drawing.
 # Example: a reflector that does not sit in its nest
 frame-point-off = `{ $point }` is { FIXED($off_mm, 3) } mm from its nominal position relative to the other points (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
+    .hint = check the point, its label and `nominal_mm`, or give the tolerance of the drawing
 
 # Means: Points of the world frame deviate from their nominal positions, and no single point is the
 # cause.
 # Matters: The frame, and with it every position, is wrong by about as much.
-# Do: Check the points, their labels and `nominal_mm`, or state the tolerance of the drawing.
+# Do: Check the points, their labels and `nominal_mm`, or give the tolerance of the drawing.
 # Example: `nominal_mm` in inches
 frame-points-off = the distance from `{ $first }` to `{ $second }` is { FIXED($measured_mm, 3) } mm measured, { FIXED($nominal_mm, 3) } mm nominal (tolerance { $tolerance_mm } mm, U = { FIXED($expanded_mm, 4) } mm)
-    .hint = check the point, its label and `nominal_mm`, or state the tolerance of the drawing
+    .hint = check the point, its label and `nominal_mm`, or give the tolerance of the drawing
 
 # Means: `nominal_mm` of [frame.world] names a point that no export has.
 # Matters: The point cannot be compared.
@@ -1219,7 +1219,7 @@ frame-points-off = the distance from `{ $first }` to `{ $second }` is { FIXED($m
 # Example: `nominal_mm = { base_9 = [0, 0, 0] }` with base_1 to base_4
 nominal-point-unmeasured = `nominal_mm` names `{ $point }`, which was not measured
 
-# Means: `nominal_mm` of [frame.world] states one or two points.
+# Means: `nominal_mm` of [frame.world] gives one or two points.
 # Matters: Two points fit any drawing of the right length.
 # Do: Add points of the frame, or remove `nominal_mm`.
 # Example: `nominal_mm` of two points
@@ -1229,14 +1229,14 @@ nominal-few-points = `nominal_mm` needs three points or more
 # Means: The identified base is far from [nominal] of robot.toml, and exchanged axes of the world
 # frame explain the difference.
 # Matters: The robot itself is identified correctly. Base parameters, and positions in the world,
-# refer to other axes than robot.toml states.
+# refer to other axes than robot.toml gives.
 # Do: Check axes and points of the world frame, and [nominal].
 # Example: an export whose z is vertical, robot.toml with y vertical
 world-axes-exchanged = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the position in robot.toml: x, y, z of robot.toml are { $axes } of the world frame
     .hint = check axes, unit and points of the world frame, and [nominal] of robot.toml
 
 # Means: The identified base is far from its position in [nominal] of robot.toml.
-# Matters: The world frame has wrong points or a wrong unit, or robot.toml states another position.
+# Matters: The world frame has wrong points or a wrong unit, or robot.toml gives another position.
 # Do: Check axes, unit and points of the world frame, and [nominal].
 # Example: a world frame defined by the points of another fixture
 base-off-nominal = the base is { FIXED($off_mm, 0) } mm and { FIXED($off_deg, 1) } deg from the position in robot.toml; limit { $limit_mm } mm, { FIXED($limit_deg, 1) } deg
@@ -1409,18 +1409,18 @@ orientation-columns-missing = the orientation lacks { $missing }
 orientation-missing = the orientation is missing or not a number
     .expected = orientation of the body in the world: qw, qx, qy, qz, or a rotation vector, or three angles
 
-# Means: Orientations are three angles, and the order of the rotations is not stated.
+# Means: Orientations are three angles, and the order of the rotations is not given.
 # Matters: The orientation depends on the order of the rotations.
-# Do: State `orientation` according to the manual of the measuring system or controller.
+# Do: Set `orientation` according to the manual of the measuring system or controller.
 # Example: `a_deg, b_deg, c_deg` without `orientation`
-angle-order-missing = the order of the angles is not stated
-    .hint = state `orientation = "zyx"` in [observations], or --orientation
+angle-order-missing = the order of the angles is not given
+    .hint = set `orientation = "zyx"` in [observations], or --orientation
 
 angle-orders-unfit = no order of angles fits the nominal robot: the smallest residual is { FIXED($left_deg, 1) } deg (root mean square) with `{ $order }`; check the joints, and that the angles rotate from the body to the world
 
 angle-order-leaves = `{ $order }`: residual { FIXED($left_deg, 3) } deg
 
-angle-orders-fit = state `orientation = "{ $order }"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
+angle-orders-fit = set `orientation = "{ $order }"` in [observations], or --orientation; with the nominal robot, { $orders } (root mean square)
 
 # Means: A step of the geometric calibration needs several balls in one cycle, and one ball was not
 # measured.
@@ -1446,14 +1446,14 @@ lead-position-unknown = position { $position } of actuator { $actuator } is not 
 
 # Means: The geometric calibration needs a world frame defined by the rails and ball R.
 # Matters: The base of the robot is unknown.
-# Do: State `plane`, `origin`, `y_axis` and `towards` (thesis 3.4.1).
+# Do: Set `plane`, `origin`, `y_axis` and `towards` (thesis 3.4.1).
 # Example: [frame.world] with `targets`
 geometric-frame = the geometric calibration needs a world frame from the rails and ball R
     .expected = `plane`, `origin`, `y_axis = [origin, other end]` and `towards`, as in the thesis’ 3.4.1
 
-# Means: [geometric] is stated for a robot other than a PreXYT.
+# Means: [geometric] is given for a robot other than a PreXYT.
 # Matters: Its steps measure the links of a PreXYT.
-# Do: Remove [geometric], or state `model = "prexyt"`.
+# Do: Remove [geometric], or set `model = "prexyt"`.
 # Example: [geometric] with a six-axis arm
 geometric-other-robot = [geometric] is available only for a PreXYT
     .expected = a robot with model `prexyt`
@@ -1557,7 +1557,7 @@ robot-geometry-changed = robot.toml describes another geometry than that of the 
 robot-geometry-unknown = robot.toml is not a file of the identification, and parameters.json holds no geometry to compare it with
     .hint = check that robot.toml describes the identified robot, or run the campaign again
 
-# Means: parameters.json states no standard uncertainty of a coordinate, and its residuals do not
+# Means: parameters.json gives no standard uncertainty of a coordinate, and its residuals do not
 # determine one.
 # Matters: Expected deviations of new measurements are unknown.
 # Do: Identify with a stated standard uncertainty.
@@ -1574,7 +1574,7 @@ effect-would-prove = significant effect: { $effect }{ $count ->
         [0] {""}
        *[other] {" "}of joints { $joints }
     }; with it, the error at left-out calibration poses falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
-    .hint = add "{ $effect }" to `effects` in [identify], or state `effects = "proven"`
+    .hint = add "{ $effect }" to `effects` in [identify], or set `effects = "proven"`
 
 # Means: `outliers = "exclude"` would leave out more than a tenth of all readings.
 # Matters: So many readings are not outliers: the model or the set-up is wrong.
@@ -1592,7 +1592,7 @@ outliers-too-many = `outliers = "exclude"` would leave out more than { $share_pe
 log-correlates = with log `{ $log }`, residuals correlate with the difference of the two logs (r = { FIXED($correlation, 2) }): residuals { FIXED($rms_mm, 3) } mm (root mean square), with log `{ $other }` { FIXED($other_rms_mm, 3) } mm
 
 use-log = { $hint ->
-        [name-first] identify with log `{ $log }`: state it first
+        [name-first] identify with log `{ $log }`: give it first
        *[is-used] log `{ $log }` is the better one, and this campaign uses it
     }
 
@@ -1628,7 +1628,7 @@ series-overlap = poses in several series: { $poses }
 # Example: `calibration = "1-40"`, `series = ["1-20", "21-40", "41-60"]`
 series-without-calibration = series without a calibration pose, which do not count: { $series }
 
-# Means: `series` is stated, and no series contains these calibration poses.
+# Means: `series` is given, and no series contains these calibration poses.
 # Matters: The scatter between series compares all calibration poses.
 # Do: Add the poses to their series, or `"rest"` as the last series.
 # Example: `series = ["1-40", "41-80"]` with 90 poses
@@ -1637,10 +1637,10 @@ series-incomplete = calibration poses in no series: { $poses }
 
 # Means: All calibration poses are in one series.
 # Matters: One series shows no scatter between series, so the uncertainties would not contain it.
-# Do: State the poses of each set-up, day or file, or remove `series`.
+# Do: Give the poses of each set-up, day or file, or remove `series`.
 # Example: `series = ["all"]`
 series-single = `series` has a single series with calibration poses
-    .hint = state at least two, or remove `series`
+    .hint = give at least two, or remove `series`
 
 # Means: A table of the geometric report selects no pose of calibration or validation.
 # Matters: The table would be empty.
@@ -1675,34 +1675,34 @@ check-column-unit = check the unit of its column: all values are in range in { $
 joint-out-of-range = joint `{ $joint }` = { $value } { $unit } is out of range
     .expected = from { $lower } to { $upper } { $unit }: { $reason ->
             [limits] the limits of the robot file, beyond which 1 % of their distance is allowed
-            [turns] two turns, because the robot file states no limits
+            [turns] two turns, because the robot file gives no limits
            *[others] range of the other values
         }
     .hint = check its decimal mark and unit; if the joint can reach this value, { $reason ->
             [limits] correct its limits in the robot file
-           *[others] state its limits in the robot file
+           *[others] give its limits in the robot file
         }
 
-# Means: Errors common to all readings (scale, temperature, homing) are stated, but the observations
+# Means: Errors common to all readings (scale, temperature, homing) are given, but the observations
 # contain more than positions of targets.
 # Matters: `etalon uncertainty` draws common errors for positions only.
 # Do: Use the uncertainties of `etalon run`, which propagates them linearly.
 # Example: `expanded_scale_uncertainty_um_per_m` for a campaign of distances
 common-errors-of-conditions = errors common to all readings (scale, temperature, homing) are drawn for positions of targets only
-    .hint = `etalon run` states the uncertainties of this campaign by linear propagation
+    .hint = `etalon run` gives the uncertainties of this campaign by linear propagation
 
-# Means: The points of a feature are centres of a probe, and the file states neither radius nor side
+# Means: The points of a feature are centres of a probe, and the file gives neither radius nor side
 # of the probe.
 # Matters: The feature is offset from these points by the probe radius, to an unknown side.
-# Do: State the option that the hint names.
+# Do: Give the option that the hint names.
 # Example: a QIF file with centre points and without a sensor
-probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe centres, and the file does not state { $missing ->
+probe-of-feature-unknown = `{ $feature }` is not fitted: its points are probe centres, and the file does not set { $missing ->
         [side] the side of the probe
        *[radius] the radius of the probe
     }
     .hint = { $missing ->
-            [side] state it: --probe-side inside, outside or x,y,z
-           *[radius] state it: --probe-radius-mm
+            [side] give it: --probe-side inside, outside or x,y,z
+           *[radius] give it: --probe-radius-mm
         }
 
 unstable-parameter = `{ $parameter }` ({ FIXED($over_sd, 1) }, limit { FIXED($limit, 1) })
@@ -1718,13 +1718,13 @@ parameters-unstable = unstable parameters; differences between a part of the pos
     .hint = check for changes during the measurement (temperature, a target that moved, a joint that was homed again), and check the residuals
 
 remedy = { $remedy ->
-        [pose-uncertainty] state it (--standard-uncertainty-um), or compare targets
-        [contact-uncertainty] state the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
+        [pose-uncertainty] give it (--standard-uncertainty-um), or compare targets
+        [contact-uncertainty] give the repeatability of the contact (--standard-uncertainty-um) too, and compare targets
         [compare-targets] use `residuals = "targets"`
         [targets] state positions of its targets: rows of kind `point`
-        [uncertainty] state it (--standard-uncertainty-um)
+        [uncertainty] give it (--standard-uncertainty-um)
         [own-uncertainties] compare targets, or remove the columns of uncertainties
-        [row-uncertainty] state it in every row, or with --standard-uncertainty-um
+        [row-uncertainty] give it in every row, or with --standard-uncertainty-um
         [part] `frame` is `flange` for an arm, `platform` for a PreXYT, `targets` for any robot
         [positions] choose more positions, or hold parameters with `--hold`
         [hold-fewer] hold fewer parameters, and measure more poses
@@ -1834,7 +1834,7 @@ uncertainty-zero = `{ $column }` is 0 in { $count ->
     }, and its resolution is unknown: the uncertainty of the instrument is used instead
     .hint = export uncertainties with more decimals
 
-# Means: A key for delimited text is stated for a sheet of a workbook or a topic of a recording.
+# Means: A key for delimited text is given for a sheet of a workbook or a topic of a recording.
 # Matters: Their cells have no delimiter and no encoding, and numbers of a recording no marks.
 # Do: Remove the key.
 # Example: `delimiter = ";"` with `sheet`
@@ -1863,14 +1863,14 @@ undescribed-unchecked = the calibration poses have no redundant coordinate: othe
 
 undescribed-other-poses = the calibration poses fit, but no motion of the frame explains the others: check that log and exports of the validation poses belong together (not a log of another campaign, or another numbering of poses)
 
-# Means: `--frames prior` is stated for nominal parameters.
+# Means: `--frames prior` is given for nominal parameters.
 # Matters: This mode weights base and targets by the covariance of identified parameters.
-# Do: State identified parameters, or fit base and targets again.
+# Do: Give identified parameters, or fit base and targets again.
 # Example: `etalon validate --frames prior` without `--parameters`
 prior-of-nominal = nominal parameters have no covariance for `--frames prior`
     .hint = state identified parameters with `--parameters`, or use `--frames refit`
 
-# Means: `--frames prior` is stated for a table that contains more than positions.
+# Means: `--frames prior` is given for a table that contains more than positions.
 # Matters: This mode is available for measured positions only.
 # Do: Remove rows of other kinds, or fit base and targets again.
 # Example: `--frames prior` with distances
@@ -1894,7 +1894,7 @@ given-parameters-worse = errors with the given parameters are { FIXED($given_mm,
 
 # Means: The number of poses to choose is zero, or exceeds the number of candidates.
 # Matters: The plan cannot be made.
-# Do: State fewer `--positions`, or more candidates.
+# Do: Give fewer `--positions`, or more candidates.
 # Example: `--positions 20` of 12 candidates
 candidate-poses-too-few = { $wanted } of { $count } candidate poses cannot be chosen
     .hint = state fewer `--positions`, or more candidates
@@ -2017,14 +2017,14 @@ torque-signs-differ = identified bending under torque is positive for { $positiv
     .hint = check the sign and the order of the columns of torques
 
 # Means: With the torques of two joints exchanged, the residuals agree with the uncertainty of the
-# instrument; as stated, they do not.
+# instrument; as given, they do not.
 # Matters: Torques of another joint do not describe the deflection.
 # Do: Check which joint each column belongs to.
 # Example: the columns `tau2_nm` and `tau3_nm` exchanged
-torques-exchanged = the model fits the readings with `{ $first }` and `{ $second }` exchanged, but not as stated
+torques-exchanged = the model fits the readings with `{ $first }` and `{ $second }` exchanged, but not as given
     .hint = check which joint each column of torques belongs to
 
-# Means: All calibration readings state the same temperature of the robot.
+# Means: All calibration readings give the same temperature of the robot.
 # Matters: The change of lengths and zeros with the temperature cannot be determined; the parameters
 # hold at the stated temperature alone.
 # Do: Measure the cold and the warm robot, or remove `drift` and `expansion` from robot.toml.
@@ -2069,13 +2069,13 @@ value-beyond-tolerance = `{ $parameter }` = { $unit ->
 # Matters: No real robot deviates so far: a sign, unit, order of joints, nominal value or frame is
 # wrong. The parameters must not reach a controller.
 # Do: Check signs, units and order of the joints, the nominal values, and the frames; if the robot
-# has larger tolerances, state `tolerance` in the robot file.
+# has larger tolerances, set `tolerance` in the robot file.
 # Example: joint 2 logged with the opposite sign
 tolerance-exceeded = { $count ->
         [one] 1 parameter is
        *[other] { $count } parameters are
     } beyond the tolerance of the robot: { $parameters }
-    .hint = check signs, units and order of the joints, the nominal values, and the frames; if the robot has larger tolerances, state `tolerance` in the robot file
+    .hint = check signs, units and order of the joints, the nominal values, and the frames; if the robot has larger tolerances, set `tolerance` in the robot file
 
 format-not-identified = parameters of the format `{ $format }` could not be identified again: { $message }
 
@@ -2110,14 +2110,14 @@ clock-from-motion = the clock of log `{ $log }` is set by the speeds of the moti
 # Do: Check that log and export are of one motion, and that units, joints and targets are right.
 # Example: the log of another run
 clock-motion-unlike = the speeds of points and log do not correlate at any offset of the clocks: at most { FIXED($correlation, 2) }
-    .hint = check that log and points are of the same motion, or state `clock_offset_s` as a number
+    .hint = check that log and points are of the same motion, or set `clock_offset_s` as a number
 
 # Means: A motion that repeats itself has the same speeds at several offsets of the clocks.
 # Matters: Only one of these offsets is right.
 # Do: Record a motion that does not repeat itself, or compare the clocks once.
 # Example: a robot that swings to and fro
 clock-motion-several = the speeds of points and log correlate at { $count } offsets of the clocks: { $ranges }
-    .hint = record a motion that does not repeat itself, or state `clock_offset_s` as a number
+    .hint = record a motion that does not repeat itself, or set `clock_offset_s` as a number
 
 # Means: Too few speeds are recorded for a comparison of the clocks.
 # Matters: The offset of the clocks is not determined.
@@ -2135,8 +2135,8 @@ clock-motion-short = { $count ->
 # Do: Check that the log belongs to the measurement, and remove points measured in motion.
 # Example: the log of yesterday's run
 clock-rate-none = no offset of the clocks and no rate within ± { $most_ppm } ppm put every measured point into a standstill of the log
-    .hint = check that the log belongs to this measurement, and remove points measured in motion; or state `clock_offset_s` as a number
-# Means: A limit is stated, and the poses that decide do not show its quantity.
+    .hint = check that the log belongs to this measurement, and remove points measured in motion; or set `clock_offset_s` as a number
+# Means: A limit is given, and the poses that decide do not show its quantity.
 # Matters: The limit is undecided, and the exit code is 1.
 # Do: Measure the quantity at the validation poses, or remove the limit.
 # Example: `position_max_mm` for a campaign of draw wires
@@ -2151,10 +2151,10 @@ sweep-joint-unknown = `{ $joint }` is not a joint of these sweeps
 
 # Means: The names of the joints have no numbers, so that their order from the base is unknown.
 # Matters: Axes in another order form another robot.
-# Do: State the order from the base.
+# Do: Give the order from the base.
 # Example: sweeps of the axes X, Y, Z and C of a gantry
 sweep-order-missing = the order of the joints { $joints } from the base is unknown
-    .hint = state it: --joints NAME,...
+    .hint = give it: --joints NAME,...
 
 # Means: Two columns contain values of the same joint.
 # Matters: It is unknown which column applies.
@@ -2165,13 +2165,13 @@ sweep-joint-column-twice = two columns have values of joint `{ $joint }`
 
 # Means: Joint values are missing in a row, in some sweeps, or at a check pose.
 # Matters: The missing values would have to be guessed.
-# Do: State the values of all joints in every row, or at check poses only.
+# Do: Give the values of all joints in every row, or at check poses only.
 # Example: an empty cell in the column q4_deg
 sweep-values-partial = joint values are incomplete
     .expected = values of all joints in every row, or in no row of a sweep
     .hint = a row without a swept joint is a check pose and needs the values of all joints
 
-# Means: `--backwards` is stated for a joint, and the table has joint values.
+# Means: `--backwards` is given for a joint, and the table has joint values.
 # Matters: The joint values already determine the sign.
 # Do: Omit the option.
 # Example: `--backwards q2` with a column q2_deg
@@ -2272,7 +2272,7 @@ sweep-few = the sweep of `{ $joint }` has { $readings } readings, and needs { $n
 # Do: Measure a longer arc or a target farther from the axis; state prismatic joints.
 # Example: a target on the axis
 sweep-undetermined = the readings of the sweep of `{ $joint }` do not determine an axis
-    .hint = measure a longer arc or a target farther from the axis; state a prismatic joint with --prismatic
+    .hint = measure a longer arc or a target farther from the axis; give a prismatic joint with --prismatic
 
 # Means: Joints have columns of values but no sweep.
 # Matters: Their axes are unknown; robot.toml is not written.
@@ -2304,15 +2304,15 @@ sweep-target-unswept = a target of check poses is in no sweep: robot.toml is not
 # Matters: The robot would be wrong at every pose.
 # Do: Exchange the names of the joints.
 # Example: axes 4 and 5 of an arm with exchanged names
-sweeps-exchanged = `{ $first }` and `{ $second }` are exchanged: positions differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the joints exchanged
+sweeps-exchanged = `{ $first }` and `{ $second }` are exchanged: positions differ by { FIXED($stated_mm, 3) } mm (root mean square) as given, and by { FIXED($left_mm, 3) } mm with the joints exchanged
     .hint = exchange their names in the column `joint` and in the headings
 
 # Means: The check poses agree only if a joint was swept in negative direction.
 # Matters: The sign of the joint would be wrong.
-# Do: State the joint in `--backwards`.
+# Do: Give the joint in `--backwards`.
 # Example: a sweep from +30 to -30 degrees without joint values
-sweep-reversed = `{ $joint }` was swept in negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (root mean square) as stated, and by { FIXED($left_mm, 3) } mm with the other sign
-    .hint = state it: --backwards { $joint }
+sweep-reversed = `{ $joint }` was swept in negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (root mean square) as given, and by { FIXED($left_mm, 3) } mm with the other sign
+    .hint = give it: --backwards { $joint }
 
 # Means: Measured positions differ from those of the robot by more than their uncertainty.
 # Matters: Possible causes are a target that moved between sweeps, bending of a joint, or errors of
@@ -2342,7 +2342,7 @@ table-flange-not-held = the table has its own flange, rotated by { FIXED($angle_
     .hint = identify the targets, or use `poe`
 
 # Means: Two axes are near-parallel, and one component of the angle between them has no parameter in
-# the nominal table (Hayati's beta is identified, not stated).
+# the nominal table (Hayati's beta is identified, not given).
 # Matters: A point beyond the axis is displaced by this angle times its distance.
 # Do: Identify the robot, which determines beta; or use `poe`.
 # Example: axes 2 and 3 of an arm, parallel within 0.2 mrad
@@ -2376,7 +2376,7 @@ read-in-frame = { $read }, relative to `{ $frame }`
 read-without-columns = { $read }, { $unread } of { $all } columns not read
 read-except-columns = { $read }, not read: { $columns }
 
-side-stated = as stated by the user
+side-stated = as given by the user
 side-from-values = from the { $values } { $of }
 side-from-key = from `InternalExternal`: { $value }
 # Means: An export joined by label has orientations, and the log names a label in several rows.
@@ -2392,16 +2392,16 @@ label-orientations-unused = orientations of the export are not used: log `{ $log
 # µm/m for each degree.
 # Do: Correct `temperature_c`, or the unit of the column (degrees Celsius).
 # Example: `temperature_c = 20.0`, and rows with 24.6 to 25.3
-temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
+temperature-elsewhere = `temperature_c` = { $stated_c }; the rows of the exports set { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
     .hint = correct `temperature_c`, or the unit of the column (degrees Celsius)
 
-# Means: Temperatures in the rows of the exports vary by more than [expansion] states.
+# Means: Temperatures in the rows of the exports vary by more than [expansion] gives.
 # Matters: The uncertainty of lengths due to temperature is too small. Rows are not corrected for
 # temperature.
-# Do: State the expanded uncertainty that covers the range.
+# Do: Give the expanded uncertainty that covers the range.
 # Example: `expanded_temperature_uncertainty_c = 0.5`, and rows with 19.1 to 22.8
-temperature-varies = the rows of the exports state { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
-    .hint = state an `expanded_temperature_uncertainty_c` that covers the range
+temperature-varies = the rows of the exports set { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C, more than ±{ $expanded_c } °C; the uncertainty of lengths is too small
+    .hint = give an `expanded_temperature_uncertainty_c` that covers the range
 axes-comment-method = axes by sweeps of one joint at a time (etalon axes); no nominal model
 
 axes-comment-base = base by axes 1 and 2, rule `{ $rule }`: z along axis 1
@@ -2479,19 +2479,20 @@ cell-orientation-missing = the poses have no columns of an orientation
     .expected = { $prefix }qw, { $prefix }qx, { $prefix }qy, { $prefix }qz, or { $prefix }rx_deg .. of a rotation vector, or { $prefix }a_deg .. of three angles, or { $prefix }r11 .. { $prefix }r33
     .hint = name the columns, with `--column { $prefix }qw=HEADING` where they have other headings
 
-# Means: Orientations are three angles, and the order of the rotations is not stated.
+# Means: Orientations are three angles, and the order of the rotations is not given.
 # Matters: The orientation depends on the order of the rotations.
-# Do: State the order from the manual of the controller: KUKA A B C "zyx", FANUC W P R and Yaskawa "fixed xyz".
+# Do: Give the order from the manual of the controller: KUKA A B C "zyx", FANUC W P R and Yaskawa
+# "fixed xyz".
 # Example: `flange_a_deg, flange_b_deg, flange_c_deg` without `--orientation`
-cell-order-missing = the order of the angles { $prefix }a, { $prefix }b, { $prefix }c is not stated
-    .hint = state it from the manual: `{ $option } zyx` for A B C of KUKA, `{ $option } "fixed xyz"` for W P R of FANUC
+cell-order-missing = the order of the angles { $prefix }a, { $prefix }b, { $prefix }c is not given
+    .hint = give it from the manual: `{ $option } zyx` for A B C of KUKA, `{ $option } "fixed xyz"` for W P R of FANUC
 
 # Means: Hand-eye calibration needs to know what is on the robot.
 # Matters: A sensor on the robot measures the inverse of what a standing sensor measures.
-# Do: State `--mounting target` if the instrument stands, `--mounting sensor` if it is on the robot.
+# Do: Set `--mounting target` if the instrument stands, `--mounting sensor` if it is on the robot.
 # Example: a camera on the flange that sees a standing board
-cell-mounting-missing = the part of the measuring system that is on the robot is not stated
-    .hint = state `--mounting target` (the instrument stands) or `--mounting sensor` (the instrument is on the robot)
+cell-mounting-missing = the part of the measuring system that is on the robot is not given
+    .hint = set `--mounting target` (the instrument stands) or `--mounting sensor` (the instrument is on the robot)
 
 # Means: A standard uncertainty in the table is zero, negative or missing.
 # Matters: The weight of the row is undefined.
@@ -2529,10 +2530,10 @@ cell-no-controller-data = `{ $maker }` has no data for the answer of `{ $solve }
 
 # Means: The kinematics need two rotary axes of one machine, and the answer has one.
 # Matters: One axis does not determine the place of the other.
-# Do: Measure the other axis, write its answer with `--json` to a file, and state the file.
+# Do: Measure the other axis, write its answer with `--json` to a file, and give the file.
 # Example: `--controller xyzac-trt-kins` with the axis A alone
 cell-second-axis-missing = `{ $maker }` needs two rotary axes: one along { $axis } of the machine, one along z
-    .hint = state the answer of the other axis with `--with FILE` (JSON of `etalon cell --solve rotary-axis`)
+    .hint = give the answer of the other axis with `--with FILE` (JSON of `etalon cell --solve rotary-axis`)
 
 # Means: A rotary axis is not along the axis of the machine about which the kinematics turn.
 # Matters: The machine has other kinematics, or the points are in another frame.
@@ -2554,10 +2555,10 @@ cell-axis-sense = { $sense ->
 
 # Means: The pivot length reaches from the tilting axis to the gauge line, and the measured target is at the end of a tool.
 # Matters: The length of this tool is part of the measured distance.
-# Do: State the length of the tool, 0 for a target at the gauge line.
+# Do: Give the length of the tool, 0 for a target at the gauge line.
 # Example: `--controller maxkins` without `--tool-length-mm`
 cell-tool-length-missing = `{ $maker }` needs the length of the tool at whose end the first target is
-    .hint = state `--tool-length-mm`, 0 for a target at the gauge line
+    .hint = set `--tool-length-mm`, 0 for a target at the gauge line
 
 # Means: The tool is longer than the distance from the pivot to its end.
 # Matters: The pivot would be below the gauge line of the spindle.
@@ -2568,11 +2569,11 @@ cell-pivot-above = the tool ({ FIXED($tool_mm, 3) } mm) is longer than the dista
 
 # Means: Number 1 is the robot itself, and external kinematics are numbers 2 to 7.
 # Matters: The definition of the robot would be overwritten.
-# Do: State the number of the external kinematic.
+# Do: Give the number of the external kinematic.
 # Example: `--solve rotary-axis --controller kuka --number 1`
 cell-machine-number = `MACHINE_DEF[{ $number }]` does not define an external kinematic
     .expected = 2 to 7
-    .hint = state `--number`
+    .hint = set `--number`
 
 # Means: The entry of the tool file has lines for load data, and load data are not identified.
 # Matters: Loading the file as it is replaces mass and centre of gravity by zero.
@@ -2588,9 +2589,9 @@ cell-loads-replaced = the entry of tool { $number } has zero mass and centre of 
 cell-axis-tilted = the axis along { $axis } is tilted by { FIXED($angle_deg, 4) } deg, and `{ $maker }` has no tilt: { FIXED($left_um, 1) } µm at 100 mm from the axis
     .hint = align the axis, or accept this error
 
-# Means: Columns that `--column` states have no effect on this problem.
+# Means: Columns that `--column` gives have no effect on this problem.
 # Matters: Measured values are perhaps under another name than meant.
-# Do: State the columns of the problem: `etalon cell --help` lists them.
+# Do: Give the columns of the problem: `etalon cell --help` lists them.
 # Example: `--column x_mm=X` in place of `--column flange_x_mm=X` with `tool-point`
 cell-columns-unused = { $count ->
         [one] the stated column { $columns } is
@@ -2610,14 +2611,16 @@ cell-slip = readings contradict each other by { FIXED($stated_mm, 3) } mm (stand
 
 # Means: Residuals of positions exceed the stated uncertainty with 2 mm for the robot, or a tenth of the size of tool and motion.
 # Matters: Frames and uncertainties are wrong: the readings are not those of one rigid cell. The exit code is 1, and no data of a controller are written.
-# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2 mm has to be stated.
+# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2
+# mm has to be given.
 # Example: the columns of two robots exchanged
 cell-refuted = positions have residuals of { FIXED($found_mm, 3) } mm (standard deviation), more than any plausible uncertainty explains: the answer is refuted
     .hint = check columns, signs, units and the order of the rows
 
 # Means: Residuals of orientations exceed the stated uncertainty with 2 deg for the robot, or a tenth of the rotations between poses.
 # Matters: Frames and uncertainties are wrong: the readings are not those of one rigid cell. The exit code is 1, and no data of a controller are written.
-# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2 deg has to be stated.
+# Do: Check columns, signs, units and the order of rows, and measure again. An uncertainty above 2
+# deg has to be given.
 # Example: measured poses in the order of another recording
 cell-refuted-turned = orientations have residuals of { FIXED($found_deg, 2) } deg (standard deviation), more than any plausible uncertainty explains: the answer is refuted
     .hint = check columns, signs, units and the order of the rows
@@ -2648,21 +2651,21 @@ cell-foreign-turned = the orientation of line { $line } does not fit the others:
 # Do: Check the stated uncertainty: it includes robot and measurement.
 # Example: the uncertainty of the tracker alone
 cell-noise-larger = positions have residuals of { FIXED($found_um, 1) } µm (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
-    .hint = state the uncertainty of robot and measurement together
+    .hint = give the uncertainty of robot and measurement together
 
 # Means: Residuals of orientations are larger than the stated uncertainty explains.
 # Matters: Uncertainties of the result are from the residuals.
 # Do: Check the stated uncertainty: it includes robot and measurement.
 # Example: the uncertainty of the tracker alone
 cell-noise-larger-turned = orientations have residuals of { FIXED($found_deg, 4) } deg (standard deviation), more than the stated uncertainty explains; uncertainties are from the residuals
-    .hint = state the uncertainty of robot and measurement together
+    .hint = give the uncertainty of robot and measurement together
 
-# Means: The readings have no redundancy, and no uncertainty is stated.
+# Means: The readings have no redundancy, and no uncertainty is given.
 # Matters: The uncertainty of the result is unknown.
-# Do: Measure more readings, or state `--standard-uncertainty-um`.
+# Do: Measure more readings, or set `--standard-uncertainty-um`.
 # Example: a work object from three points, each measured once
-cell-no-uncertainty = the uncertainty is unknown: the readings have no redundancy, and no uncertainty is stated
-    .hint = measure more readings, or state `--standard-uncertainty-um`
+cell-no-uncertainty = the uncertainty is unknown: the readings have no redundancy, and no uncertainty is given
+    .hint = measure more readings, or set `--standard-uncertainty-um`
 
 # Means: All positions of the flange are within a few millimetres of the base of the robot.
 # Matters: Coordinates in metres under `_mm` give a tool that is a thousand times too small.
@@ -2790,7 +2793,8 @@ field-parameters-wrong = the identification reports an error, which a field woul
 
 # Means: The expanded uncertainty (k = 2) of a component of the answer exceeds the bound: the stated one (`--uncertainty-bound`, `uncertainty_bound` in campaign.toml), or the default. The default is a share of the measured extent, ten times the uncertainty of a coordinate over the extent, at least 2 % and at most 5 %; for angles this share in radians, at least 0.5 %.
 # Matters: The answer must not be loaded: a robot with it may move to another place. The uncertainty itself is true.
-# Do: Measure what the hint says, so that the named motion shows. If the uncertainty is good enough for your task, state a larger bound: `--uncertainty-bound "5 mm, 2 deg"`.
+# Do: Measure what the hint says, so that the named motion shows. If the uncertainty is good enough
+# for your task, give a larger bound: `--uncertainty-bound "5 mm, 2 deg"`.
 # Example: `x` of three points touched 0.03 mm from the origin
 uncertainty-beyond-bound = { $component }: U = { $expanded }{ $unit ->
     [1] {""}
@@ -2808,7 +2812,7 @@ uncertainty-beyond-bound = { $component }: U = { $expanded }{ $unit ->
 
 # Means: The bound of uncertainties cannot be read.
 # Matters: No uncertainty can be compared with it.
-# Do: State a length, an angle, or both, each with its unit: `0.5 mm, 0.1 deg` (mm, um, deg, rad).
+# Do: Give a length, an angle, or both, each with its unit: `0.5 mm, 0.1 deg` (mm, um, deg, rad).
 # Example: `--uncertainty-bound 0.5`
 uncertainty-bound-unreadable = `{ $text }` is not a bound of uncertainties: expected a length, an angle, or both with their units
     .hint = for example "0.5 mm, 0.1 deg"
@@ -2833,17 +2837,18 @@ bound-remedy = { $case ->
     [base] measure over a larger region, and points of the world frame farther apart, away from one line
     [region] calibrate with poses in the region of these targets
    *[robot] measure poses in which the named parameters act differently, or hold them
-}; or state a larger bound
+}; or give a larger bound
 
 # Means: The gain of a revolute joint, or its zero, differs from nominal by more than encoders and homing leave, and by many standard uncertainties. An encoder counts whole turns: its gain is known. A zero of more than 1 deg is rarely an error of the robot.
 # Matters: The data cannot tell such a value from a mistake in the log of the joint: a wrong scale, a coupled joint, or a joint that was mastered again between log and measurement. A controller with the value then moves the joint to a wrong place.
-# Do: Check the column of the joint in the log, its gear ratio and its mastering. If the value is real, state it: correct robot.toml, or give the parameter a `tolerance` there.
+# Do: Check the column of the joint in the log, its gear ratio and its mastering. If the value is
+# real, give it: correct robot.toml, or give the parameter a `tolerance` there.
 # Example: the log of a joint multiplied by 1.01
 encoder-implausible = { $count ->
     [one] a gain or zero of a revolute joint is
    *[other] { $count } gains or zeros of revolute joints are
 } further from nominal than encoders and homing leave: { $parameters }
-    .hint = check the column of the joint in the log, its gear ratio and its mastering; if the value is real, state its `tolerance` in robot.toml
+    .hint = check the column of the joint in the log, its gear ratio and its mastering; if the value is real, give its `tolerance` in robot.toml
 
 value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
     [deg] {" "}deg
@@ -2852,12 +2857,12 @@ value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
 
 # Means: The smallest changes that the chosen poses detect with 95 % exceed their bound: the stated one (`--uncertainty-bound`), or a share of the extent of the candidates, as for uncertainties.
 # Matters: The poses would call a robot valid that has moved by this much.
-# Do: Choose more poses, offer candidates in a larger region, or state a larger bound.
+# Do: Choose more poses, offer candidates in a larger region, or give a larger bound.
 # Example: candidates within 0.1 deg of each other
 changes-undetected = the chosen poses do not detect { $count ->
     [one] a change
    *[other] { $count } changes
 } within the bound: { $changes }
-    .hint = choose more poses (`--positions`), offer candidates in a larger region, or state a larger bound
+    .hint = choose more poses (`--positions`), offer candidates in a larger region, or give a larger bound
 
 change-beyond-bound = { $name }: { $change } { $unit }, bound { $bound } { $unit }

@@ -64,21 +64,21 @@ passes-of-other-path = { $of }: the passes belong to another path
 
 # Means: The search for passes has fewer than two command points, or no positive distance.
 # Matters: A pass is found by its crossings of planes at the command points.
-# Do: State at least two command points and a positive distance.
+# Do: Give at least two command points and a positive distance.
 # Example: a search distance of 0 mm
 passes-need-points = passes of a path need two command points and a positive distance
-    .hint = state at least two command points and a positive distance
+    .hint = give at least two command points and a positive distance
 
 # Means: The stated workspace has no extent along one of its axes, or is not finite.
 # Matters: The cube of the test (ISO 9283, 6.8) does not fit into it.
-# Do: State the smallest x, y, z, then the largest.
+# Do: Give the smallest x, y, z, then the largest.
 # Example: `--workspace 0,0,0,500,0,400`
 workspace-not-box = the workspace is not a box
     .expected = the smallest x, y, z, then the largest
 
 # Means: An orientation has more or fewer angles than the robot has axes of rotation.
 # Matters: The poses of the test cannot be commanded.
-# Do: State one finite angle for each axis of rotation.
+# Do: Give one finite angle for each axis of rotation.
 # Example: `--orientation 0,90` for a spatial robot
 angle-count = { $option } has { $count ->
         [one] 1 angle
@@ -102,10 +102,10 @@ test-plane-unknown = unknown test plane `{ $name }`
 
 # Means: Radius or duration of a standstill is zero, negative or not a number.
 # Matters: No standstill could be found.
-# Do: State a radius above the noise of a standing robot, and a duration below the shortest stop.
+# Do: Give a radius above the noise of a standing robot, and a duration below the shortest stop.
 # Example: `still_mm = 0`
 standstill-thresholds = radius and duration of a standstill must be positive
-    .hint = state a radius above the noise of a standing robot and a duration below the shortest stop
+    .hint = give a radius above the noise of a standing robot and a duration below the shortest stop
 
 in-sample = sample { $sample }: { $message }
 
@@ -132,17 +132,17 @@ time-not-increasing = the time does not increase: { $later_s } s after { $earlie
 
 # Means: The centre line of the weave has no direction, or the swing is parallel to it.
 # Matters: The stroke is measured across the centre line (ISO 9283, 11).
-# Do: State a swing direction across the centre line.
+# Do: Give a swing direction across the centre line.
 # Example: a centre line along x and `weave_across = [1, 0, 0]`
 weave-direction = weaving: the swing has no direction across the centre line
-    .hint = state a swing direction across the centre line
+    .hint = give a swing direction across the centre line
 
 # Means: The commanded stroke or frequency of the weave is zero, negative or not a number.
 # Matters: Weaving deviations are relative to the commanded values.
-# Do: State positive values.
+# Do: Give positive values.
 # Example: `weave_hz = 0`
 weave-command = weaving: commanded stroke and frequency must be positive
-    .hint = state the commanded stroke and frequency
+    .hint = give the commanded stroke and frequency
 
 # Means: No sample of the recording belongs to the weave.
 # Matters: Stroke and frequency are unknown.
@@ -164,24 +164,24 @@ weave-too-few-turns = weaving: { $turns ->
 
 # Means: No command point lies on the half of a leg beside the corner.
 # Matters: Cornering deviations are evaluated there.
-# Do: State more command points.
+# Do: Give more command points.
 # Example: command points at 0 mm and 10 mm, and a corner at 2 mm
 corner-without-points = cornering: no command point on the half of a leg beside the corner
-    .hint = state more command points
+    .hint = give more command points
 
 # Means: No commanded angle changes along the path.
 # Matters: This characteristic needs a path with reorientation.
-# Do: State the commanded angles of the path.
+# Do: Give the commanded angles of the path.
 # Example: a commanded path without angle columns
 path-without-reorientation = path accuracy on reorientation: no commanded angle changes along the path
-    .hint = state the commanded angles of the path
+    .hint = give the commanded angles of the path
 
 # Means: An angle of the commanded path is missing or not finite.
 # Matters: Orientations along the path are unknown.
-# Do: State all angles at every point, or none.
+# Do: Give all angles at every point, or none.
 # Example: an empty cell in the column `rz_deg`
 commanded-angle-missing = commanded path: an angle is missing or non-finite
-    .hint = state all angles at every point, or none
+    .hint = give all angles at every point, or none
 
 # Means: Two consecutive points of the commanded path coincide.
 # Matters: The path has no direction there.
@@ -192,17 +192,17 @@ commanded-point-repeated = commanded path: points { $first } and { $second } coi
 
 # Means: The commanded velocity is zero, negative or not a number.
 # Matters: Velocity characteristics are relative to the commanded velocity (ISO 9283, 9.6).
-# Do: State the commanded velocity.
+# Do: Give the commanded velocity.
 # Example: `velocity_mm_s = 0`
 velocity-not-positive = path velocity: the commanded velocity must be positive
-    .hint = state the commanded velocity
+    .hint = give the commanded velocity
 
 # Means: The central part of the path has fewer than three command points.
 # Matters: Mean and fluctuation of the velocity need at least two intervals.
-# Do: State more command points, or a larger central part.
+# Do: Give more command points, or a larger central part.
 # Example: four command points and a central part of one half
 velocity-too-few-points = path velocity: fewer than three command points in the central part
-    .hint = state more command points, or a larger central part
+    .hint = give more command points, or a larger central part
 
 # Means: A characteristic compares several sets, and there are too few.
 # Matters: A comparison needs at least two sets.
@@ -268,8 +268,8 @@ distance-counts-differ = distance: the two poses have { $first } and { $second }
     .expected = both poses in the same cycles
 
 # Means: A force is zero, negative or not a number.
-# Matters: The sign of a load is stated by its direction.
-# Do: State the magnitude of the force.
+# Matters: The sign of a load is given by its direction.
+# Do: Give the magnitude of the force.
 # Example: `force_n = -50`
 force-not-positive = static compliance: a force is not positive
     .expected = the magnitude of the force; its direction gives the sign
@@ -283,9 +283,9 @@ unloaded-position-missing = direction { $direction }, cycle { $cycle }: no row w
 
 # Means: No row of the table has a force.
 # Matters: Compliance is deflection by force.
-# Do: State the forces in `force_n`.
+# Do: Give the forces in `force_n`.
 # Example: a table whose column `force_n` is 0 everywhere
 force-missing = no row has a force
-    .hint = state the force of each loaded row
+    .hint = give the force of each loaded row
 
 no-working-mode-reaches = no working mode reaches it within the limits

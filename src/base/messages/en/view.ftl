@@ -21,12 +21,12 @@ view-request-malformed = the request cannot be read
 view-request-slow = the request did not arrive in time
     .hint = send the request again
 
-# Means: A request has a body, but does not state its length.
+# Means: A request has a body, but does not give its length.
 # Matters: Without a length the size of a file cannot be bounded before it is received.
-# Do: State `Content-Length`; browsers do so by themselves.
+# Do: Set `Content-Length`; browsers do so by themselves.
 # Example: POST /api/files with `Transfer-Encoding: chunked`
-view-request-without-length = the request does not state the length of its body
-    .hint = state `Content-Length`
+view-request-without-length = the request does not give the length of its body
+    .hint = set `Content-Length`
 
 # Means: A dropped file or a document is larger than the page accepts.
 # Matters: The file was not stored.
@@ -151,12 +151,12 @@ view-reason-missing = the change has no reason
 
 # Means: A change of the campaign was asked for that changes nothing.
 # Matters: Nothing was written.
-# Do: Leave out a pose or target, hold or free a parameter, or state another limit.
+# Do: Leave out a pose or target, hold or free a parameter, or give another limit.
 # Example: `"asked": {}`
 view-nothing-asked = nothing was asked to be changed
-    .hint = leave out a pose or a target, hold or free a parameter, or state another limit
+    .hint = leave out a pose or a target, hold or free a parameter, or give another limit
 
-# Means: campaign.toml states a key in a form that the page cannot change.
+# Means: campaign.toml gives a key in a form that the page cannot change.
 # Matters: Nothing was written.
 # Do: Change campaign.toml by hand.
 # Example: `identify = { calibration = "all" }` on one line
@@ -172,10 +172,10 @@ view-parameter-stays-held = parameter `{ $name }` is not held by its name in `ho
 
 # Means: The server cannot listen at the port.
 # Matters: The page cannot be shown.
-# Do: State another port, or none for a free one.
+# Do: Give another port, or none for a free one.
 # Example: `--port 80` without the right to use it
 view-port-unavailable = the server cannot listen at port { $port }: { $error }
-    .hint = state another `--port`, or none for a free one
+    .hint = give another `--port`, or none for a free one
 
 # Means: The browser could not be started.
 # Matters: The server runs; the page is not open.
@@ -219,11 +219,11 @@ view-run-writes = writing the report
 view-next-drop = drop the export of the measuring system and the log of the controller on the page
 view-verdict-limit = { $limit }: { FIXED($value, 4) } { $unit } ± { FIXED($expanded, 4) } { $unit } (k = 2), limit { FIXED($bound, 4) } { $unit }
 view-verdict-limit-unknown = { $limit }: { FIXED($value, 4) } { $unit }, limit { FIXED($bound, 4) } { $unit }
-view-verdict-no-limit = no limit is stated
+view-verdict-no-limit = no limit is given
 view-download-report = report ({ $kind })
 view-download-file = file for a controller or another program
 view-question-instrument = What is the measuring system called?
-view-question-uncertainty = What is the expanded uncertainty of one coordinate (µm, k = 2)? The calibration certificate states it.
+view-question-uncertainty = What is the expanded uncertainty of one coordinate (µm, k = 2)? The calibration certificate gives it.
 view-question-rotation = What is the expanded uncertainty of a measured orientation (°)?
 view-question-unit = Which unit do the lengths in { $file } have?
 view-question-joint-unit = Which unit do the joint values in { $file } have?
@@ -241,6 +241,6 @@ watch-first = { $received ->
     }
 watch-stop-met = limit met with its guard band: { FIXED($value_um, 0) } µm ± { FIXED($expanded_um, 0) } µm (k = 2), limit { FIXED($limit_um, 0) } µm
 watch-stop-open = not yet: { FIXED($value_um, 0) } µm ± { FIXED($expanded_um, 0) } µm (k = 2), limit { FIXED($limit_um, 0) } µm
-watch-stop-no-limit = no limit is stated: state `position_max_mm` in [limits]
+watch-stop-no-limit = no limit is given: set `position_max_mm` in [limits]
 watch-next-of-plan = next pose of the plan
 watch-next-of-most-information = of the remaining poses, this one reduces the uncertainty of the parameters most
