@@ -258,8 +258,8 @@ cone-is-cylinder = the apex angle of the cone is not distinguishable from zero (
 cone-is-plane = the apex angle of the cone is not distinguishable from 180 deg (k = 2): the cone is a plane
     .hint = fit a plane
 
-# Means: Some points are outliers: they are farther from the element than noise can explain
-# (probability below 1 %). They are excluded.
+# Means: Some points are outliers: they are farther from the element than noise can explain. They
+# are excluded.
 # Matters: The element and its uncertainty come from the other points.
 # Do: Look at these points. Remove them from the file if you know the cause.
 # Example: dust under the probe at one of 60 points

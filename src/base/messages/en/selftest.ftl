@@ -1,18 +1,19 @@
 ### Messages of selftest. Above each message: its explanation (see CONTRIBUTING.md, "A message").
 
 # Means: The reference data inside the program cannot be read.
-# Matters: Without them the installation cannot be validated. The program file is damaged.
-# Do: Install etalon again, and compare the SHA-256 of the program file with that of the release.
+# Matters: Without these data the installation cannot be validated. The program file is damaged.
+# Do: Install etalon again. Then compare the SHA-256 of the program file with the SHA-256 of the
+# release.
 # Example: a program file with a changed byte
 selftest-data-unreadable = the reference data `{ $name }` in the program cannot be read: { $reason }
     .hint = install etalon again
 
-# Means: The folder for temporary files cannot be written.
+# Means: The validation cannot write to the folder for temporary files.
 # Matters: The validation writes a campaign there, runs it, and removes it.
-# Do: Free space on the disk, or set `TMPDIR` (`TEMP` on Windows) to a folder that can be written.
+# Do: Free space on the disk, or set `TMPDIR` (`TEMP` on Windows) to a folder where you may write.
 # Example: `TMPDIR=/missing etalon selftest`
 selftest-folder-not-written = `{ $folder }` cannot be written: { $reason }
-    .hint = set `TMPDIR` (`TEMP` on Windows) to a folder that can be written
+    .hint = set `TMPDIR` (`TEMP` on Windows) to a folder where you may write
 
 selftest-hash-expected = a SHA-256: 64 hexadecimal digits
 
@@ -20,15 +21,15 @@ selftest-hash-expected = a SHA-256: 64 hexadecimal digits
 selftest-fits = Geometric elements: fits agree with an independent program (60 digits), minimum zones and enclosing circles with exact values
 selftest-solver = Solver: published nonlinear least-squares problems reach their published minima
 selftest-frames = Frames: orientations and transforms agree with exact values
-selftest-kinematics = Kinematics: each model agrees with an independent program (60 digits), its inverse, numeric derivatives and the exported code
+selftest-kinematics = Kinematics: each model agrees with an independent program (60 digits), with its inverse, with numeric derivatives and with the exported code
 selftest-identification = Identification: exact observations return the parameters; a whole campaign returns the true values within their uncertainty
 selftest-reference = Reference campaigns: parameters, covariance and errors agree with an independent program (110 digits)
 selftest-uncertainty = Uncertainties: published examples of the GUM (H.1 to H.3) and of JCGM 101 (9.2 to 9.5) are reproduced
 selftest-standards = ISO 9283 and ISO 230-2: characteristics agree with independent programs
 selftest-coverage = Coverage: 95 % intervals contain the true value in 95 % of simulated campaigns
-selftest-formats = Exports of measuring systems: known texts give their coordinates; every format reads back as written
-selftest-exports = Controller files: written values read back unchanged
-selftest-threads = Threads: the same input gives the same bytes on one and on many threads
+selftest-formats = Exports of measuring systems: known texts give their known coordinates; every written format reads back without changes
+selftest-exports = Controller files: the written values read back without changes
+selftest-threads = Threads: identical input gives identical output on one thread and on many
 selftest-nist = Reference data of NIST: fitted elements agree with the published ones
 
 ## Tests
@@ -50,17 +51,17 @@ selftest-rotation-vector-back = rotation vector of a rotation matrix
 selftest-rpy = rotation matrix of roll, pitch, yaw
 selftest-rpy-back = roll, pitch, yaw of a rotation matrix
 selftest-apply = transform of a point
-selftest-inverse = transform after its inverse
+selftest-inverse = transform composed with its inverse
 selftest-rigid = transform between two sets of points
 selftest-rigid-rms = residuals of this transform
 selftest-positions = { $name }: positions of the targets
-selftest-jacobian = { $name }: derivatives minus numeric derivatives
+selftest-jacobian = { $name }: derivatives compared with numeric derivatives
 selftest-inverse-none = { $name }: the inverse finds no joint values
 selftest-direct-of-inverse = { $name }: direct(inverse(pose)) minus pose
 selftest-inverse-of-direct = { $name }: inverse(direct(joints)) minus joints
-selftest-code = { $name }: position by the exported `{ $format }`
-selftest-recovered = { $name }: positions by the parameters identified from exact observations
-selftest-truth = { $name }: largest deviation of a parameter from its true value, over its uncertainty
+selftest-code = { $name }: position computed by the exported `{ $format }`
+selftest-recovered = { $name }: positions with the parameters identified from exact observations
+selftest-truth = { $name }: largest deviation of a parameter from its true value, divided by its uncertainty
 selftest-chi-square = chi-square over degrees of freedom
 selftest-certified-values = { $name }: { $count } parameters
 selftest-certified-uncertainties = { $name }: standard uncertainties
@@ -73,16 +74,16 @@ selftest-draws-mean = { $name }: mean of the draws
 selftest-draws-u = { $name }: standard uncertainty of the draws
 selftest-draws-interval = { $name }: interval of { $percent } %
 selftest-draws-shortest = { $name }: shortest interval of { $percent } %
-selftest-linear-u = { $name }: standard uncertainty of first order
+selftest-linear-u = { $name }: first-order standard uncertainty
 selftest-chi-square-table = quantiles of chi-square
 selftest-f-table = quantile of the F distribution
 selftest-conformity = probability of conformity
 selftest-characteristic = { $name }
-selftest-shares = share of the intervals that hold the true value, { $parameters } parameters, { $draws } campaigns
+selftest-shares = proportion of intervals that contain the true value, { $parameters } parameters, { $draws } campaigns
 selftest-mean-chi-square = mean chi-square over degrees of freedom, { $draws } campaigns
 selftest-read = { $name } in { $unit }: known text
 selftest-written-read = { $name } in { $unit }: written and read
-selftest-listed = { $format }: values beside their names
+selftest-listed = { $format }: each value next to its name
 selftest-file-robot = { $format }: robot that the file describes
 selftest-same-bytes = files that differ between 1 and { $threads } threads, of { $files }
 selftest-files-written = all files are written
@@ -90,15 +91,15 @@ selftest-nist-sets = { $name }: largest deviation in { $count } data sets
 
 ## Slips
 selftest-wrong-digit = wrong digit: significant digit { $digit } of `{ $place }`
-selftest-swapped = exchanged: `{ $first }` and `{ $second }`
-selftest-wrong-unit = wrong unit: `{ $place }` times { SCIENTIFIC($factor, 3) }
+selftest-swapped = swapped: `{ $first }` and `{ $second }`
+selftest-wrong-unit = wrong unit: `{ $place }` multiplied by { SCIENTIFIC($factor, 3) }
 
 ## Causes
-selftest-other-version = the stored document is of etalon { $before }, the program is etalon { $after }
+selftest-other-version = etalon { $before } wrote the stored document; this program is etalon { $after }
 selftest-other-input = `{ $file }` has changed
-selftest-new-input = `{ $file }` is not among the stored inputs
+selftest-new-input = `{ $file }` is a new input
 selftest-missing-input = `{ $file }` is no longer an input
-selftest-other-model = the robot was of model `{ $before }` and is of model `{ $after }`
+selftest-other-model = the robot model was { $before } and is now { $after }
 
 ## Protocol
 selftest-title = Validation of the installation
@@ -112,10 +113,10 @@ selftest-slips-missed = { $missed ->
         [one] { $missed } of { $slips } seeded faults was not detected
        *[other] { $missed } of { $slips } seeded faults were not detected
     }
-selftest-program-changed = the program file does not have the stated SHA-256
+selftest-program-changed = the program file does not have the given SHA-256
 selftest-program-unreadable = the program file cannot be read
 selftest-reference-changed = changed reference data: { $files }
-selftest-values-same = campaign { $campaign }: { $compared } parameters are those of the stored document
+selftest-values-same = campaign { $campaign }: { $compared } parameters agree with the stored document
 selftest-values-moved = { $moved ->
         [one] campaign { $campaign }: { $moved } value differs from the stored document
        *[other] campaign { $campaign }: { $moved } values differ from the stored document
@@ -128,33 +129,33 @@ selftest-operation = Operation (OQ)
 selftest-slips = Seeded faults that must be detected
 selftest-performance = Performance (PQ)
 selftest-program-hash = SHA-256 of the program
-selftest-stated-hash = stated SHA-256
+selftest-stated-hash = given SHA-256
 selftest-system = system
-selftest-threads-offered = threads
+selftest-threads-offered = threads available
 selftest-packages = packages
-selftest-packages-note = Packages of Cargo.lock, of which the program, its build scripts and its tests are built.
-selftest-nist-absent = reference data of NIST: not present (set `ETALON_REFERENCE` to a folder that has them)
+selftest-packages-note = Packages of Cargo.lock from which the program, its build scripts and its tests are built.
+selftest-nist-absent = reference data of NIST: not present (set `ETALON_REFERENCE` to a folder that contains them)
 selftest-nist-present = reference data of NIST: present
 selftest-requirement = requirement
 selftest-tests = tests
 selftest-test = test
 selftest-source = source
 selftest-expected = expected
-selftest-found = found
+selftest-found = obtained
 selftest-deviation = deviation
-selftest-permissible = permissible
+selftest-permissible = maximum deviation
 selftest-result = result
 selftest-result-pass = pass
 selftest-result-fail = fail
 selftest-slip = seeded fault
 selftest-tests-failed = failed tests
-selftest-as-it-must = fails as it must
-selftest-missed = not noticed
+selftest-as-it-must = fails, as expected
+selftest-missed = not detected
 selftest-reference-data = reference data
 selftest-package = package
 selftest-version = version
 selftest-quantity = quantity
 selftest-over-u = difference / u
-selftest-tolerance = Permissible: { SCIENTIFIC($of_uncertainty, 0) } standard uncertainties for a value, { SCIENTIFIC($of_uncertainty, 0) } of itself for an uncertainty, { SCIENTIFIC($relative, 0) } of itself for a value without uncertainty.
+selftest-tolerance = Maximum deviation: { SCIENTIFIC($of_uncertainty, 0) } standard uncertainties for a value, { SCIENTIFIC($of_uncertainty, 0) } (relative) for an uncertainty, { SCIENTIFIC($relative, 0) } (relative) for a value without uncertainty.
 selftest-cause = Known difference: { $cause }.
 selftest-cause-unknown = No known difference: version, model and inputs are the same.

@@ -25,8 +25,8 @@ characteristic = { $name ->
        *[drift] drift
     }
 
-# Means: A characteristic has fewer attained positions than its formula needs.
-# Matters: A standard deviation or a fit of so few positions is undefined.
+# Means: A characteristic needs more attained positions than there are.
+# Matters: With so few positions, the standard deviation or the fit is undefined.
 # Do: Measure more cycles; ISO 9283 requires 30.
 # Example: one cycle of a pose: repeatability needs two
 too-few-positions = { $of }: { $count ->
@@ -38,13 +38,13 @@ too-few-positions = { $of }: { $count ->
 
 # Means: An attained position is infinite or not a number.
 # Matters: Means and standard deviations would be undefined.
-# Do: Remove or correct the row.
+# Do: Correct this row, or remove it.
 # Example: `NaN` in a column of coordinates
 position-not-finite = { $of }: position { $number } is non-finite
-    .hint = remove or correct this position
+    .hint = correct this position, or remove it
 
-# Means: The recorded path has fewer complete passes than the characteristic needs.
-# Matters: A mean or standard deviation over so few passes is undefined.
+# Means: A characteristic needs more complete passes than the recording contains.
+# Matters: With so few passes, the mean or the standard deviation is undefined.
 # Do: Record more passes of the path; ISO 9283 requires 10.
 # Example: one pass: path repeatability needs two
 too-few-passes = { $of }: { $count ->
@@ -55,30 +55,31 @@ too-few-passes = { $of }: { $count ->
     .expected = at least { $least }
     .hint = record more passes of the path
 
-# Means: The passes were found with other command points than those of the evaluation.
+# Means: The passes were found with one set of command points and evaluated with another.
 # Matters: Passes and command points would not match.
-# Do: Find passes and evaluate them with the same command points.
+# Do: Use the same command points for finding and for evaluating the passes.
 # Example: passes of a path of 100 points, evaluated with 50 points
 passes-of-other-path = { $of }: the passes belong to another path
-    .hint = find and evaluate passes with the same command points
+    .hint = use the same command points for finding and for evaluating the passes
 
-# Means: The search for passes has fewer than two command points, or no positive distance.
-# Matters: A pass is found by its crossings of planes at the command points.
+# Means: The search for passes has fewer than two command points, or a distance that is not
+# positive.
+# Matters: A pass crosses a plane at each command point.
 # Do: Give at least two command points and a positive distance.
 # Example: a search distance of 0 mm
-passes-need-points = passes of a path need two command points and a positive distance
+passes-need-points = the search for passes needs two command points and a positive distance
     .hint = give at least two command points and a positive distance
 
-# Means: The stated workspace has no extent along one of its axes, or is not finite.
-# Matters: The cube of the test (ISO 9283, 6.8) does not fit into it.
-# Do: Give the smallest x, y, z, then the largest.
+# Means: The given workspace has no size along one of its axes, or is not finite.
+# Matters: The cube of the test (ISO 9283, 6.8) needs a box.
+# Do: Give the smallest x, y, z first, then the largest.
 # Example: `--workspace 0,0,0,500,0,400`
 workspace-not-box = the workspace is not a box
     .expected = the smallest x, y, z, then the largest
 
 # Means: An orientation has more or fewer angles than the robot has axes of rotation.
 # Matters: The poses of the test cannot be commanded.
-# Do: Give one finite angle for each axis of rotation.
+# Do: Give one angle for each axis of rotation of the robot.
 # Example: `--orientation 0,90` for a spatial robot
 angle-count = { $option } has { $count ->
         [one] 1 angle
@@ -86,131 +87,133 @@ angle-count = { $option } has { $count ->
     }
     .expected = { $angles }
 
-# Means: A test plane is named for a planar robot.
-# Matters: A planar robot has one plane only.
-# Do: Omit the test plane.
+# Means: A test plane is given for a planar robot.
+# Matters: A planar robot has only one plane.
+# Do: Omit `--plane` for a planar robot.
 # Example: `--plane c1-c2-c7-c8` for a five-bar robot
-planar-test-plane = a planar robot has one test plane
+planar-test-plane = a planar robot has only one test plane
     .hint = omit the test plane
 
 # Means: The name of the test plane is unknown.
 # Matters: The five poses of the test lie on this plane (ISO 9283, 6.8.2).
-# Do: Use one of the planes that the standard names.
+# Do: Use one of the planes of the standard.
 # Example: `--plane c1-c2`
 test-plane-unknown = unknown test plane `{ $name }`
     .expected = { $planes }
 
-# Means: Radius or duration of a standstill is zero, negative or not a number.
-# Matters: No standstill could be found.
-# Do: Give a radius above the noise of a standing robot, and a duration below the shortest stop.
+# Means: The radius or the duration of a standstill is zero, negative or not a number.
+# Matters: The program would find no standstill.
+# Do: Choose a radius larger than the noise of the standing robot, and a duration shorter than the
+# shortest stop.
 # Example: `still_mm = 0`
 standstill-thresholds = radius and duration of a standstill must be positive
-    .hint = give a radius above the noise of a standing robot and a duration below the shortest stop
+    .hint = choose a radius larger than the noise of the standing robot, and a duration shorter than the shortest stop
 
 in-sample = sample { $sample }: { $message }
 
 # Means: A recorded motion has fewer than two samples, or columns of different lengths.
-# Matters: Velocity and path are undefined.
-# Do: Record the motion again with all columns.
+# Matters: Velocity and path cannot be computed.
+# Do: Record the motion again with a value in every column.
 # Example: a recording of one row
 stream-too-short = a recorded motion needs at least two samples with the same columns
     .hint = record the motion again
 
 # Means: A coordinate, an angle or the time of a sample is missing or not finite.
-# Matters: The path has a gap of unknown length.
-# Do: Remove the row from the recording.
+# Matters: It is unknown how far the robot moved in this gap.
+# Do: Remove this row from the recording.
 # Example: an empty cell in the column `x_mm`
 stream-value-missing = a coordinate or the time is missing or non-finite
     .hint = remove this sample
 
-# Means: The time stamp of a sample is not later than that of the previous sample.
-# Matters: Velocities would be infinite or negative.
-# Do: Sort the samples, or record with a finer time stamp.
+# Means: The time stamp of a sample is not later than the time stamp of the previous sample.
+# Matters: The velocity would be infinite or negative.
+# Do: Sort the samples by time. If two samples have the same time, record with finer time stamps.
 # Example: two samples at 1.5 s
 time-not-increasing = the time does not increase: { $later_s } s after { $earlier_s } s
     .hint = sort the samples, or record with finer time stamps
 
-# Means: The centre line of the weave has no direction, or the swing is parallel to it.
-# Matters: The stroke is measured across the centre line (ISO 9283, 11).
-# Do: Give a swing direction across the centre line.
+# Means: The centre line of the weave has no direction, or the weaving motion is parallel to it.
+# Matters: The stroke is measured perpendicular to the centre line (ISO 9283, 11).
+# Do: Set `weave_across` to a direction across the centre line.
 # Example: a centre line along x and `weave_across = [1, 0, 0]`
-weave-direction = weaving: the swing has no direction across the centre line
-    .hint = give a swing direction across the centre line
+weave-direction = weaving: the motion has no direction across the centre line
+    .hint = set `weave_across` to a direction across the centre line
 
 # Means: The commanded stroke or frequency of the weave is zero, negative or not a number.
-# Matters: Weaving deviations are relative to the commanded values.
-# Do: Give positive values.
+# Matters: Weaving deviations are divided by the commanded values.
+# Do: Set the commanded stroke and frequency to positive values.
 # Example: `weave_hz = 0`
 weave-command = weaving: commanded stroke and frequency must be positive
-    .hint = give the commanded stroke and frequency
+    .hint = set the commanded stroke and frequency to positive values
 
-# Means: No sample of the recording belongs to the weave.
-# Matters: Stroke and frequency are unknown.
-# Do: Check where the weave begins and ends.
+# Means: The recording contains no sample of the weave.
+# Matters: The stroke and the frequency are unknown.
+# Do: Compare the start and the end of the weave with the times of the recording.
 # Example: a weave after the end of the recording
-weave-without-samples = weaving: no samples
-    .hint = check where the weave begins and ends
+weave-without-samples = weaving: the recording contains no samples of the weave
+    .hint = check the start and the end of the weave
 
-# Means: The recording has too few turns of the weave.
-# Matters: The first and the last turn are excluded; stroke and frequency need three others.
-# Do: Record a longer weave.
+# Means: The recording contains too few turning points of the weave.
+# Matters: The first and the last turning points are excluded; the stroke and the frequency need
+# three more.
+# Do: Record a longer weave, or check the commanded stroke.
 # Example: a weave of one period
 weave-too-few-turns = weaving: { $turns ->
-        [one] 1 turn
-       *[other] { $turns } turns
+        [one] 1 turning point
+       *[other] { $turns } turning points
     }
-    .expected = at least five, a quarter of the commanded stroke apart
+    .expected = at least five, with at least a quarter of the commanded stroke between them
     .hint = record a longer weave
 
-# Means: No command point lies on the half of a leg beside the corner.
+# Means: The half of a leg next to the corner contains no command point.
 # Matters: Cornering deviations are evaluated there.
-# Do: Give more command points.
+# Do: Add command points near the corner.
 # Example: command points at 0 mm and 10 mm, and a corner at 2 mm
-corner-without-points = cornering: no command point on the half of a leg beside the corner
-    .hint = give more command points
+corner-without-points = cornering: there is no command point on the half of a leg next to the corner
+    .hint = add command points near the corner
 
 # Means: No commanded angle changes along the path.
 # Matters: This characteristic needs a path with reorientation.
-# Do: Give the commanded angles of the path.
+# Do: Add the commanded angles to the table of the path.
 # Example: a commanded path without angle columns
 path-without-reorientation = path accuracy on reorientation: no commanded angle changes along the path
-    .hint = give the commanded angles of the path
+    .hint = add the commanded angles to the table of the path
 
 # Means: An angle of the commanded path is missing or not finite.
-# Matters: Orientations along the path are unknown.
-# Do: Give all angles at every point, or none.
+# Matters: The commanded orientation at this point is unknown.
+# Do: Give all angles at every point, or remove the columns of angles.
 # Example: an empty cell in the column `rz_deg`
 commanded-angle-missing = commanded path: an angle is missing or non-finite
-    .hint = give all angles at every point, or none
+    .hint = give all angles at every point, or no angles
 
-# Means: Two consecutive points of the commanded path coincide.
-# Matters: The path has no direction there.
-# Do: Remove one of the points; a rotation in place is not a path.
+# Means: Two successive points of the commanded path are the same.
+# Matters: The path has no direction at this point.
+# Do: Remove one of the points. A rotation at one position is not a path.
 # Example: the same row twice
 commanded-point-repeated = commanded path: points { $first } and { $second } coincide
     .hint = remove one of the two points
 
 # Means: The commanded velocity is zero, negative or not a number.
-# Matters: Velocity characteristics are relative to the commanded velocity (ISO 9283, 9.6).
-# Do: Give the commanded velocity.
+# Matters: Velocity characteristics are divided by the commanded velocity (ISO 9283, 9.6).
+# Do: Set the commanded velocity to a positive value.
 # Example: `velocity_mm_s = 0`
 velocity-not-positive = path velocity: the commanded velocity must be positive
-    .hint = give the commanded velocity
+    .hint = set the commanded velocity to a positive value
 
 # Means: The central part of the path has fewer than three command points.
 # Matters: Mean and fluctuation of the velocity need at least two intervals.
-# Do: Give more command points, or a larger central part.
+# Do: Add command points, or increase the central part.
 # Example: four command points and a central part of one half
 velocity-too-few-points = path velocity: fewer than three command points in the central part
-    .hint = give more command points, or a larger central part
+    .hint = add command points, or increase the central part
 
-# Means: A characteristic compares several sets, and there are too few.
+# Means: A characteristic compares several sets of measurements, but there are too few sets.
 # Matters: A comparison needs at least two sets.
-# Do: Complete the measurements.
+# Do: Measure at least two sets.
 # Example: one set of cycles: drift compares sets over time
 too-few-of = { $of }: { $sets }
     .expected = at least { $least }
-    .hint = complete the measurements
+    .hint = measure more sets
 
 sets-of-cycles = { $count ->
         [one] 1 set of cycles
@@ -232,60 +235,61 @@ epochs = { $count ->
        *[other] { $count } measurements
     }
 
-# Means: The robots were not all measured at the same poses.
-# Matters: Exchangeability compares robots pose by pose (ISO 9283, 7.5).
-# Do: Measure every robot at every pose.
+# Means: Some robots were not measured at all poses.
+# Matters: Exchangeability compares the robots at each pose (ISO 9283, 7.5).
+# Do: Measure every robot at the same poses.
 # Example: robot A at poses 1 to 5, robot B at poses 1 to 4
-robots-at-other-poses = exchangeability: robots do not have the same poses
+robots-at-other-poses = exchangeability: the robots do not have the same poses
     .expected = at least two robots, each at every pose
 
-# Means: A robot was not measured at a pose that other robots attained.
-# Matters: Exchangeability compares robots pose by pose (ISO 9283, 7.5).
-# Do: Measure the robot at this pose, or leave the pose out for all robots.
+# Means: One robot was not measured at a pose of the other robots.
+# Matters: Exchangeability compares the robots at each pose (ISO 9283, 7.5).
+# Do: Measure this robot at the pose, or remove the pose for all robots.
 # Example: robot B without rows of pose 5
-robot-without-pose = exchangeability: robot `{ $robot }` did not attain pose { $pose }
+robot-without-pose = exchangeability: robot `{ $robot }` was not measured at pose { $pose }
     .expected = every robot at every pose
 
-# Means: Every visit of a pose was read once.
-# Matters: The noise of the instrument is determined from several readings of one visit.
-# Do: Take several readings at each visit.
+# Means: There is only one reading of every visit.
+# Matters: The noise of the instrument is computed from several readings of one visit.
+# Do: Take at least two readings in each visit.
 # Example: one row for each cycle
-visits-read-once = repeatability without noise: no visit has two readings
-    .hint = take several readings at each visit: they determine the noise of the instrument
+visits-read-once = repeatability without noise: every visit has only one reading
+    .hint = take several readings in each visit
 
 # Means: Three of the four mean positions lie on one line.
-# Matters: They do not define a plane for the fourth position.
-# Do: Name four poses that span a plane.
+# Matters: A plane through these three is undefined, so the distance of the fourth position is
+# undefined.
+# Do: Choose four poses of which no three lie on one line.
 # Example: poses 1, 2 and 3 on an edge of the cube
 coplanar-poses-on-line = coplanarity: three of the four mean positions lie on one line
-    .hint = name four poses that span a plane
+    .hint = choose four poses of which no three lie on one line
 
-# Means: The two poses of a distance were not attained in the same cycles.
-# Matters: The distance of a cycle needs both positions.
-# Do: Exclude cycles that lack one of the poses.
+# Means: The two poses of a distance were not measured in the same cycles.
+# Matters: The distance in a cycle needs the positions of both poses.
+# Do: Exclude the cycles in which one of the poses is missing.
 # Example: 30 cycles at pose 2, 29 at pose 4
 distance-counts-differ = distance: the two poses have { $first } and { $second } positions
     .expected = both poses in the same cycles
 
 # Means: A force is zero, negative or not a number.
-# Matters: The sign of a load is given by its direction.
-# Do: Give the magnitude of the force.
+# Matters: The direction of the load gives its sign.
+# Do: Write the magnitude of the force, and the sign in its direction.
 # Example: `force_n = -50`
 force-not-positive = static compliance: a force is not positive
     .expected = the magnitude of the force; its direction gives the sign
 
-# Means: A cycle of a load has no row without force.
+# Means: A cycle of a load contains no row without force.
 # Matters: The deflection is the distance from the unloaded position.
-# Do: Record the unloaded position with force 0 in each cycle.
+# Do: In each cycle, record the unloaded position with `force_n` = 0.
 # Example: a table with forces of 50 N only
 unloaded-position-missing = direction { $direction }, cycle { $cycle }: no row without force
-    .hint = record the unloaded position with force 0
+    .hint = record the unloaded position of this cycle, with force 0
 
 # Means: No row of the table has a force.
-# Matters: Compliance is deflection by force.
-# Do: Give the forces in `force_n`.
+# Matters: Compliance is the deflection divided by the force.
+# Do: Write the force of each loaded row into `force_n`.
 # Example: a table whose column `force_n` is 0 everywhere
 force-missing = no row has a force
-    .hint = give the force of each loaded row
+    .hint = write the force of each loaded row into `force_n`
 
-no-working-mode-reaches = no working mode reaches it within the limits
+no-working-mode-reaches = no working mode reaches it within the joint limits
