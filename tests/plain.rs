@@ -28,7 +28,7 @@ const TERMS: [(&str, &str); 14] = [
 ];
 
 /// Terms that messages still lack; the number may only be lowered, and the goal is zero.
-const OF_MESSAGES: [(&str, usize); 3] = [("beside", 22), ("those of", 46), ("um", 4)];
+const OF_MESSAGES: [(&str, usize); 3] = [("beside", 0), ("those of", 0), ("um", 0)];
 
 /// Remaining long sentences of each page; a number may only be lowered, and the goal is zero.
 const REMAINING: [(&str, usize); 16] = [
@@ -51,7 +51,7 @@ const REMAINING: [(&str, usize); 16] = [
 ];
 
 /// Remaining long sentences of messages, a number that may only be lowered.
-const LONG_MESSAGES: usize = 60;
+const LONG_MESSAGES: usize = 35;
 
 /// Paragraphs, list items and cells of a page outside blocks, each with its line. Code in backticks is `x`, a link its text.
 fn paragraphs(page: &str) -> Vec<(usize, String)> {

@@ -75,7 +75,7 @@ fn what_means_nothing_is_refused_by_its_key() {
     };
     let cases = [
         ("", expansion("11.5"), "[key-out-of-range] key=robot_per_c value=11.5 least=0 most=0.0002"),
-        ("", homing("expanded_uncertainty_deg = 0.01"), "[homing] lacks `expanded_uncertainty_um` for joint `rho1`"),
+        ("", homing("expanded_uncertainty_deg = 0.01"), "[homing-incomplete] key=expanded_uncertainty_um joint=rho1"),
         ("", homing("expanded_uncertainty_um = -1"), "`expanded_uncertainty_um` = -1 is outside"),
         (
             "expanded_scale_uncertainty_um_per_m = 5e4",

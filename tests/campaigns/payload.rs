@@ -110,10 +110,10 @@ fn wrong_columns_of_the_load_are_named() {
     assert!(!said.contains("[load-columns-slip]"), "{said}");
     let exchanged = stated();
     exchanged.replace("observations.csv", "load_x_mm,load_y_mm,load_z_mm", "load_z_mm,load_y_mm,load_x_mm");
-    ends(&exchanged, "run", 0, &["[load-columns-slip] count=1 changes=`load_x_mm` and `load_z_mm` are exchanged"]);
+    ends(&exchanged, "run", 0, &["[load-columns-slip] count=1 changes=`load_x_mm` and `load_z_mm` are swapped"]);
     let turned = stated();
     change(&turned, "load_z_mm", |_, mm| (-mm).to_string());
-    ends(&turned, "run", 0, &["[load-columns-slip] count=1 changes=`load_z_mm` has the other sign"]);
+    ends(&turned, "run", 0, &["[load-columns-slip] count=1 changes=`load_z_mm` has the opposite sign"]);
 }
 
 /// Loads in a log, with points of an export.

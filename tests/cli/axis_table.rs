@@ -327,7 +327,7 @@ fn tables_that_would_mislead_a_control_are_refused() {
             &["--axis", "q1_mm=0:100:50", "--axis", "q2_mm=0:100:25", "--to", "beckhoff-plane", "--sign", "add"],
             "error[plane-steps-differ]",
         ),
-        (&["--axis", "q1_mm=0:100:30"], "not whole steps"),
+        (&["--axis", "q1_mm=0:100:30"], "not a whole number of steps"),
         (&["--axis", "q1_mm=0:100:50", "--axis", "q1_mm=0:100:50"], "[table-options-refused] fault=axes"),
         (
             &["--axis", "q1_mm=0:100:50", "--corrected", "q2_mm", "--to", "linuxcnc"],

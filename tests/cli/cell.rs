@@ -262,7 +262,7 @@ fn columns_that_are_not_read_are_named() {
         });
         let answer = run(&rows.collect::<Vec<_>>().join("\n"), &["--solve", "tool-point"]);
         let missing = answer.messages.iter().find(|m| m.id == "column-unknown").unwrap();
-        missing.hint.clone().unwrap_or_default().contains(&format!("`{heading}`, state"))
+        missing.hint.clone().unwrap_or_default().contains(&format!("`{heading}`, set"))
     };
     assert!(hint("X", "1.5") && hint("PosX", "1.5"));
     assert!(!hint("Punkt", "P1") && !hint("Punkt", "1") && !hint("X", "P1"));

@@ -423,7 +423,7 @@ fn a_wrong_set_up_is_neither_judged_nor_recommended() {
     for command in ["validate", "recommend"] {
         let refused = etalon(&folder.path(), &[command, "."]);
         let said = text(&refused.stderr);
-        assert!(code(&refused) == Some(2) && said.contains("`rho2` and `rho3` exchanged"), "{command}: {said}");
+        assert!(code(&refused) == Some(2) && said.contains("`rho2` and `rho3` swapped"), "{command}: {said}");
     }
 }
 
@@ -637,5 +637,5 @@ fn what_was_not_drawn_is_not_said_to_contain_anything() {
         text(&answered.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let without = said(&["--resamples", "0"]);
-    assert!(without.contains("cover the stated uncertainties only") && !without.contains("bootstrap"), "{without}");
+    assert!(without.contains("include the given uncertainties only") && !without.contains("bootstrap"), "{without}");
 }

@@ -214,7 +214,7 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
     let checked = done(&["check", "mine"]);
     assert!(
         checked.contains(
-            "exports/poses.txt: 174 rows, 0 refused ({ delimiter = \";\", decimal = \",\", header = 1, columns"
+            "exports/poses.txt: 174 rows, 0 rejected ({ delimiter = \";\", decimal = \",\", header = 1, columns"
         )
     );
     let ran = done(&["run", "mine"]);
@@ -333,7 +333,7 @@ fn formats_proposes_and_asks() {
     std::fs::write(folder.path().join("p.txt"), "1 10.1 20.2 30.3\n2 10.5 20.5 30.5\n").unwrap();
     let said = text(&etalon(folder.path(), &["formats", "p.txt"]).stdout);
     assert!(said.contains("columns = [\"-\", \"x\", \"y\", \"z\"]"), "{said}");
-    assert!(said.contains("DOUBT: numbers that are not read: column 1"), "{said}");
+    assert!(said.contains("DOUBT: numbers that are not read: columns 1"), "{said}");
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn a_leg_in_metres_is_refused() {
 #[test]
 fn exchanged_arms_are_refused() {
     let slip = ["theta1_deg = \"J1\"\ntheta2_deg = \"J2\"", "theta1_deg = \"J2\"\ntheta2_deg = \"J1\""];
-    slip_is_refused("delta", slip, " exchanged");
+    slip_is_refused("delta", slip, " swapped");
 }
 
 #[test]

@@ -124,7 +124,7 @@ fn a_quaternion_under_any_headings_is_read_with_the_joints() {
     let proposed = std::fs::read_to_string(&path).unwrap();
     assert!(!proposed.contains("commanded"), "{proposed}");
     assert!(
-        proposed.contains("qw") && proposed.contains("DOUBT: numbers that are not read: column 15 `Güte`"),
+        proposed.contains("qw") && proposed.contains("DOUBT: numbers that are not read: columns 15 `Güte`"),
         "{proposed}"
     );
     let answers =
@@ -145,7 +145,7 @@ fn a_quaternion_under_any_headings_is_read_with_the_joints() {
     assert_eq!(errors[0]["arguments"]["count"], 60);
     assert_eq!(errors[0]["arguments"]["rows"].as_array().map(Vec::len), Some(3), "{said}");
     assert!(
-        errors[0]["hint"].as_str().unwrap().starts_with("state `expanded_rotation_uncertainty_deg` in [instrument]")
+        errors[0]["hint"].as_str().unwrap().starts_with("set `expanded_rotation_uncertainty_deg` in [instrument]")
     );
 }
 
@@ -573,7 +573,7 @@ fn the_tool_link_is_that_of_the_measured_points() {
     };
     // the recording has no finger
     let robot = chosen("tracker.csv", "run.mcap");
-    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("# tool_link: the files name"), "{robot}");
+    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("# tool_link: the names of joints in the files"), "{robot}");
     // a finger that stands still, and one that carries the reflector and moves
     std::fs::write(at.join("flange.csv"), rows_of_arm(at, "tool0", &|_| 0.01)).unwrap();
     let robot = chosen("flange.csv", "");
@@ -852,7 +852,7 @@ fn balls_on_the_floor_of_a_parallel_robot_are_no_targets() {
                 text.lines().filter(|line| !line.starts_with('#')).map(|line| line.to_owned() + "\n").collect();
             assert!(lines.contains("targets = [\"SMR_1\", \"SMR_2\", \"SMR_3\"]"), "{apart} {floor}: {text}");
             assert!(lines.contains("by = [\"pose\""), "{apart} {floor}: {text}");
-            let said = if apart { "are taken for points that do not move" } else { "stationary points" };
+            let said = if apart { "as points that do not move" } else { "stationary points" };
             assert!(text.contains(said), "{apart} {floor}: {text}");
         }
     }

@@ -89,7 +89,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     for part in ["q2_rad = \"j3\"", "q3_rad = \"j2\"", "q5_rad = { name = \"j5\", per_count = -1 }", "unit = \"m\""] {
         assert!(document.toml.contains(part), "{part}: {}", document.toml);
     }
-    assert!(document.reasons.iter().any(|r| r.english().contains("`j5` counts against the direction of `q5`")));
+    assert!(document.reasons.iter().any(|r| r.english().contains("`j5` has the opposite direction of `q5`")));
     let columns = [1, 3, 2, 4, 5, 6].map(|k| format!("`j{k}`"));
     let contradicted = phrase!("robot-contradicts-order", columns = columns.to_vec()).into();
     assert!(document.doubts.contains(&contradicted), "{:?}", document.doubts);
@@ -100,7 +100,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     );
     let document = proposed(at, arm.as_ref(), &text);
     assert!(document.toml.contains("unit = \"inch\""), "{}", document.toml);
-    assert!(document.doubts.iter().any(|d| d.english().contains("`X [mm]` states mm")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.english().contains("`X [mm]` gives mm")), "{}", document.toml);
     // without a header the six joints are found behind the point
     let text = table("", rows.iter().map(|(q, p)| p.iter().copied().chain(deg(q)).collect()));
     let document = proposed(at, arm.as_ref(), &text);
@@ -190,7 +190,7 @@ fn commanded_coordinates_are_named_and_the_data_of_another_robot_are_not_explain
     // too few rows test nothing
     let few: String = text.lines().take(10).map(|line| format!("{line}\n")).collect();
     let document = proposed(at, arm.as_ref(), &few);
-    assert!(document.doubts.iter().any(|d| d.english().contains("the proposal cannot be tested")), "{}", document.toml);
+    assert!(document.doubts.iter().any(|d| d.english().contains("cannot test the proposal")), "{}", document.toml);
 }
 
 #[test]

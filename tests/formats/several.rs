@@ -44,7 +44,7 @@ fn the_lines_of_an_export_and_a_log_run_as_they_are() {
     let parts = [
         "# `points.csv`: export, 60 rows, coordinates in m",
         "# `log.csv`: log, 60 rows, joints in rad",
-        "60 of 60 rows of `points.csv` have a row of `log.csv` by row",
+        "60 of 60 rows of `points.csv` match a row of `log.csv` by row",
         "q4_rad = { name = \"j4\", per_count = -1 }",
     ];
     run(at, &["points.csv", "log.csv"], &parts);
@@ -62,7 +62,7 @@ fn the_lines_of_an_export_and_a_log_run_as_they_are() {
     std::fs::write(at.join("log.csv"), format!("{head}\n{}\n", turned.join("\n"))).unwrap();
     std::fs::write(at.join("points.csv"), points).unwrap();
     let parts = [
-        "50 of 50 rows of `points.csv` have a row of `log.csv` by pose",
+        "50 of 50 rows of `points.csv` match a row of `log.csv` by pose",
         "by = [\"pose\"]",
         "label = \"{target}-{pose}\"   # all 50 labels have this form",
         "targets = [\"SMR\"]",

@@ -379,7 +379,7 @@ fn tables_inside_other_sections_state_their_form() {
     write("ly.csv", text("ly.csv").replacen("+x;9;nan", "+w;9;1", 1).replacen(";1\n", ";0\n", 1));
     ends(&own, "check", 2, &["[load-direction-unknown]", "ly.csv:"]);
     own.replace("campaign.toml", "delimiter = \";\"\ndecimal = \",\"", "decimal = \",\"");
-    ends(&own, "check", 2, &["[comma-ambiguous]", "state `delimiter = \";\"` and `decimal = \",\"`"]);
+    ends(&own, "check", 2, &["[comma-ambiguous]", "set `delimiter = \";\"` and `decimal = \",\"`"]);
     own.replace("campaign.toml", "decimal = \",\"\n", "encoding = \"utf-8\"\nsheet = \"Loads\"\n");
     ends(&own, "check", 2, &["[key-of-text-table]"]);
 }

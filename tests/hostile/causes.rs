@@ -58,7 +58,7 @@ fn a_wrong_unit_is_told_by_the_spread_of_the_points() {
         let scratch = copy_sample("prexyt-cmm");
         let before = "file = \"exports/poses.txt\"\nformat = \"polyworks\"\nunit = ";
         scratch.replace("campaign.toml", &format!("{before}\"mm\""), &format!("{before}\"{unit}\""));
-        let spread = format!("the extent of the measured points is {} mm, that of the predicted points 478 mm", spread);
+        let spread = format!("the measured points span {} mm, the predicted points 478 mm", spread);
         run(&scratch, 2, &["[nothing-to-identify]", &spread, named, "`unit` of the export"]);
     }
 }
@@ -95,8 +95,8 @@ fn a_wrong_assembly_mode_is_told_by_its_pose_and_the_mode_that_fits() {
         2,
         &[
             "contradicts the assembly mode in pose 5",
-            "the stated mode -1 leaves 152.0 mm",
-            "mode +1 leaves 6.4 mm",
+            "the residual is 152.0 mm with the given mode -1",
+            "6.4 mm with mode +1",
             "`assembly`",
         ],
     );

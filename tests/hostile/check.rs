@@ -70,7 +70,7 @@ fn tables_without_poses_are_found_by_check() {
 #[test]
 fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
-    robot("[nominal]\nbetta = 1.0", &["[nominal] names `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
+    robot("[nominal]\nbetta = 1.0", &["[nominal] contains `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
     robot("gravity = [0, 0, -1]\n[nominal]", &["[key-of-other-model] key=gravity", "robot.toml:"]);
     broken(
         "robot.toml",
@@ -128,7 +128,7 @@ fn logs_that_do_not_look_as_stated() {
     std::fs::write(scratch.path().join("encoders.csv"), text.replace(',', ";")).unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert!(code == Some(2) && said.contains("error[delimiter-does-not-split]"), "{said}");
-    assert!(said.contains("hint: state `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
+    assert!(said.contains("hint: set `delimiter = \";\"` and `decimal = \".\"`"), "{said}");
     broken("encoders.csv", "\n1,1,", "\n1e300,1,", &["[not-whole-number]", "encoders.csv:2:1"]);
 }
 

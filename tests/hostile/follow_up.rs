@@ -49,7 +49,7 @@ fn errors_about_values_say_what_to_do() {
         std::fs::write(scratch.path().join("encoders.csv"), text.replacen(line, &format!("{head},{cell}"), 1)).unwrap();
         hinted(&scratch, &[id, "encoders.csv:2"]);
     }
-    hinted(&changed("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\""), &["equal counts"]);
+    hinted(&changed("campaign.toml", "by = [\"pose\", \"cycle\"]", "by = \"row\""), &["equal numbers of rows"]);
 }
 
 #[test]

@@ -249,7 +249,7 @@ fn log_rows_of_another_width_are_refused() {
         "encoders.csv",
         ".",
         ",",
-        &["error[row-field-count]", "encoders.csv:2", "5, as the header", "decimal comma"],
+        &["error[row-field-count]", "encoders.csv:2", "5, as in the header", "decimal comma"],
     );
 }
 

@@ -48,7 +48,7 @@ fn a_report_with_a_row_for_each_control_becomes_points_by_name() {
 #[test]
 fn trap_1_a_tolerance_in_another_encoding_is_told() {
     let wrong = REPORT.replacen("±2.000", "Â±2.000", 1);
-    refused("polyworks_report", &wrong, &["[record-invalid]", "`Â±2.000`", "f.txt:4:17", "another one"]);
+    refused("polyworks_report", &wrong, &["[record-invalid]", "`Â±2.000`", "f.txt:4:17", "a wrong encoding"]);
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn a_missing_key_hides_nothing_behind_it() {
         "[input-missing]",
         "`campaign/exports/word.txt`",
         "did you mean `world.txt`",
-        "[nominal] names `d33`",
+        "[nominal] contains `d33`",
     ];
     let said = refused(&scratch, &parts);
     assert_eq!(errors(&said), 5, "{said}");
@@ -51,7 +51,7 @@ fn every_section_and_key_that_can_be_missing_leaves_the_rest_to_check() {
         // where the name of the robot's file is missing nothing is known of it
         let (code, said) = etalon(&scratch, "check");
         assert!(code == Some(2) && !said.contains("panicked"), "{line}:\n{said}");
-        assert!(said.contains("[nominal] names `d33`") || line.starts_with("robot"), "{line}:\n{said}");
+        assert!(said.contains("[nominal] contains `d33`") || line.starts_with("robot"), "{line}:\n{said}");
     }
 }
 
@@ -133,7 +133,7 @@ fn a_joint_without_its_head_is_one_error() {
 fn geometry_of_the_robot_is_never_filled_in() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("robot.toml", "\ns = 394.0", "");
-    refused(&scratch, &["[nominal-missing]", "`s`", "robot.toml", "hint: state the geometry"]);
+    refused(&scratch, &["[nominal-missing]", "`s`", "robot.toml", "hint: give the geometry"]);
     let scratch = copy_sample("prexyt-cmm");
     std::fs::write(scratch.path().join("robot.toml"), "model = \"prexyt\"\n").unwrap();
     refused(&scratch, &["[nominal-missing]", "`s`", "`d`"]);

@@ -137,7 +137,7 @@ fn a_log_in_another_dialect_is_told_which() {
         .unwrap();
     said(
         &scratch,
-        &["error[delimiter-does-not-split]", "hint: state `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"],
+        &["error[delimiter-does-not-split]", "hint: set `delimiter = \";\"` and `decimal = \",\"`", "encoders.csv:1"],
     );
 }
 

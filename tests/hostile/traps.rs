@@ -64,7 +64,7 @@ fn trap_3_a_semicolon_does_not_mean_a_decimal_comma() {
     let points = read(text, &format!("{{ delimiter = \";\", {LXYZ} }}")).unwrap();
     assert_eq!(points[0].xyz_mm, [-274.556, -3189.212, -248.113]);
     let told = said(text, &format!("{{ delimiter = \";\", decimal = \",\", {LXYZ} }}"));
-    assert!(told.contains("state `decimal = \".\"`"), "{told}");
+    assert!(told.contains("set `decimal = \".\"`"), "{told}");
     assert_eq!(told.matches("[not-a-number]").count(), 3, "all cells are told at once: {told}");
 }
 

@@ -79,7 +79,7 @@ def of_joints(joints):
     pairs = [(0, 1)] if len(turning) < 4 else [(1, 2), (-3, -1), (-2, -1)]
     for a, b in [(turning[i], turning[k]) for i, k in pairs]:
         exchange = each(lambda row, a=a, b=b: row.update({a: row[b], b: row[a]}))
-        yield f"exchanged {name(a)} {name(b)}", [f"`{name(a)}` and `{name(b)}` exchanged"], exchange
+        yield f"exchanged {name(a)} {name(b)}", [f"`{name(a)}` and `{name(b)}` swapped"], exchange
     for joint in [turning[1], turning[-2]] if len(turning) > 2 else []:
         right_angle = 90 if joint.endswith("_deg") else math.pi / 2
         number = joints.index(joint) + 1

@@ -22,7 +22,7 @@ import sys
 # file, text, text with the fault, pattern of the tests that only this fault fails in its group
 FAULTS = [
     # base
-    ("src/base/pose.rs", "translation_mm: t.map(|v| -v) }", "translation_mm: t.map(|v| v) }", r"frames: transform after"),
+    ("src/base/pose.rs", "translation_mm: t.map(|v| -v) }", "translation_mm: t.map(|v| v) }", r"frames: transform composed"),
     ("src/base/pose.rs", "(sin / angle, (T::from(1.0) - cos) / square, cos)",
      "(sin / angle, (T::from(1.0) - cos) / angle, cos)", r"frames: rotation matrix of a rotation vector"),
     ("src/base/pose.rs", "[1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)]",
@@ -81,7 +81,7 @@ FAULTS = [
     ("src/formats/dialect/description.rs", "Self::Metre => 1000.0,", "Self::Metre => 100.0,", r"formats: xyz in m: known"),
     # controllers
     ("src/controllers/code/mod.rs", 'Operation::Subtract(..) => infix(" - "),', 'Operation::Subtract(..) => infix(" + "),',
-     r"kinematics: prexyt: position by the exported"),
+     r"kinematics: prexyt: position computed by the exported"),
     ("src/controllers/json.rs", "Parameter { value: p.value, unit", "Parameter { value: p.nominal, unit", r"exports: json: values"),
     ("src/controllers/templates/genhexkins.hal.j2", '["platform", "a"]', '["platform", "b"]', r"exports: linuxcnc-hexapod"),
 ]

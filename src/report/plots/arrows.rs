@@ -166,8 +166,8 @@ mod tests {
         let errors: Vec<_> = errors.iter().collect();
         let [before, after] = &arrows(&errors, true, &Words::default())[..] else { panic!() };
         // 16 % of 100 mm over 6 µm is 2667, over 141 µm 113
-        assert!(after.caption_own.starts_with("Arrows magnified 2000 times; longest: 6.00 µm."));
-        let common = "Arrows magnified 100 times before and after; longest:";
+        assert!(after.caption_own.starts_with("Arrows magnified 2000 times; longest error: 6.00 µm."));
+        let common = "Arrows magnified 100 times, before and after; longest error:";
         assert!(before.caption.starts_with(&format!("{common} 141 µm.")), "{}", before.caption);
         assert!(after.caption.starts_with(&format!("{common} 6.00 µm.")), "{}", after.caption);
         assert!(after.svg.contains(">5 µm</text>"));
@@ -192,6 +192,6 @@ mod tests {
     fn perfect_points_have_no_arrows() {
         let errors = [point(1, [0.0; 3], [0.0; 3], [0.0; 3])];
         let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
-        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains("longest: 0 µm"));
+        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains("longest error: 0 µm"));
     }
 }

@@ -132,7 +132,7 @@ mod tests {
         // scale both are dark
         assert!(figures[2].svg.contains("class=\"map o15 w15\"") && figures[3].svg.contains("class=\"map o0 w15\""));
         assert!(
-            figures[0].caption.contains("Where cells overlap, the cell with the largest value is drawn")
+            figures[0].caption.contains("If cells overlap, the cell with the largest value is drawn")
                 && figures[0].caption.contains("0 to 400 µm")
         );
     }

@@ -82,7 +82,7 @@ mod tests {
         assert!(drawn.caption.contains("rank 11, condition number 46.9"), "{}", drawn.caption);
         o.held_singular_values.clear();
         let drawn = picture(&o, &Words::default()).unwrap();
-        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains("further than the rank cut of 1.0e-9"));
+        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains("exceeds the rank cut of 1.0e-9"));
     }
 
     #[test]

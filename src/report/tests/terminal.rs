@@ -53,7 +53,7 @@ fn missing_limits_come_first() {
     documents.accuracy.limits.clear();
     let shown = terminal(&documents);
     let at = |part: &str| shown.find(part).unwrap_or_else(|| panic!("{part}: {shown}"));
-    assert!(at("No limits are stated: no verdict is possible.") < at("Largest "), "{shown}");
+    assert!(at("There are no limits, so no verdict is possible.") < at("Largest "), "{shown}");
     assert!(
         shown.contains("\n1. State the tolerance of the application in [limits]. A verdict needs limits.\n"),
         "{shown}"
@@ -64,7 +64,7 @@ fn missing_limits_come_first() {
     cause.id = "tolerance-exceeded".into();
     documents.parameters.messages.push(cause);
     let shown = self::terminal(&documents);
-    assert!(!shown.contains("No limits are stated"), "{shown}");
+    assert!(!shown.contains("There are no limits"), "{shown}");
     assert!(shown.contains("\n2. State the tolerance of the application in [limits]."), "{shown}");
 }
 

@@ -60,9 +60,9 @@ fn the_18_blunders_and_only_those() {
     assert_eq!(refused("its median"), BTreeSet::from(wrong_reflector));
     let total: usize = import.sources.iter().map(|s| s.refused.len()).sum();
     assert_eq!(total, 18);
-    let on_smr_3: BTreeSet<usize> = refused("the point coincides with `SMR_3`");
+    let on_smr_3: BTreeSet<usize> = refused("the point has the position of `SMR_3`");
     assert_eq!(on_smr_3, BTreeSet::from([21, 50, 720]));
-    assert_eq!(refused("the point coincides with `SMR_2`"), BTreeSet::from([135, 399]));
+    assert_eq!(refused("the point has the position of `SMR_2`"), BTreeSet::from([135, 399]));
 }
 
 fn observed(observations: Vec<Observation>) -> Observed {

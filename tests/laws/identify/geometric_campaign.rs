@@ -131,7 +131,7 @@ fn the_report_shows_both_ways_side_by_side() {
     pipeline::run(&Campaign::read(&scratch.path()).unwrap()).unwrap();
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     for text in [
-        "Geometry alone, beside the identification",
+        "Geometric calibration compared with the identification",
         "(table 2.3)",
         "by geometry alone",
         "id=\"workspace-title\"",
@@ -269,13 +269,13 @@ fn a_geometric_calibration_needs_no_log_and_no_identification() {
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     assert!(
         html.contains("Geometry alone")
-            && html.contains("Measurements by geometry alone")
-            && !html.contains("beside the identification")
+            && html.contains("Measurements of the geometric calibration")
+            && !html.contains("compared with the identification")
     );
     // half of it is refused by name
     scratch.replace("campaign.toml", "turn = \"turn-{target}-{pose}\"", "");
     let said = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();
-    assert!(said.contains("[geometric] lacks `turn`, which `offsets` needs"), "{said}");
+    assert!(said.contains("`turn`, which `offsets` needs"), "{said}");
 }
 
 #[test]
@@ -304,12 +304,12 @@ fn arc_turn_and_shaft_are_campaigns_of_their_own() {
         assert_eq!(found.steps.len(), fits, "{keys}: {:?}", found.steps);
         assert_eq!(etalon(&scratch, "report").0, Some(0), "{keys}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-        assert!(html.contains("Geometry alone") && !html.contains("beside the identification"), "{keys}");
+        assert!(html.contains("Geometry alone") && !html.contains("compared with the identification"), "{keys}");
     }
     for (keys, said) in [
-        (shaft.to_owned(), "lacks `arc`, which `shaft` needs"),
-        (format!("{arc}mid_travel_mm = 150.0\n"), "lacks `offsets`, which `mid_travel_mm` needs"),
-        (format!("{arc}{turn}{shaft}offsets = \"offset-{{target}}-{{pose}}-{{cycle}}\"\n"), "lacks `mid_travel_mm`"),
+        (shaft.to_owned(), "`arc`, which `shaft` needs"),
+        (format!("{arc}mid_travel_mm = 150.0\n"), "`offsets`, which `mid_travel_mm` needs"),
+        (format!("{arc}{turn}{shaft}offsets = \"offset-{{target}}-{{pose}}-{{cycle}}\"\n"), "`mid_travel_mm`"),
     ] {
         let scratch = on_rails(&format!("[geometric]\n{keys}"));
         let message = documents_of(&Campaign::read(&scratch.path()).unwrap()).unwrap_err().to_string();

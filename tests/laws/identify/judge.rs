@@ -48,7 +48,7 @@ fn mistakes_of_joints(noise: &mut Noise) -> Vec<Mistake> {
     let (i, j) = (whole(noise, 0, JOINTS - 1), whole(noise, 0, JOINTS - 2));
     let reversed = format!("{} reversed", names[i]);
     all.push(mistake(&reversed, &[&reversed], move |c| change_joints(c, &|q| q[i] = -q[i])));
-    let exchanged = format!("{} and {} exchanged", names[j], names[j + 1]);
+    let exchanged = format!("{} and {} swapped", names[j], names[j + 1]);
     all.push(mistake(&exchanged, &[&exchanged], move |c| change_joints(c, &|q| q.swap(j, j + 1))));
     // an offset of the first joint is that of the base, of the last one that of the targets
     let k = whole(noise, 1, JOINTS - 2);
@@ -112,7 +112,7 @@ fn mistakes_of_poses(noise: &mut Noise, poses: usize) -> Vec<Mistake> {
         mistake("one reading off", &["[outliers]", "outliers"], move |c| {
             c.observations[k].targets[0].as_mut().expect("measured")[0] += 300.0;
         }),
-        mistake("two poses exchanged", &["are exchanged"], move |c| {
+        mistake("two poses exchanged", &["are swapped"], move |c| {
             let other = c.observations[k + 3].joints.clone();
             c.observations[k + 3].joints = std::mem::replace(&mut c.observations[k].joints, other);
         }),

@@ -195,7 +195,7 @@ fn a_shape_is_stated_whole() {
             plate(146.0, "expanded_uncertainty_um = -2\ncoverage_factor = 2"),
             "`places_mm` needs `expanded_uncertainty_um`",
         ),
-        (plate(146.0, "").replace(", L = ", ", M = "), "`places_mm` names `M`"),
+        (plate(146.0, "").replace(", L = ", ", M = "), "`places_mm` contains `M`"),
         (plate(146.0, "").replace("K = [0, 0, 0], ", ""), "[rigid-place-missing] target=K"),
         (
             "[[rigid]]\ntargets = [\"K\", \"L\"]\ntolerance_mm = 0.1\ncoverage_factor = 2\n[log]".to_owned(),

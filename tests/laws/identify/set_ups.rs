@@ -183,7 +183,7 @@ pub(super) fn slips_of_joints(bench: &Bench) -> Vec<Slip> {
             all.push(Slip::new(what, &by.each_ref().map(String::as_str), move |o| o.joints[i] += deg.to_radians()));
         }
         for j in i + 1..n {
-            let exchanged = format!("{} and {} exchanged", name(i), name(j));
+            let exchanged = format!("{} and {} swapped", name(i), name(j));
             all.push(Slip::new(&exchanged, &[&exchanged], move |o| o.joints.swap(i, j)));
         }
     }
@@ -216,7 +216,7 @@ pub(super) fn slips_of_points(bench: &Bench) -> Vec<Slip> {
         all.push(Slip::of_points("left-handed", &["mirrored"], |p| p[2] = -p[2]));
         all.push(Slip::of_points("x and y exchanged", &["mirrored"], |p| p.swap(0, 1)));
     } else {
-        let exchanged = "x and y of the measured points exchanged";
+        let exchanged = "x and y of the measured points swapped";
         all.push(Slip::of_points("x and y exchanged", &[exchanged], |p| p.swap(0, 1)));
         let reversed = ["x of the measured points reversed", "y of the measured points reversed"];
         all.push(Slip::of_points("x reversed", &reversed, |p| p[0] = -p[0]));

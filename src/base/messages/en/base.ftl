@@ -90,7 +90,7 @@ file-exists = `{ $file }` already exists
 # Means: The name of the lock file is used by a folder, a link or a device.
 # Matters: Without its lock two processes could write the same result.
 # Do: Check why this file exists, then remove it or rename it.
-# Example: a symbolic link `out.lock` beside the output folder `out`
+# Example: a symbolic link `out.lock` next to the output folder `out`
 lock-foreign = cannot write `{ $file }`: `{ $lock }` is not a lock of etalon
     .expected = a regular file without other hard links
     .hint = remove it: etalon needs this name for its lock

@@ -49,7 +49,7 @@ option-columns-twice = --columns and --column both give the columns
 # Do: Look up the unit in the export settings of the measuring software, and give it with `--unit`.
 # Example: `etalon fit plane points.txt`
 option-unit-missing = the length unit of the files is not given
-    .hint = add --unit mm, m, um or inch; the unit is never guessed
+    .hint = add `--unit mm`, `m`, `um` or `inch`; the unit is never guessed
 
 # Means: The command has a parameters.json, but not the robot to which the parameters belong.
 # Matters: Deviations are computed with the robot model.

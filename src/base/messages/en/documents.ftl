@@ -44,8 +44,8 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
     }
     .hint = use RP as an upper bound, or measure with a more accurate instrument
 
-# Means: The position of a pose changes systematically over the cycles (Student's test of a straight
-# line, level 0.1 % for all poses together), and no sets of cycles are given.
+# Means: The position of a pose changes systematically over the cycles, and no sets of cycles are
+# given. The test is Student's test of a straight line, level 0.1 % for all poses together.
 # Matters: AP and RP include this drift: after warming up, the same test would give other values.
 # Do: Set `drift_set`, the number of cycles of a set, to evaluate the drift (ISO 9283, 7.6), or warm
 # the robot up before the test.
@@ -268,7 +268,7 @@ action-measure-again = measure { $count ->
         [one] {" "}(1 further pose disagrees)
        *[other] {" "}({ $more } further poses disagree)
     }
-action-measure-again-reason = pose { $pose } disagrees with the other poses: { $error }, { $times } σ
+action-measure-again-reason = pose { $pose } disagrees with the others: { $error }, { $times } σ
 action-measure-quantity = measure the quantity that `{ $limit }` limits at the judged poses, or remove the limit
 action-measure-quantity-reason = without measurements of its quantity, a limit cannot be assessed
 action-meet-limit = find the cause of the errors: { $limit }

@@ -739,8 +739,8 @@ no-row-selected = no row passes `only` and `without`
 log-without-values = no row of the log has a value in `{ $column }`
     .hint = correct the column, or list other cells in `missing`
 
-# Means: A constant of `[log]` has a wrong value for its column: a text instead of a number, a
-# fraction for a cycle, or `cycle = "visit"` without the column `pose`.
+# Means: A constant of `[log]` has a wrong value for its column, for example a text instead of a
+# number, or a fraction for a cycle. `cycle = "visit"` needs the column `pose`.
 # Matters: The rows of the log cannot have this value.
 # Do: Correct the constant.
 # Example: `constants = { q7_mm = "zero" }`

@@ -116,7 +116,7 @@ parameter-without-effect = no observation depends on `{ $parameter }`
 # Matters: Only their combination can be identified.
 # Do: Hold one of them, or measure poses in which their effects differ.
 # Example: the rotation of the base and the zero of the first joint
-parameters-inseparable = `{ $parameter }` cannot be separated from { $others }
+parameters-inseparable = `{ $parameter }` is not separately identifiable from { $others }
 
 # Means: The solver ended without a result.
 # Matters: No parameters are identified.
@@ -127,8 +127,8 @@ identification-without-result = the identification ended without a result: { $re
 solver-ended = { $termination ->
         [iteration-limit] not converged within the iteration limit
         [not-a-number] a residual is not a number
-        [rank-deficient] some parameters cannot be separated
-        [unsteady] the set of separable parameters changes from one step of the solver to the next
+        [rank-deficient] some parameters are not separately identifiable
+        [unsteady] the set of separately identifiable parameters changes from one step of the solver to the next
         [too-few-equations] there are fewer equations than parameters
        *[converged] converged, but the result is not unique
     }
@@ -174,9 +174,9 @@ readings-weighted = { $own } of { $readings } readings are weighted by their ind
 rigid-part-contradicted = { $places } of { $targets } contradict the measurements by more than their uncertainty: the distance from `{ $first }` to `{ $second }` is { FIXED($found_mm, 4) } mm { $by ->
         [identification] identified without them
        *[measurement] measured
-    }, but { FIXED($stated_mm, 4) } mm given
+    }, { FIXED($stated_mm, 4) } mm stated
 
-stated-positions = given positions
+stated-positions = stated positions
 
 # Means: Parameters are compared with given ones, but the standard uncertainty of a coordinate is
 # missing.
@@ -272,14 +272,14 @@ parameter-held-without-effect = no observation depends on `{ $parameter }`: it i
 # positions do not change.
 # Do: If you need the single values, measure poses in which their effects differ.
 # Example: the offset of a joint that never moves and the next link of an arm
-parameter-held-inseparable = `{ $parameter }` cannot be separated from { $others }: `{ $parameter }` is held at its nominal value
+parameter-held-inseparable = `{ $parameter }` and { $others } are not separately identifiable: `{ $parameter }` is held at its nominal value
 
 # Means: The poses separate this parameter from others only with a large uncertainty.
 # Matters: Its nominal value is more accurate than an identified value, so the parameter is held.
 # Do: Measure poses in which the effects of these parameters differ, for example over a wider range
 # of the joint.
 # Example: poses in which a joint moves by 2 degrees only
-parameter-separable-poorly = `{ $parameter }` can be separated from { $others } only with a standard uncertainty of { FIXED($uncertainty, 2) }{ $unit ->
+parameter-separable-poorly = `{ $parameter }` is identifiable separately from { $others } only with a standard uncertainty of { FIXED($uncertainty, 2) }{ $unit ->
         [mm] {" "}{ $unit }
         [deg] {" "}{ $unit }
        *[other] {""}
@@ -373,7 +373,7 @@ pair-of-poses = { $first } and { $second }
 # Do: Measure poses in which the effects of these parameters differ, over a wider range of their
 # joints. If you hold a parameter instead, its error remains and its uncertainty is not reported.
 # Example: a ball in four sockets whose distances were not measured
-parameters-weakly-identifiable = { $groups } are poorly separated by these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
+parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
 
 # Means: The poses separate several groups of parameters poorly.
 # Matters: The standard uncertainties of these parameters are large. Near the measured poses, their
@@ -382,7 +382,7 @@ parameters-weakly-identifiable = { $groups } are poorly separated by these poses
 # their joints. If you hold a parameter instead, its error remains and its uncertainty is not
 # reported.
 # Example: all poses measured in a small region
-parameter-groups-weakly-identifiable = { $count } groups of parameters are poorly separated by these poses (largest standard uncertainties: { $uncertainties }; errors within a group cancel near these poses): { $groups }
+parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses (largest standard uncertainties: { $uncertainties }; errors within a group cancel near these poses): { $groups }
 
 uncertainty-of-parameter = u({ $parameter }) = { FIXED($u, 3) } { $unit }
 
@@ -575,7 +575,7 @@ set-up-slip = { $others ->
         [angles] The standard deviation of orientations falls from { FIXED($stated_deg, 2) } deg to { FIXED($changed_deg, 2) } deg
         [tolerances] With the change, the standard deviation of a coordinate is { FIXED($changed_mm, 3) } mm, and parameters stay within their tolerances
        *[residuals] The standard deviation of a coordinate falls from { FIXED($stated_mm, 3) } mm to { FIXED($changed_mm, 3) } mm
-    } (at held-out poses): check this first
+    } (at held-out poses): check that first
 
 index-o1 = O1 = (s1...sm)^(1/m) / sqrt(n), m parameters, n poses; Jacobian in mm per mm, rad and 1
 index-o2 = O2 = smin / smax; Jacobian in mm per mm, rad and 1

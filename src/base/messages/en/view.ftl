@@ -213,7 +213,7 @@ watch-joints-of-other-pose = pose { $pose } agrees with the joint values of pose
 # Matters: The pose contributes less information, or its orientation is unknown.
 # Do: Turn the target to the instrument, and measure the pose again.
 # Example: a reflector that is turned away from the tracker
-watch-target-missing = { $targets } missing in pose { $pose }
+watch-target-missing = pose { $pose } does not contain { $targets }
     .hint = turn the target to the instrument, and measure the pose again
 
 view-opened = page: { $url }
