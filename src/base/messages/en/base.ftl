@@ -49,7 +49,7 @@ pose-name-two-spellings = `{ $first }` and `{ $second }` differ only in capital 
 
 # Means: The product of the given counts (cycles, poses, repeats or draws) exceeds the limit of the
 # program.
-# Matters: The computation would take hours or exhaust the memory.
+# Matters: The computation takes hours or exhausts the memory.
 # Do: Reduce one of the counts.
 # Example: 1000000 cycles of 1000 poses
 counts-too-large = too many { $of }: { $counts }
@@ -62,7 +62,7 @@ counts-too-large = too many { $of }: { $counts }
 cannot-read-file = cannot read `{ $file }`: { $reason }
 
 # Means: A file exceeds the maximum size.
-# Matters: Such a file is usually not the intended one, and it would exhaust the memory.
+# Matters: Such a file is usually not the intended one, and it exhausts the memory.
 # Do: Export the measurements without point clouds, or split the file.
 # Example: a log of 5 GiB
 file-too-large = cannot read `{ $file }`: it is larger than { $most_mib } MiB
@@ -105,7 +105,7 @@ output-through-link = cannot write `{ $file }`: `{ $link }` is a symbolic link
     .hint = replace the link with a folder, or give the path of the folder to which it points
 
 # Means: The output path is a device, a pipe or a socket.
-# Matters: etalon replaces the whole file; a device would be destroyed.
+# Matters: etalon replaces the whole file. It does not replace a device.
 # Do: Give the name of a regular file. Without the option, many commands print to stdout.
 # Example: `etalon plan --output /dev/null`
 output-not-a-file = cannot write `{ $file }`: it is a device, a pipe or a socket
@@ -151,14 +151,14 @@ environment-threads = the environment variable `{ $name }` is `{ $threads }`
     .hint = set the variable to the number of processor cores, or unset it
 
 # Means: Another process is writing the same file.
-# Matters: Two processes would mix their results.
+# Matters: If two processes write the same file, their results are mixed.
 # Do: Wait until the process with this number has ended, then repeat the command.
 # Example: two runs of one campaign at the same time
 locked = process { $process } is writing `{ $file }`
     .hint = wait until it has ended
 
 # Means: An output file is one of the files that the command reads.
-# Matters: The command would overwrite the measurements.
+# Matters: Otherwise the measurements are lost.
 # Do: Give an output path that is not one of the input files.
 # Example: `etalon plan --poses poses.csv --output poses.csv`
 output-is-input = `{ $output }` would overwrite the input `{ $input }`

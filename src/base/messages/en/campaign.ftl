@@ -65,8 +65,7 @@ no-target = a spatial robot needs at least one target
     .hint = list the targets in `targets` of [join], in `target` of the exports, or in a column `target` of the table
 
 # Means: A target is called `base`.
-# Matters: The parameters of the target would have the same names as the parameters of the robot's
-# base.
+# Matters: The parameters of the target have the same names as the parameters of the robot's base.
 # Do: Change the labels of the export, or rename the target in `columns`.
 # Example: a label `base_1_1` read as `{target}_{pose}_{cycle}`
 target-called-base = a target must not be called `base`: its parameters would have the same names as parameters of the robot's base
@@ -156,7 +155,7 @@ flange-of-table = `{ $key }` has no effect on Denavit-Hartenberg parameters
     .hint = it belongs to `convention = "poe"`
 
 # Means: The range of a joint is given with the key for the other kind of motion.
-# Matters: Degrees and millimetres would be mixed up.
+# Matters: Degrees and millimetres are mixed up.
 # Do: Use `limits_deg` for a revolute joint and `travel_mm` for a prismatic joint.
 # Example: `limits_deg` of a prismatic joint
 range-of-other-motion = `{ $key }` is not a key of a { $motion ->
@@ -166,7 +165,7 @@ range-of-other-motion = `{ $key }` is not a key of a { $motion ->
     .hint = set `{ $own }`
 
 # Means: The first limit of a range is not smaller than the second.
-# Matters: No joint value would be allowed.
+# Matters: No joint value is allowed.
 # Do: Give the smaller limit first.
 # Example: `limits_deg = [170, -170]`
 range-exchanged = `{ $key }` is not a range: { $lower } to { $upper }
@@ -286,7 +285,7 @@ bending-without-mass = `bending` of joint `{ $joint }` needs a mass beyond it
     .hint = add <inertial> to its links
 
 # Means: A target has the name of a joint, so that two parameters have the same name.
-# Matters: The value of one parameter would be taken for the other.
+# Matters: The value of one parameter is taken for the other.
 # Do: Give the target a name that no joint has.
 # Example: a target `q1`
 parameter-name-doubled = two parameters would be called `{ $name }`
@@ -300,7 +299,7 @@ tool-link-missing = no link carries the targets
     .hint = set `tool_link = "..."`, or a [[branch]] with `tool_link` and `targets` for each of several links
 
 # Means: robot.toml has both `tool_link` and [[branch]].
-# Matters: A target would be on two links.
+# Matters: A target is on two links.
 # Do: Use `tool_link` for a single link, or [[branch]] for several links.
 # Example: `tool_link = "left_hand"` above a [[branch]]
 tool-link-beside-branches = `tool_link` and [[branch]] both give the links of the targets
@@ -364,7 +363,7 @@ key-of-other-model = `{ $key }` has no effect on this model
 nominal-unknown = [nominal] contains `{ $parameter }`, which is not a parameter of this robot
 
 # Means: A nominal length is zero or negative.
-# Matters: The mirrored robot would explain the measurements equally well.
+# Matters: The mirrored robot explains the measurements equally well.
 # Do: Give the length of the drawing, without a sign.
 # Example: `l11 = -230`
 nominal-length-not-positive = the length `{ $parameter }` must be positive
@@ -378,7 +377,7 @@ nominal-missing = [nominal] does not contain { $parameters }
     .hint = give the geometry of the drawing of your machine, in mm: it is never guessed
 
 # Means: A tolerance is zero, negative or not a number.
-# Matters: A tolerance of zero would fix the parameter; a negative one has no meaning.
+# Matters: A tolerance of zero fixes the parameter; a negative one has no meaning.
 # Do: Give the tolerance of the drawing. To fix the parameter, list it in `hold`.
 # Example: `tolerance = { a_2 = 0 }`
 tolerance-not-positive = the tolerance `{ $parameter }` must be positive
@@ -398,7 +397,7 @@ selection-empty = `{ $stated }` selects no poses
     .expected = names and ranges like "1-8, 12, home", a list of them, "all", "rest" or "index mod 10 < 7"
 
 # Means: A number of the file is infinite or not a number.
-# Matters: Every result computed from it would be undefined.
+# Matters: Every result computed from it is undefined.
 # Do: Replace the value by a finite number.
 # Example: `expanded_uncertainty_um = nan`
 not-a-measured-value = `{ $value }` is not a measured value
@@ -462,7 +461,7 @@ table-key-twice = this table has this key twice{ $more ->
     .hint = begin each table of a list with its header in double brackets, such as `[[joint]]`: is a header missing before this key?
 
 # Means: A section contains a key that etalon does not know.
-# Matters: A misspelled key would have no effect.
+# Matters: A misspelled key has no effect.
 # Do: Correct the name of the key, or move it to its section.
 # Example: `coverage_facter = 2`
 unknown-key = { $count ->
@@ -516,7 +515,7 @@ urdf-joint-without-link = joint `{ $joint }` has no <{ $child } link="..."/>
     .hint = add the element
 
 # Means: The lower limit of a joint is larger than the upper limit.
-# Matters: No joint value would be allowed.
+# Matters: No joint value is allowed.
 # Do: Swap the two limits, or correct their signs.
 # Example: `<limit lower="1" upper="-1"/>`
 urdf-limits-exchanged = the lower limit of joint `{ $joint }` is larger than the upper limit: { $lower } to { $upper }

@@ -116,8 +116,8 @@ axis-without-positions = `{ $axis }` has no positions
 
 # Means: The compensated command needs another configuration of the robot than the target, or a long
 # motion of a joint.
-# Matters: There is a singularity between the original and the compensated target: the robot would
-# turn its joints on the way. No program and no list of targets is written.
+# Matters: There is a singularity between the original and the compensated target: the robot turns
+# its joints on the way. No program and no list of targets is written.
 # Do: Move the target away from the singularity, or correct the working mode, `confdata`, or Status
 # and Turn of the target.
 # Example: a target at a wrist singularity
@@ -292,7 +292,7 @@ no-feature-fitted = no measured feature was fitted as { $kind }
     .hint = features with points in the file: { $seen }
 
 # Means: The side of the probe is neither inside, outside nor a direction.
-# Matters: The command would move the element by the probe radius to an unknown side.
+# Matters: The command moves the element by the probe radius to an unknown side.
 # Do: Use `inside` for a bore, `outside` for a shaft, or the direction from the surface to the
 # probe.
 # Example: `--probe-side left`
@@ -448,7 +448,7 @@ campaign-without-observations = the campaign `{ $campaign }` has no section `[ob
     .hint = use a campaign with this section, or the options of tables (`--column` ...)
 
 # Means: The campaign of `--like` has several sections `[[observations]]`, which may describe different tables.
-# Matters: The columns of the wrong section would give the columns another meaning.
+# Matters: The columns of the wrong section give the columns another meaning.
 # Do: Omit `--like`, and describe the table with the options of tables.
 # Example: a campaign with a table of positions and one of distances
 campaign-with-several-observations = the campaign `{ $campaign }` has { $count } sections `[[observations]]`; it is unknown which one describes the table
@@ -534,7 +534,7 @@ tool-link-moves = the names of joints in the files are the joints of this chain;
 tool-link-fits = `{ $link }` fits the files: its joints are { $joints }
 
 # Means: No column of a file is recognised as coordinates or joints.
-# Matters: The campaign would not read the file.
+# Matters: The campaign does not read the file.
 # Do: Look at the columns with `etalon formats`, and give the format in campaign.toml.
 # Example: `etalon init NEW --from README.md`
 nothing-recognised = no column of `{ $name }` is recognised
@@ -547,7 +547,7 @@ nothing-recognised = no column of `{ $name }` is recognised
 option-of-call-refused = { $reason }
 
 # Means: Options of `etalon axis-table` contradict each other or the format.
-# Matters: The table would be wrong, or the format cannot represent it.
+# Matters: The table is wrong, or the format cannot represent it.
 # Do: Correct the option in the message; `etalon axis-table --help` describes all options.
 # Example: `--to sinumerik-cec` without `--sign`
 table-options-refused = { $fault ->
@@ -667,15 +667,14 @@ draws-facing-away = { $count } with a reflector that faces away from the instrum
 
 # Means: Candidates are random poses within the range of each joint, but the range of this joint is
 # unknown.
-# Matters: A range is never guessed: the measuring program would stop at a pose outside the real
-# range.
+# Matters: A range is never guessed: the measuring program stops at a pose outside the real range.
 # Do: Add the limits to the robot file, or give them with `--range`.
 # Example: an arm without `limits_deg`
 joint-range-missing = joint { $joint } has no limits
     .hint = add them to the robot file, or give them with `--range { $column }=FROM:TO`
 
 # Means: The robot has no joint with the name in `--range`.
-# Matters: The range would have no effect.
+# Matters: The range has no effect.
 # Do: Use the name of a joint with its unit.
 # Example: `--range q7_deg=-90:90` for six joints
 range-joint-unknown = `--range { $column }`: the robot has no such joint
@@ -703,7 +702,7 @@ reflector-twice = reflector { $name } is given twice
 
 # Means: The targets of this model are parameters in the robot file. Its moving part has no
 # orientation in space.
-# Matters: Reflectors and a line of sight to an instrument would have no effect.
+# Matters: Reflectors and a line of sight to an instrument have no effect.
 # Do: Omit `--reflector` and `--instrument`.
 # Example: `--reflector A=0,0,50` for a five-bar
 reflector-of-own-targets = `{ $model }` has its own targets: reflectors and an instrument cannot be given
@@ -739,20 +738,20 @@ instrument-inside-obstacle = the instrument is inside obstacle { $name }
     .hint = check the positions of both (mm, base of the robot)
 
 # Means: A reflector is inside the capsule of the link that carries it.
-# Matters: The link would hide it at every pose.
+# Matters: The link hides it at every pose.
 # Do: Check the position of the reflector, or give a smaller radius or other end points of the link.
 # Example: `--link q6=60 --reflector A=0,0,10`
 reflector-inside-link = reflector { $reflector } is inside the link of joint { $joint }, which carries it
     .hint = give a smaller radius or the end points of the link: `--link { $joint }=RADIUS,X,Y,Z,X,Y,Z`
 
 # Means: `--link` contains a joint that the robot does not have.
-# Matters: The link would hide nothing.
+# Matters: The link hides nothing.
 # Do: Use the name of the joint that moves the link.
 # Example: `--link elbow=60`
 link-joint-unknown = the robot has no joint { $joint }
 
 # Means: Links are given for a robot whose joints do not form a single chain.
-# Matters: The links would hide nothing.
+# Matters: The links hide nothing.
 # Do: Omit `--link`. Describe bodies that do not move with `--obstacle`.
 # Example: `--link q1=60` for a delta
 links-unsuited = a robot of model `{ $model }` is not a single chain of joints: links cannot be given
@@ -761,7 +760,7 @@ links-unsuited = a robot of model `{ $model }` is not a single chain of joints: 
 draws-hidden = { $count } with a reflector hidden by { $obstacle }
 
 # Means: `--box` contains an axis that the positions of the robot do not have.
-# Matters: This limit of the box would have no effect.
+# Matters: This limit of the box has no effect.
 # Do: Use x and y for a planar robot, and x, y, z for a robot in space.
 # Example: `--box z=0:100` for a planar table
 box-axis-unknown = `--box`: targets of this robot have no axis `{ $name }`

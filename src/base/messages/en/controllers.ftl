@@ -31,7 +31,7 @@ format-for-other-robots = format `{ $format }` cannot describe a robot of `model
     .hint = choose another format: `etalon export --help` lists them
 
 # Means: The robot has more joints than the format supports.
-# Matters: Some joints would be missing in the file.
+# Matters: Some joints are missing in the file.
 # Do: Choose a format without this limit, for example `json` or `c-kinematics`.
 # Example: an arm of ten joints for `linuxcnc-component`
 format-too-many-joints = the robot has { $joints } joints, format `{ $format }` supports { $most }
@@ -51,7 +51,7 @@ formulas-missing = there is no closed-form solution for the kinematics of `{ $mo
     .hint = choose a format that contains only the parameters: `json`, `csv`, `c-header`
 
 # Means: A constant of the generated kinematics is infinite or not a number.
-# Matters: The controller would compute undefined joint values.
+# Matters: The controller computes undefined joint values.
 # Do: Check the identified parameters: a length of zero or an angle of 90 deg can make a constant
 # infinite.
 # Example: a length of 0 mm by which the formulas divide
@@ -65,7 +65,7 @@ error-above-nominal = position error at { $set } poses{ $left_out_count ->
 
 # Means: The format cannot hold some of the identified parameters. Without them, the robot is less
 # accurate than with nominal parameters.
-# Matters: Loading this file would make the robot worse.
+# Matters: Loading this file makes the robot worse.
 # Do: Choose a format that can hold these parameters; `etalon export --help` lists the formats.
 # Example: `linuxcnc` for an arm whose bending was identified together with its geometry
 file-worse-than-nominal = format `{ $format }` is not written: { $reason }
@@ -148,7 +148,7 @@ parameter-twice = there are two parameters `{ $parameter }`
     .hint = run the identification again
 
 # Means: Two parameters have the same name in the language of the controller.
-# Matters: In the controller, one value would overwrite the other.
+# Matters: In the controller, one value overwrites the other.
 # Do: Rename one of the targets or joints after which the parameters are named, or choose another
 # format.
 # Example: `d-2` and `d_2`, both `ETALON_PREXYT_D_2_MM` in C
@@ -156,7 +156,7 @@ parameter-names-collide = parameters `{ $first }` and `{ $second }` both become 
     .hint = rename one of them, or choose another format
 
 # Means: A parameter of the robot is missing in parameters.json.
-# Matters: Its value is unknown; the nominal value would be a guess.
+# Matters: Its value is unknown; the nominal value is a guess.
 # Do: Give the robot.toml that the identification of these parameters used.
 # Example: parameters of a five-bar robot with the robot.toml of a PreXYT
 parameter-missing = parameter `{ $parameter }` is missing
@@ -164,7 +164,7 @@ parameter-missing = parameter `{ $parameter }` is missing
 
 # Means: The format stores measured positions and their errors, but these parameters come without
 # measured positions.
-# Matters: The file would be empty.
+# Matters: The file is empty.
 # Do: Use the `parameters.json` in the output folder of a run that measured positions.
 # Example: `etalon export --format mcap` for a parameters.json outside of an output folder
 positions-not-measured = format `{ $format }` needs measured positions, but there are none with these parameters
@@ -231,7 +231,7 @@ plane-steps-differ = the grid has different intervals along its two axes
     .expected = { $step_mm } mm along both
 
 # Means: A parameter is too large for a variable of a Galil controller.
-# Matters: The controller would store another value.
+# Matters: The controller stores another value.
 # Do: Choose a format of floating-point numbers, for example `twincat`.
 # Example: a length of 3000 m
 galil-value-too-large = `{ $parameter }` is too large for a variable of a Galil controller
@@ -239,7 +239,7 @@ galil-value-too-large = `{ $parameter }` is too large for a variable of a Galil 
 
 # Means: A constant of the inverse kinematics is too large for the fixed-point numbers of a Galil
 # controller.
-# Matters: The fixed-point arithmetic of the program would overflow.
+# Matters: The fixed-point arithmetic of the program overflows.
 # Do: Check the parameters. If the robot really has this size, choose another controller format.
 # Example: a PreXYT with a rail inclined by 10 deg
 galil-constant-too-large = { $name } = { FIXED($value, 6) } is too large for the inverse kinematics on a Galil controller
@@ -247,7 +247,7 @@ galil-constant-too-large = { $name } = { FIXED($value, 6) } is too large for the
 
 # Means: A variable of a Galil controller rounds a parameter by more than a tenth of its
 # uncertainty.
-# Matters: The rounding would make the calibrated robot less accurate.
+# Matters: The rounding makes the calibrated robot less accurate.
 # Do: Choose a format of floating-point numbers, for example `twincat`.
 # Example: a length with a standard uncertainty of 1e-11 mm
 galil-rounding = `{ $parameter }` loses { SCIENTIFIC($rounding, 1) } { $unit } on a Galil controller; its standard uncertainty is { SCIENTIFIC($uncertainty, 1) } { $unit }
@@ -261,7 +261,7 @@ galil-axes = { $joints } joints are too many for a Galil controller
     .expected = at most eight
 
 # Means: A target is too many encoder counts away for a variable of a Galil controller.
-# Matters: The controller would move to another position.
+# Matters: The controller moves to another position.
 # Do: Check `counts_per_unit` and the position of the target.
 # Example: 1000 counts per mm at 10,000,000 mm
 galil-counts-out-of-range = target { $target }: { $counts } counts are out of range
@@ -380,7 +380,7 @@ template-without-holds = the template does not list the parameters that its file
     .hint = list the parameters; `*` matches any text, so `holds: *` lists all parameters
 
 # Means: The first line of the template lists a parameter that the robot does not have.
-# Matters: A value that the template needs would be missing in the file.
+# Matters: A value that the template needs is missing in the file.
 # Do: Correct the name; parameters.json contains all names.
 # Example: `{# holds: thta_* #}`
 template-holds-unknown = no parameter matches `{ $pattern }`
@@ -428,7 +428,7 @@ measuring-motor-values = the values of joint { $joint } are motor values (gain {
     .hint = write the poses with `--poses FILE`, and convert them to joint values
 
 # Means: The language has no digital output with this name or number.
-# Matters: The controller would reject the program, or set another output.
+# Matters: The controller rejects the program, or sets another output.
 # Do: Give the name of the signal (RAPID) or the number of the output, as configured in the
 # controller.
 # Example: `--program measure.src --trigger probe`

@@ -46,7 +46,7 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 
 # Means: The position of a pose changes systematically over the cycles, and no sets of cycles are
 # given. The test is Student's test of a straight line, level 0.1 % for all poses together.
-# Matters: AP and RP include this drift: after warming up, the same test would give other values.
+# Matters: AP and RP include this drift: after warming up, the same test gives other values.
 # Do: Set `drift_set`, the number of cycles of a set, to evaluate the drift (ISO 9283, 7.6), or warm
 # the robot up before the test.
 # Example: thirty cycles from a cold start
@@ -66,7 +66,7 @@ several-approaches = several approaches at { $count ->
 
 # Means: The coordinates of one table are in another unit than mm: after a conversion they agree
 # with the other table.
-# Matters: AP, AD, AT and all other characteristics would be wrong by the factor between the units.
+# Matters: AP, AD, AT and all other characteristics are wrong by the factor between the units.
 # Do: Write the unit into the names of the columns (`x_m`), or convert the values to mm.
 # Example: `x_mm` = 0.4 at a pose that is commanded to x = 400 mm
 positions-in-other-unit = { $axes } of the { $table ->
@@ -103,8 +103,8 @@ deviation-as-large-as-test = the attained positions are { FIXED($deviation_mm, 1
 
 # Means: Two of the three rotations have nearly the same axis at these poses. Only the sum or the
 # difference of their angles is determined; noise of the orientation is amplified in each angle.
-# Matters: AP and RP of these angles are not computed, because they would be meaningless. If the
-# order of rotations is given, rotation vectors replace them.
+# Matters: AP and RP of these angles have no meaning and are not computed. If the order of rotations
+# is given, rotation vectors replace them.
 # Do: Give the order of rotations, or record the angles in an order whose middle rotation is far
 # from this angle.
 # Example: b = 90 deg with the order Rz(c) Ry(b) Rx(a), as at the flange of many arms

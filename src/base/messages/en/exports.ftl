@@ -102,14 +102,14 @@ positions-of-program = the positions of a robot program are commanded, not measu
     .hint = use them as commanded poses
 
 # Means: `encoding` contradicts the byte-order mark at the beginning of the file.
-# Matters: Names would be read wrongly.
+# Matters: Names are read wrongly.
 # Do: Remove `encoding`.
 # Example: `encoding = "utf-8"` for a file that begins with the bytes FF FE
 encoding-differs = the file begins with the byte-order mark of { $of_file }; the campaign gives { $stated }
     .hint = remove `encoding`: the byte-order mark gives it
 
 # Means: The file contains a byte that does not exist in this encoding.
-# Matters: Names and signs such as ± and µ would be read wrongly.
+# Matters: Names and signs such as ± and µ are read wrongly.
 # Do: Set `encoding` to the encoding of the program that wrote the file.
 # Example: the byte B1 (± in Windows-1252) in a file without `encoding`
 encoding-invalid = byte { $byte } (line { $line }, { $hex }) is not { $encoding }
@@ -145,7 +145,7 @@ state-column-or-target = set `columns = {"{"} target = "{ $heading }" {"}"}` wit
 
 # Means: A compressed file (workbook, arrays, recording) is larger than the maximum size when
 # unpacked.
-# Matters: It would exhaust the memory or take minutes. Files of measurements are smaller.
+# Matters: It exhausts the memory or takes minutes. Files of measurements are smaller.
 # Do: Save only the sheet, the arrays or the topics of the measurement.
 # Example: a workbook of 200 MiB of blanks that is packed into 1 MiB
 unpacked-too-large = the { $kind ->
@@ -226,7 +226,7 @@ nested-too-deep = `{ $name }` is nested { $depth } levels deep
     .hint = export the file again
 
 # Means: The file has more elements, or its features have more points, than the program can read.
-# Matters: The memory would be exhausted.
+# Matters: The memory is exhausted.
 # Do: Export part of the features into each of several files.
 # Example: a QIF file of five million elements
 file-too-many-items = the file has more than { $most } { $items ->
@@ -401,7 +401,7 @@ number-marks = if all numbers of the file look like this, set { $first }{ $secon
 format-with-decimal-comma = if the file contains decimal commas, set `format = "{ $format }, decimal comma"`
 
 # Means: A cell is empty, but the format needs a number.
-# Matters: The value is unknown; zero would be a guess.
+# Matters: The value is unknown; zero is a guess.
 # Do: Write the number into the cell, or remove the row.
 # Example: `K_1;10.5;;30` in a file separated by semicolons
 number-empty = a number is missing
@@ -442,7 +442,7 @@ quote-unmatched = { $fault ->
     .hint = close the quotation mark; inside a quoted field, write it twice
 
 # Means: A row that will be written begins like a comment.
-# Matters: A program that reads the file would skip the row.
+# Matters: A program that reads the file skips the row.
 # Do: Set another `comment`, or rename the point.
 # Example: a label `#1` with `comment = "#"`
 row-is-comment = the row `{ $row }` would be read as a comment
@@ -467,7 +467,7 @@ coordinate-type-unknown = `types` does not describe the coordinates of type `{ $
 
 # Means: The coordinates in the file are not Cartesian, and the format does not define their columns
 # and units.
-# Matters: Angles would be read as lengths.
+# Matters: Angles are read as lengths.
 # Do: Change the export to Cartesian coordinates.
 # Example: `// AXES = SPHERICAL: R, T, P` in a SpatialAnalyzer export
 coordinates-not-cartesian = the coordinates are `{ $found }`
@@ -534,7 +534,7 @@ direction-notation-differs = the direction is written as { $found ->
     .hint = set `format = "{ $format }"`
 
 # Means: The file contains another unit of length than the campaign or the command.
-# Matters: All coordinates would be wrong by a constant factor.
+# Matters: All coordinates are wrong by a constant factor.
 # Do: Set `unit` to the unit of the file. If the file itself is wrong, correct its heading.
 # Example: `unit = "inch"` for a DMIS file with `UNITS/MM`
 unit-differs = the file is in { $of_file } ({ $how }); the given unit is { $stated }
@@ -551,7 +551,7 @@ unit-unknown = `{ $unit }` is not a known unit
     .hint = export the file in one of these units
 
 # Means: The file does not contain its unit, and no other place gives it.
-# Matters: A guessed unit would falsify every result.
+# Matters: A guessed unit falsifies every result.
 # Do: Give the unit of lengths with `unit` or `--unit`. Export a file with angles again with its
 # units.
 # Example: `etalon fit plane part.qif` for a file without `FileUnits`
@@ -581,7 +581,7 @@ format-without-unit = format `{ $format }` cannot have the unit { $unit }
     .hint = choose one of these units
 
 # Means: `etalon simulate` cannot write this format or dialect.
-# Matters: The simulated campaign would have no export.
+# Matters: The simulated campaign has no export.
 # Do: Change the format of this export as the hint shows.
 # Example: `format = "qif"` in a campaign that is simulated
 format-not-simulated = `etalon simulate` cannot write { $kind ->
@@ -626,14 +626,14 @@ characteristic-beyond-count = characteristic { $index } does not exist: the numb
     .hint = export the file again: it was edited or combined from several files
 
 # Means: A characteristic has a value for this workpiece, but none for an earlier workpiece.
-# Matters: Coordinates of different workpieces would be combined into one point.
+# Matters: Coordinates of different workpieces are combined into one point.
 # Do: Change the export: write a value with the attribute 255 (K0002) if it was not measured.
 # Example: a value of `Ball 1.Y` for workpiece 2 and none for workpiece 1
 value-of-piece-missing = value { $number } of `{ $name }` belongs to workpiece { $piece }: an earlier value is missing
     .hint = export missing values with the attribute 255 (K0002)
 
 # Means: The coordinates of a point have different numbers of values.
-# Matters: Coordinates of different workpieces would be combined into one point.
+# Matters: Coordinates of different workpieces are combined into one point.
 # Do: Change the export: write a value with the attribute 255 (K0002) if it was not measured.
 # Example: three values of `Ball 1.X` and two of `Ball 1.Y`
 coordinate-counts-differ = `{ $name }` has { $found ->

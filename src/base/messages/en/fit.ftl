@@ -22,7 +22,7 @@ probe-radius-not-positive = the probe radius is { $radius } mm
     .hint = give the qualified radius of the probe, not its diameter; omit it for contact points
 
 # Means: The side of the probe is given as inside or outside, but the element has no inside.
-# Matters: The command would move the plane or line by the probe radius to an unknown side.
+# Matters: The command moves the plane or line by the probe radius to an unknown side.
 # Do: Give the direction from the element to the probe, as three numbers.
 # Example: `side = "inside"` for a plane
 probe-side-needs-direction = element { $element } has no inside and no outside
@@ -63,7 +63,7 @@ probe-larger-than-element = a probe of radius { $probe_mm } mm cannot touch elem
     .hint = set the side to inside, or correct the probe radius
 
 # Means: The fit is already corrected for the radius of the probe.
-# Matters: A second correction would move the element off the surface.
+# Matters: A second correction moves the element off the surface.
 # Do: Correct the fit for the probe only once: in the settings, or with `compensated`.
 # Example: `compensated` called for a fit with a probe in its settings
 compensated-twice = the fit is already compensated for the probe
@@ -71,7 +71,7 @@ compensated-twice = the fit is already compensated for the probe
     .hint = compensate for the probe only once
 
 # Means: A fixed radius is given for an element without a radius.
-# Matters: The radius would have no effect; probably the element is wrong.
+# Matters: The radius has no effect; probably the element is wrong.
 # Do: Omit the radius, or choose an element with a radius.
 # Example: `radius_mm = 10` for a plane
 held-radius-unsupported = element { $element } has no radius
@@ -87,7 +87,7 @@ held-radius-not-positive = the fixed radius is { $radius } mm
     .hint = give the radius in millimetres
 
 # Means: The probe is too large for the inside of an element with the fixed radius.
-# Matters: The probe centres would lie on a radius of zero or less.
+# Matters: The probe centres lie on a radius of zero or less.
 # Do: Set the side of the probe to `outside`, or correct the radius.
 # Example: `radius_mm = 1`, `probe_radius_mm = 1.5`, `side = "inside"`
 held-radius-below-probe = inside element { $element } of radius { $radius } mm, the probe centres would lie on a radius of { $centres } mm
@@ -95,7 +95,7 @@ held-radius-below-probe = inside element { $element } of radius { $radius } mm, 
     .hint = set the other side of the probe, or correct the radius
 
 # Means: A fixed axis is given for an element without an axis.
-# Matters: The axis would have no effect; probably the element is wrong.
+# Matters: The axis has no effect; probably the element is wrong.
 # Do: Omit the axis, or choose an element with an axis.
 # Example: `axis = [0, 0, 1]` for a sphere
 held-axis-unsupported = element { $element } has no axis
@@ -187,7 +187,7 @@ too-few-points = { $count ->
     .hint = measure more points, or add all points that belong to the feature
 
 # Means: A coordinate is infinite, undefined or far too large.
-# Matters: The result of the fit would be undefined.
+# Matters: The result of the fit is undefined.
 # Do: Find this point in the export, and correct or remove it.
 # Example: a point with x = 1e300
 point-not-finite = point { $number } of the { $element } is { $coordinates }

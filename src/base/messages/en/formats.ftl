@@ -22,7 +22,7 @@ column-group-incomplete = `columns` contains only some of { $names }
 
 header-without-words = `header` is empty, expected a word of the row before the data
 # Means: A key of a format describes columns that `columns` does not contain.
-# Matters: The key would have no effect, so the name of a column is probably wrong.
+# Matters: The key has no effect, so the name of a column is probably wrong.
 # Do: Add these columns to `columns`, or remove the key.
 # Example: `rotation = "zyx"` for columns x, y, z without angles
 key-needs-columns = `{ $key }` needs the columns { $columns }
@@ -63,7 +63,7 @@ column-separation-unclear = the format gives { $stated ->
     .hint = `etalon formats FILE` proposes how to read the file
 
 # Means: `widths` contains a width of zero.
-# Matters: The column would be empty.
+# Matters: The column is empty.
 # Do: Count the characters of each column, and write their numbers in `widths`.
 # Example: `widths = [8, 0, 10]`
 column-width-zero = a column of `widths` is 0 characters wide
@@ -94,7 +94,7 @@ thousands-mark-ambiguous = the thousands mark `{ $mark }` is also the { $other -
     .hint = remove or correct `thousands`
 
 # Means: `columns` contains the same role twice.
-# Matters: One of the two columns would be ignored.
+# Matters: One of the two columns is ignored.
 # Do: Correct the role. If a column is not needed, give it the role `-`.
 # Example: `columns = ["label", "x", "y", "y"]`
 column-role-twice = `columns` contains `{ $role }` twice
@@ -102,7 +102,7 @@ column-role-twice = `columns` contains `{ $role }` twice
 
 # Means: `columns` contains coordinates of a fixed kind, and also c1, c2, c3, whose kind each row
 # gives.
-# Matters: Each row would give two positions.
+# Matters: Each row gives two positions.
 # Do: Use either x, y, z (or angles and distances), or c1, c2, c3.
 # Example: `columns = ["type", "x", "y", "c3"]`
 coordinates-of-two-kinds = `columns` contains both coordinates of a fixed kind and c1, c2, c3
@@ -162,7 +162,7 @@ header-not-stated = `columns` contains the heading `{ $column }`, but the format
     .hint = set `header = 1`, or give the number of the column
 
 # Means: The last header row contains numbers in the columns of coordinates.
-# Matters: The first measured point would be lost, and all later rows would have a wrong number.
+# Matters: The first measured point is lost, and all later rows have a wrong number.
 # Do: Reduce `header` by one. Empty lines and comments do not count as rows.
 # Example: `header = 1` for a file whose first line is a point
 header-is-data = header row { $rows } contains numbers in the columns of coordinates
@@ -202,7 +202,7 @@ table-failed = cannot build the table: { $reason }
 not-whole-number = `{ $value }` in the column `{ $column }` is not a whole number
 
 # Means: A table in the output folder was changed or damaged after the run.
-# Matters: Results computed from it would be wrong.
+# Matters: Results computed from it are wrong.
 # Do: Run the campaign again; do not edit files in the output folder.
 # Example: `observations.parquet` of another run, copied into the output folder
 stored-table-damaged = the stored table is damaged: { $reason }
@@ -302,7 +302,7 @@ log-column-twice = `{ $key }` gives `{ $name }` a second time
     .hint = remove one of them; `pose = "row"` replaces the column of the pose, `period_s` the column of the time
 
 # Means: A key does not apply to this column or this log.
-# Matters: The key would have no effect. Probably the log is of another kind than the campaign says.
+# Matters: The key has no effect. Probably the log is of another kind than the campaign says.
 # Do: Remove the key, or correct `format`.
 # Example: `values = "raw"` for a log that is not a TwinCAT export
 log-key-inapplicable = `{ $key }` does not apply to { $column ->
@@ -322,7 +322,7 @@ log-key-inapplicable = `{ $key }` does not apply to { $column ->
     }
 
 # Means: The unit in the key of a column is not the unit that the controller writes.
-# Matters: Joint values would be wrong by the factor between the two units.
+# Matters: Joint values are wrong by the factor between the two units.
 # Do: Change the unit in the key, for example from `q1_deg` to `q1_rad`.
 # Example: `q1_deg = "actual_q_0"` for UR RTDE, which records rad
 column-unit-differs = `{ $key }` gives { $stated }, but `{ $column }` is in { $known ->
@@ -349,7 +349,7 @@ data-rows-missing = the file has no data rows
     .hint = export it again; if its only row contains values, set `header = false`
 
 # Means: The number of fields in a row differs from the other rows, the columns or the format.
-# Matters: Values would be read from the wrong columns.
+# Matters: Values are read from the wrong columns.
 # Do: Correct the row. A missing delimiter or a decimal comma changes the number of fields; so does
 # a file without its end.
 # Example: `1;2;3` below the header `a;b`
@@ -367,7 +367,7 @@ fields-like = { $like ->
     }
 
 # Means: The rows do not contain the given delimiter.
-# Matters: Each row would be a single field.
+# Matters: Each row is a single field.
 # Do: Set `delimiter` and `decimal` to the marks in the file.
 # Example: a file separated by semicolons, read with the default delimiter `,`
 delimiter-does-not-split = the rows do not contain the delimiter `{ $delimiter }`
@@ -467,7 +467,7 @@ simulated-column-unknown = `{ $key }` cannot be simulated
     .expected = `pose`, `cycle`, `time_s` and the joints with their units
 
 # Means: `columns` contains no channel of a TwinCAT export.
-# Matters: Nothing would be read.
+# Matters: Nothing is read.
 # Do: List the channels of the joints in `columns`.
 # Example: `format = "twincat"` with `columns = {}`
 log-columns-missing = `columns` of this log contains no channel
@@ -650,7 +650,7 @@ state-sampling-rate = add the sampling rate (`--rate-hz`): the time stamps are c
 
 # Means: The duration of the samples at the given sampling rate differs from the duration in their
 # time stamps.
-# Matters: All velocities would be wrong by the ratio of the two durations.
+# Matters: All velocities are wrong by the ratio of the two durations.
 # Do: Correct the sampling rate. If the time stamps are wrong, omit their column.
 # Example: `--rate-hz 1000` for a recording that was sampled at 200 Hz
 rate-contradicts-stamps = { $samples } samples at { $rate_hz } Hz take { FIXED($by_rate_s, 2) } s; their time stamps span { FIXED($stamped_s, 2) } s
@@ -695,7 +695,7 @@ reference-targets-differ = the reference targets of cycle { $cycle } differ from
     .expected = { $targets }
 
 # Means: `columns` contains a quantity that a table of observations does not have.
-# Matters: The column would be ignored.
+# Matters: The column is ignored.
 # Do: Choose a name from docs/observations.md. The names of coordinates and joints end with their
 # unit.
 # Example: `columns = { x = "X" }`
@@ -760,7 +760,7 @@ computed-not-finite = the computed value of `{ $column }` is { $value }
     .hint = check the expression: it divides by zero or overflows
 
 # Means: A name begins like a formula of a spreadsheet.
-# Matters: etalon writes the name to other tables, and a spreadsheet would run it as a formula.
+# Matters: etalon writes the name to other tables, and a spreadsheet runs it as a formula.
 # Do: Rename it.
 # Example: `=1+1` in the column `target`
 name-is-formula = a spreadsheet would read the name `{ $name }` in the column `{ $column }` as a formula

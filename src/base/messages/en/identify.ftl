@@ -150,8 +150,7 @@ extents-differ = the measured points span { FIXED($measured_mm, 0) } mm, the pre
 assembly-mode-contradicted = the measured position contradicts the assembly mode in { $poses }: for pose { $worst }, the residual is { FIXED($stated_mm, 1) } mm with the given mode { $stated }, and { FIXED($other_mm, 1) } mm with mode { $other }
 
 # Means: No observation contains a length.
-# Matters: A robot of twice the size would fit equally well, so the scale comes from the nominal
-# lengths.
+# Matters: A robot of twice the size fits equally well, so the scale comes from the nominal lengths.
 # Do: Measure a distance, or the position of a target.
 # Example: a ball in four sockets whose distances were not measured
 scale-unobserved = no observation contains a length: the scale of the robot comes from its nominal lengths{ $lengths ->
@@ -212,8 +211,8 @@ no-redundant-observations = there are only as many equations as parameters: the 
     .hint = measure more poses, or add the uncertainty of the instrument
 
 # Means: Residuals of the same pose are more similar than independent errors would be.
-# Matters: Computed from independent readings, the standard uncertainties would be too small. They
-# are computed from the scatter of the poses instead.
+# Matters: Computed from independent readings, the standard uncertainties are too small. They are
+# computed from the scatter of the poses instead.
 # Do: Measure more poses, or add the common error to the model.
 # Example: errors of 0.4 µm common to all readings of a pose, and noise of 1.35 µm
 pose-residuals-correlated = residuals of one pose are correlated: standard uncertainties are estimated from the scatter of the poses, { FIXED($ratio, 1) } times those from the instrument
@@ -298,8 +297,7 @@ tool-targets-collinear = the targets define no frame for the tool point: a spati
 
 # Means: The difference between the nominal robot and the measurements is larger than the tolerances
 # of its parameters allow.
-# Matters: Probably the set-up is wrong, not the robot. Identified parameters would absorb the
-# mistake.
+# Matters: Probably the set-up is wrong, not the robot. Identified parameters absorb the mistake.
 # Do: Check signs, units and order of the joints, then the nominal values, then the join of joint
 # values and points.
 # Example: one joint with the wrong sign
@@ -314,7 +312,7 @@ nominal-robot-not-at-joints = the nominal robot has no pose at these joint value
     .hint = check signs, units and order of the joints, the nominal values, and the join of joint values and points
 
 # Means: With every position of base and targets, the nominal robot is far from the measurements.
-# Matters: Probably the set-up is wrong. Identified parameters would absorb the mistake.
+# Matters: Probably the set-up is wrong. Identified parameters absorb the mistake.
 # Do: Check units, order, signs and offsets of the joints, and nominal parameters.
 # Example: `hold = ["base_rz", "base_ry"]`, but the base is rotated
 placement-unexplained = no position of base and targets agrees with the measurements: residuals are { FIXED($left_mm, 1) } mm, the measured points span { FIXED($spread_mm, 1) } mm
@@ -322,21 +320,21 @@ placement-unexplained = no position of base and targets agrees with the measurem
 
 # Means: From one pose on, all measured positions have the same shift.
 # Matters: The base or the measuring system moved during the measurement. Identified parameters
-# would absorb the shift.
+# absorb the shift.
 # Do: Identify the poses before and after the shift separately, or measure again.
 # Example: a tripod that was touched after pose 21
 reference-moved = from pose { $pose } on, measured positions are shifted by { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) compared with the poses up to { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
     .hint = base or measuring system moved: identify the poses before and after the shift separately, or measure again
 
 # Means: From one pose on, one target has another position on the part that carries it.
-# Matters: The target moved during the measurement. Identified parameters would absorb the shift.
+# Matters: The target moved during the measurement. Identified parameters absorb the shift.
 # Do: Give the target another name from this pose on, or measure these poses again.
 # Example: a reflector nest that moved after pose 40
 target-shifted = from pose { $pose } on, the target `{ $target }` is shifted by { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm in the frame of the flange) compared with its position up to pose { $previous }: the shift explains { FIXED($share_percent, 0) } % of the residuals
     .hint = the target moved on its carrier: give it another name from this pose on, or measure again
 
 # Means: The measured positions of two poses agree with the joint values of the other pose.
-# Matters: Rows of the log or names of the poses are swapped. Identified parameters would absorb the
+# Matters: Rows of the log or names of the poses are swapped. Identified parameters absorb the
 # error.
 # Do: Swap the joint values, or exclude the poses.
 # Example: rows 12 and 30 of a log are swapped
@@ -348,7 +346,7 @@ poses-exchanged = { $count ->
 
 # Means: With a change of the set-up, the robot agrees with the measurements clearly better.
 # Matters: The identified parameters absorb a mistake of the set-up. Away from the measured poses,
-# the robot would be wrong.
+# the robot is wrong.
 # Do: Check each change in the hint on the robot, and correct the campaign.
 # Example: joints 5 and 6 are swapped, and the orientation of the flange hardly changes
 set-up-contradicted = the measurements contradict the given set-up
@@ -357,7 +355,7 @@ set-up-contradicted = the measurements contradict the given set-up
 # Means: With each of these changes, a robot within its tolerances agrees with the measurements as
 # well as with the given set-up.
 # Matters: If one of these changes is a mistake of the set-up, the data do not show it. The
-# controller would then compute a wrong position of the flange.
+# controller then computes a wrong position of the flange.
 # Do: Check the directions and the order of the joints on the robot. Or measure a second target away
 # from the axis of the last joint, in poses that move all joints.
 # Example: the direction of the last joint with one reflector on its axis

@@ -583,7 +583,7 @@ head-hint = hint
 head-labels = labels
 head-meaning = meaning
 head-passes = passes
-head-refused = refused
+head-refused = rejected
 head-samples = samples
 head-severity = severity
 head-stroke = stroke
@@ -1206,13 +1206,13 @@ sheet-proven-effects = Supported effects
 sheet-reference-data = Reference data
 sheet-reflector-at = reflector { $name } at (mm, flange)
 sheet-reflector-axis = { $at }; axis { $axis }, within { $angle }° of the instrument
-sheet-refused-rows = Refused rows
+sheet-refused-rows = Rejected rows
 sheet-relative-accuracy = Relative accuracy
 sheet-requirements = Requirements
 sheet-robust-fit-poses = Robust fit, poses
 sheet-rows-left-out = { $count ->
-    [one] 1 more row is left out: the documents have it
-   *[other] { $count } more rows are left out: the documents have all
+    [one] 1 more row is not shown: the documents contain it
+   *[other] { $count } more rows are not shown: the documents contain all rows
 }
 sheet-singular-values = Singular values
 sheet-slips = Seeded faults

@@ -24,7 +24,7 @@ cannot-read-folder = cannot read the folder `{ $folder }`: { $reason }
     .hint = check the path and the permissions
 
 # Means: A folder of templates has no file that ends in `.html` or `.css`, and no `report.typ`.
-# Matters: The report would look like the built-in report.
+# Matters: The report looks like the built-in report.
 # Do: Write the built-in templates to the folder, then change them.
 # Example: an empty folder `templates`
 no-templates = the folder `{ $folder }` has no template

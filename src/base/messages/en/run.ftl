@@ -16,7 +16,7 @@ uncertainty-source = { $section ->
 
 # Means: The uncertainty of a coordinate is smaller than for any interferometer, or larger than for
 # any camera.
-# Matters: The value is probably in another unit. All results would have wrong weights.
+# Matters: The value is probably in another unit. All results have wrong weights.
 # Do: Convert the expanded uncertainty of one coordinate to micrometres.
 # Example: `expanded_uncertainty_um = 0.0027` for 2.7 µm
 key-uncertainty-implausible = `{ $key }` = { $value } cannot be the uncertainty of a measured coordinate in micrometres
@@ -73,7 +73,7 @@ interpolate-with-standstills = `interpolate` has no effect: log `{ $log }` has [
     .hint = remove `interpolate`: each point is joined to the standstill that contains its time
 
 # Means: A key does not belong to this kind of join.
-# Matters: The key would have no effect, so the join is probably not the intended one.
+# Matters: The key has no effect, so the join is probably not the intended one.
 # Do: Remove the key, or set `by` to the kind of join that uses it.
 # Example: `tolerance_s` with `by = "row"`
 key-of-other-join = `{ $key }` has no effect in this join
@@ -108,7 +108,7 @@ key-and-column = `{ $key }` is given twice: as a key of the export and as one of
     .hint = remove one of them
 
 # Means: The output folder contains a file that the campaign reads.
-# Matters: A run replaces the whole output folder, so the input would be lost.
+# Matters: A run replaces the whole output folder, including the input.
 # Do: Use another folder, or remove `output` to use the default `out`.
 # Example: `output = "exports"` with the measurements in `exports`
 input-in-output-folder = the output folder contains the input `{ $input }`
@@ -144,7 +144,7 @@ world-frame-definition = the world frame must be defined in exactly one way
     .expected = `plane` with `origin` and an axis, or `targets`, or `as_exported = true`
 
 # Means: A key does not belong to this definition of the world frame.
-# Matters: The key would have no effect, so the definition is probably not the intended one.
+# Matters: The key has no effect, so the definition is probably not the intended one.
 # Do: Remove the key, or use the definition to which it belongs.
 # Example: `origin` together with `targets`
 key-of-other-frame = `{ $key }` has no effect in this world frame
@@ -204,7 +204,7 @@ errors-table-incomplete = a table of errors needs the complete geometric calibra
 
 # Means: An uncertainty, a coefficient of thermal expansion or a coverage factor has an implausible
 # value.
-# Matters: The value is probably in another unit. The uncertainty of every result would be wrong.
+# Matters: The value is probably in another unit. The uncertainty of every result is wrong.
 # Do: Convert the value to the unit in the name of the key.
 # Example: `robot_per_c = 11.5` for 11.5e-6
 key-out-of-range = `{ $key }` = { $value } is outside { $least } to { $most }
@@ -219,7 +219,7 @@ plausible-value = { $quantity ->
     }
 
 # Means: [homing] gives no uncertainty for joints of one kind.
-# Matters: The results would not include the uncertainty of these joints at their switches.
+# Matters: The results do not include the uncertainty of these joints at their switches.
 # Do: Add the key. If homing adds no error, set it to 0.
 # Example: `expanded_uncertainty_um` alone for a robot with revolute joints
 homing-incomplete = [homing] does not contain `{ $key }` for joint `{ $joint }` (values in { $unit })
@@ -309,7 +309,7 @@ log-name-invalid = `{ $name }` cannot be the name of this log
     .expected = letters, digits, `_` and `-`; a different name for each log
 
 # Means: `columns` of a log contains a joint that the robot does not have.
-# Matters: The values of this column would have no effect.
+# Matters: The values of this column have no effect.
 # Do: Use the names of the robot's joints.
 # Example: `q9_deg = "J9"` for a robot of six joints
 log-joint-unknown = `{ $key }` is not a joint of this robot
@@ -440,14 +440,14 @@ valid-until-no-date = `valid_until` is not a date: "{ $date }"
     .expected = the last day of validity in quotation marks, such as "2027-03-02"
 
 # Means: The last day of validity is before the date of the measurements.
-# Matters: The calibration would never have been valid.
+# Matters: On the day of the measurements, the calibration was already invalid.
 # Do: Correct the year of `valid_until` or of `date`.
 # Example: `date = "2026-03-02"` with `valid_until = "2025-03-02"`
 valid-until-before-measurements = `valid_until` ({ $date }) is before the measurements ({ $measured })
     .hint = correct `valid_until` or `date`
 
 # Means: A template would write a file that a run also writes.
-# Matters: The document of the run would be lost.
+# Matters: The file of the template and the document of the run cannot both exist.
 # Do: Give the template another name.
 # Example: a template `parameters.json.j2`
 template-name-reserved = a run writes its own `{ $file }`

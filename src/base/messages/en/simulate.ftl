@@ -100,7 +100,7 @@ in-numbered-table = [[{ $table }]] { $number }: { $message }
 in-set = set `{ $set }`: { $message }
 
 # Means: The truth contains no points for this export.
-# Matters: The export would be empty.
+# Matters: The export is empty.
 # Do: Add a [[point]] with this `export`, or add `label` or `target` to the export in the campaign.
 # Example: an export `world.txt` and no [[point]] with `export = "world.txt"`
 export-without-points = the truth contains no points for the export `{ $file }`
@@ -114,14 +114,14 @@ simulate-utf8 = `etalon simulate` writes only UTF-8
     .hint = omit `encoding` of this export
 
 # Means: If etalon reads the simulated export again, it finds another number of rows.
-# Matters: The simulation would not test this campaign.
+# Matters: The simulation does not test this campaign.
 # Do: Add target, pose and cycle to `label` or to `columns`.
 # Example: a point at 0, 0, 0 in a PolyWorks file, which counts as not measured
 simulated-rows-lost = `{ $file }` has { $rows } rows, but etalon would read { $read }
     .hint = add target, pose and cycle to `label` or `columns`; `pose = "row"` is for one target per file; without a cycle, set `cycles = 1` in the truth
 
 # Means: If etalon reads the simulated export again, it takes a row for another measurement.
-# Matters: The simulation would not test this campaign.
+# Matters: The simulation does not test this campaign.
 # Do: Add target, pose and cycle to `label` or to `columns`.
 # Example: labels without the number of the cycle
 simulated-row-misread = line { $line } of `{ $file }` is { $meant }, but etalon would read it as { $read }
@@ -151,7 +151,7 @@ observe-without-table = the truth has [[observe]], but the campaign has no [obse
     .hint = add [observations] with `file` to campaign.toml
 
 # Means: The campaign has [observations], but the truth has no [[observe]].
-# Matters: The table would be empty.
+# Matters: The table is empty.
 # Do: Add an [[observe]] for each kind of observation to the truth.
 # Example: [observations] with `file` and a truth without [[observe]]
 table-without-observe = the truth has no [[observe]] for the table of [observations]
@@ -165,7 +165,7 @@ campaign-not-synthetic = the campaign is not marked as synthetic: its files may 
     .hint = set `synthetic = "how the data are made"` in campaign.toml; `etalon init --synthetic FOLDER` writes such a campaign with a truth
 
 # Means: `decimals` is larger than the number of decimals of a floating-point number.
-# Matters: The additional digits would be rounding errors.
+# Matters: The additional digits are rounding errors.
 # Do: Use fewer decimals.
 # Example: `decimals = 30`
 truth-decimals = { $decimals } decimals exceed the precision of a number
@@ -179,7 +179,7 @@ joints-and-points-together = a file with joints and points together cannot be si
     .hint = use a separate export and a separate [log]
 
 # Means: The label of a [[point]] begins like a formula of a spreadsheet.
-# Matters: A spreadsheet would run the label as a formula.
+# Matters: A spreadsheet runs the label as a formula.
 # Do: Change the label.
 # Example: `label = "=A1"`
 point-label-formula = a spreadsheet would read the label `{ $label }` of a [[point]] as a formula
@@ -206,7 +206,7 @@ unmodelled-period = [unmodelled] `period` of `{ $joint }` must be positive
     .hint = give a positive period
 
 # Means: A set of poses does not determine all parameters.
-# Matters: The undetermined parameters would stay at their nominal values in all calibrations.
+# Matters: The undetermined parameters stay at their nominal values in all calibrations.
 # Do: Add poses in which more joints move.
 # Example: two poses that differ in one joint
 study-too-few-poses = too few poses to identify all parameters
@@ -235,7 +235,7 @@ truth-not-touching = pose { $pose }: there is no contact at joint values near th
     .hint = choose joint values nearer to the contact, or increase the range in which joint values are varied
 
 # Means: The uncertainty of angles is missing.
-# Matters: Simulated orientations would have no noise, and identified orientations no weight.
+# Matters: Simulated orientations have no noise, and identified orientations no weight.
 # Do: Set `expanded_rotation_uncertainty_deg` in [instrument], or `urot_deg` in the [[observe]].
 # Example: `kind = "orientation"` without an uncertainty
 angle-uncertainty-missing = the uncertainty of an angle is missing

@@ -62,7 +62,7 @@ rigid-uncertainty-without-places = `{ $key }` belongs to `places_mm`, which is m
     .hint = set `places_mm`, or remove `{ $key }`
 
 # Means: `places_mm` of [[rigid]] contains a target that is missing in `targets` of the same part.
-# Matters: This position would have no effect.
+# Matters: This position has no effect.
 # Do: Correct the name, or add the target to `targets`.
 # Example: `places_mm = { SMR_9 = [0, 0, 0] }` with targets SMR_1 to SMR_3
 rigid-place-unknown = `places_mm` contains `{ $target }`, which is not a target of this rigid part
@@ -124,7 +124,7 @@ exclusion-mixed = an exclusion needs either poses, or the rows of a file
 
 # Means: `file` of [[identify.exclude]] is not an export of the campaign, or is an export without
 # rows.
-# Matters: The exclusion would have no effect.
+# Matters: The exclusion has no effect.
 # Do: Copy the name of the file from the [[export]].
 # Example: `file = "pose.txt"` for the export `poses.txt`
 exclusion-file-unknown = `{ $file }` is not an export with rows to exclude
@@ -273,7 +273,7 @@ exclusions-leave-nothing = all readings are excluded
     .hint = remove an exclusion
 
 # Means: The text of an exclusion is not a list of poses or rows.
-# Matters: The exclusion would have no effect.
+# Matters: The exclusion has no effect.
 # Do: Write names, numbers and ranges.
 # Example: `poses = "rest"`
 exclusion-names-nothing = `{ $stated }` selects no { $of ->
@@ -350,7 +350,7 @@ pose-without-frame = { $count ->
     .hint = the frame targets were rejected or not measured: see import.json
 
 # Means: A measured point and its row of the log have different poses or cycles.
-# Matters: Joint values would be assigned to the wrong points.
+# Matters: Joint values are assigned to the wrong points.
 # Do: Join by pose. If the column of the log has another meaning, remove it from `columns`.
 # Example: a join by row, although the row of pose 7 is missing in the export
 join-contradicts = { $count ->
@@ -360,7 +360,7 @@ join-contradicts = { $count ->
     .hint = join by pose; if `{ $column }` has another meaning in the log, remove it from `columns` of the log
 
 # Means: A join by row needs as many rows in the log as in the export, but the numbers differ.
-# Matters: After the first missing row, the joint values would belong to other points.
+# Matters: After the first missing row, the joint values belong to other points.
 # Do: Complete the file, or add pose and cycle to both files and join by them.
 # Example: 100 rows of the export, 99 of the log
 row-counts-differ = `{ $file }` has { $rows } rows, but log `{ $log }` has { $log_rows }
@@ -452,7 +452,7 @@ point-pairs-many = { $pairs } pairs of names have points at the same position; t
 # Means: A pose is only in the export or only in the log, and other poses of the other file are
 # unmatched as well.
 # Matters: The name of the pose is probably spelt differently in the two files, so its measurements
-# would be lost.
+# are lost.
 # Do: Write the name of the pose in the same way in both files.
 # Example: `home` in the log, `hom` in the export
 pose-misspelt = pose `{ $pose }` { $of ->
@@ -596,7 +596,7 @@ distance-not-positive = `distance_mm` is missing or not a length
     .expected = a length above 0
 
 # Means: A fixed point, socket or station has the name of a target on the robot, or `base`.
-# Matters: The program would use the coordinates of the target on the moving part.
+# Matters: The program uses the coordinates of the target on the moving part.
 # Do: Give the fixed point a name that no target on the robot has.
 # Example: `other = "SMR_1"` where SMR_1 is on the robot
 fixed-point-on-robot = `{ $name }` is a target on the robot, not a fixed point
@@ -1080,7 +1080,7 @@ assembly-mode-ambiguous = both assembly modes fit equally well: { FIXED($near_mm
     .hint = add a column `assembly` with 1 or -1; or the position of the base (x_o, y_o, phi) under [nominal]
 
 # Means: The log contains no assembly mode, so the mode nearer to the measurement is used.
-# Matters: A wrong mode would cause an error of millimetres at this pose.
+# Matters: A wrong mode causes an error of millimetres at this pose.
 # Do: If the log contains the assembly mode, add the column `assembly`.
 # Example: a log of a five-bar robot without `assembly`
 assembly-modes-assumed = the assembly mode of { $count } observations was taken from the measurement ({ $positive } in mode +1, { $negative } in mode -1); the least clear pose is { $pose }: { FIXED($near_mm, 1) } mm and { FIXED($far_mm, 1) } mm
@@ -1263,7 +1263,7 @@ orientation-slip = { $slip ->
 # Means: Observed orientations differ from the orientations of the robot by more than errors of the
 # joints can explain.
 # Matters: They have another convention than their columns say, or a joint is reversed. Parameters
-# identified from them would be meaningless.
+# identified from them have no meaning.
 # Do: Check the causes in the hint. Otherwise check that qw, qx, qy, qz rotate vectors from the body
 # to the world, with the scalar first. For angles, check their order.
 # Example: quaternions with the scalar last in columns qw, qx, qy, qz
@@ -1355,7 +1355,7 @@ joint-does-not-move = `{ $joint }` does not move: { $count ->
     .hint = move `{ $joint }` between the calibration poses, or use the robot only at this value; otherwise errors up to the tolerance of `{ $first }` remain
 
 # Means: The standard uncertainty of the direction of a feature is too large for a frame.
-# Matters: The direction of a frame that uses this feature would be arbitrary.
+# Matters: The direction of a frame that uses this feature is arbitrary.
 # Do: Measure points that are farther apart and not on one line.
 # Example: a plane through three points on one line
 direction-undetermined = its direction has a standard uncertainty of { FIXED($direction_deg, 0) } deg; limit { $limit_deg } deg
@@ -1490,7 +1490,7 @@ step-scatters = { $step }: residuals scatter by { FIXED($found_mm, 4) } mm, the 
 
 # Means: A table of the geometric report selects no pose at which K and L were measured in the same
 # cycle.
-# Matters: The table would be empty.
+# Matters: The table is empty.
 # Do: Measure both balls in the same cycle, or select other poses.
 # Example: `poses = "9-13"`, but only K was measured at these poses
 table-without-poses = the table `{ $title }` has no pose at which K and L were measured together
@@ -1644,15 +1644,14 @@ series-incomplete = calibration poses that are in no series: { $poses }
     .hint = `"rest"` selects all poses that are in no earlier series
 
 # Means: All calibration poses are in one series.
-# Matters: A single series shows no scatter between series, so the uncertainties would not include
-# it.
+# Matters: A single series shows no scatter between series, so the uncertainties do not include it.
 # Do: List the poses of each set-up, day or file, or remove `series`.
 # Example: `series = ["all"]`
 series-single = only one series of `series` contains calibration poses
     .hint = write at least two series, or remove `series`
 
 # Means: A table of the geometric report selects no pose of calibration or validation.
-# Matters: The table would be empty.
+# Matters: The table is empty.
 # Do: Select poses of these sets.
 # Example: `poses = "100-110"` of poses 1 to 50
 table-selection-empty = the table `{ $title }` contains no measured pose
@@ -2099,7 +2098,7 @@ format-not-identified = the identification for format `{ $format }` failed: { $m
 # Means: The clocks run at different rates: with an offset alone, some points are outside the
 # standstills. Offset and rate were computed together.
 # Matters: Each point gets the joint values of its standstill. The rate is within 100 ppm, as for
-# quartz clocks; the log of another run would not agree.
+# quartz clocks; the log of another run does not agree.
 # Do: Nothing, if all points were measured during standstills. Next time, synchronise the clocks.
 # Example: `clock_rate = "standstills"` for an instrument and a controller that recorded for an hour
 clock-rate-from-standstills = the clock of the measurement runs { FIXED($rate_ppm, 1) } ppm ± { FIXED($u_ppm, 1) } ppm (k = 1) relative to the clock of log `{ $log }` (possible: { FIXED($low_ppm, 1) } to { FIXED($high_ppm, 1) } ppm); offset { FIXED($offset_s, 3) } s ± { FIXED($u_s, 3) } s (k = 1) at { FIXED($reference_s, 3) } s of the log
@@ -2162,7 +2161,7 @@ clock-rate-none = with no offset of the clocks and no rate within ± { $most_ppm
 limit-not-assessable = limit `{ $limit }` cannot be assessed: its quantity was not measured at the poses to which it applies
     .hint = measure the quantity at these poses, or remove the limit from [limits]
 # Means: An option contains a joint that has neither a sweep nor a column of values.
-# Matters: The option would have no effect, or the order of the joints would be wrong.
+# Matters: The option has no effect, or the order of the joints is wrong.
 # Do: Write the name of the joint as in the column `joint`.
 # Example: `--prismatic Z` for a table with the joints q1 to q4
 sweep-joint-unknown = `{ $joint }` is not a joint of these sweeps
@@ -2198,14 +2197,14 @@ sweep-sign-by-values = the joint values already give the direction of each sweep
     .hint = omit --backwards
 
 # Means: In the sweep of one joint, the values of another joint change.
-# Matters: The axis would be assigned to the wrong joint.
+# Matters: The axis is assigned to the wrong joint.
 # Do: Correct the column `joint`, or the headings of the columns of joint values.
 # Example: a sweep of q3 with the name q2
 sweep-other-joint = `{ $moved }` moves in the sweep of `{ $joint }`, but `{ $joint }` does not
     .hint = correct the column `joint`, or the headings of the joint values
 
 # Means: A second joint moves during the sweep of a joint.
-# Matters: The paths are then neither circles nor lines, and the axis would belong to neither joint.
+# Matters: The paths are then neither circles nor lines, and the axis belongs to neither joint.
 # Do: Measure the sweep again with all other joints at rest.
 # Example: a sweep of joint 1 in which joint 2 turns by a tenth of the angle
 sweep-two-joints = `{ $also }` also moves in the sweep of `{ $joint }`, by { $by }
@@ -2217,7 +2216,7 @@ sweep-by-length = { FIXED($by, 3) } mm
 
 # Means: The motion of the targets differs from the change of the joint value.
 # Matters: The joint value has another unit, is a motor value, or another joint moves too. The zero
-# of the joint would be wrong.
+# of the joint is wrong.
 # Do: Correct the unit in the heading. For a motor value, compute the column: `--column
 # "q1_deg=motor1/100"`.
 # Example: radians under the heading q1_deg
@@ -2327,14 +2326,14 @@ sweep-target-unswept = a target of check poses is in no sweep: robot.toml is not
     .hint = at check poses, measure targets that are also in the sweeps
 
 # Means: The sweeps or check poses agree only if two joints are swapped.
-# Matters: The robot would be wrong at every pose.
+# Matters: The robot is wrong at every pose.
 # Do: Swap the names of the two joints, in the column `joint` and in the headings.
 # Example: axes 4 and 5 of an arm have each other's names
 sweeps-exchanged = `{ $first }` and `{ $second }` are swapped: positions differ by { FIXED($stated_mm, 3) } mm (root mean square) as given, and by { FIXED($left_mm, 3) } mm with the joints swapped
     .hint = swap their names in the column `joint` and in the headings
 
 # Means: The check poses agree only if the sweep of a joint went in the negative direction.
-# Matters: The sign of the joint would be wrong.
+# Matters: The sign of the joint is wrong.
 # Do: Add the joint to `--backwards`.
 # Example: a sweep from +30 to -30 degrees without joint values
 sweep-reversed = the sweep of `{ $joint }` went in the negative direction: check poses differ by { FIXED($stated_mm, 3) } mm (root mean square) as given, and by { FIXED($left_mm, 3) } mm with the opposite sign
@@ -2578,7 +2577,7 @@ cell-axis-direction = the angle between a rotary axis and the axis { $axis } of 
     .hint = measure in the coordinates of the machine, or choose the kinematics of the machine
 
 # Means: The rotary axes turn in a direction that these kinematics do not have.
-# Matters: The tool and the part would move apart.
+# Matters: The tool and the part move apart.
 # Do: Reverse the sign of the axis in the configuration of the machine, and measure again.
 # Example: an axis A with positive direction and an axis C with negative direction for
 # `xyzac-trt-kins`
@@ -2598,14 +2597,14 @@ cell-tool-length-missing = `{ $maker }` needs the length of the tool that carrie
     .hint = add `--tool-length-mm`; for a target at the gauge line, use 0
 
 # Means: The tool is longer than the distance from the pivot to the end of the tool.
-# Matters: The pivot would be below the gauge line of the spindle.
+# Matters: The pivot is below the gauge line of the spindle.
 # Do: Check the length of the tool. Check that the first target is below the pivot at B = 0.
 # Example: `--tool-length-mm 900` with a target 250 mm below the axis
 cell-pivot-above = the tool ({ FIXED($tool_mm, 3) } mm) is longer than the distance from the axis down to the first target ({ FIXED($along_mm, 3) } mm, with the axis at zero)
     .hint = check the length of the tool, and that z of the machine points up the spindle
 
 # Means: Number 1 is the robot itself; external kinematics have the numbers 2 to 7.
-# Matters: The file would overwrite the definition of the robot.
+# Matters: The file overwrites the definition of the robot.
 # Do: Use the number of the external kinematics in the controller.
 # Example: `--solve rotary-axis --controller kuka --number 1`
 cell-machine-number = `MACHINE_DEF[{ $number }]` is not an external kinematic system
@@ -2639,7 +2638,7 @@ cell-columns-unused = { $count ->
     .hint = `etalon cell --help` lists the columns of each task
 
 # Means: The readings contradict each other; after a change of the input they agree.
-# Matters: The frame would be wrong.
+# Matters: The frame is wrong.
 # Do: Check the change on the robot, and correct the table or the options. If the message lists
 # several changes, the readings do not show which one is right.
 # Example: angles of KUKA (zyx) read in the order xyz
@@ -2827,8 +2826,8 @@ tilt-of-base-or-joint = { $stated ->
 
 # Means: A residual field depends on a joint whose values increase or decrease in the order of the
 # poses.
-# Matters: A set-up that drifts during the measurement causes the same residuals. The field would
-# assign this drift to the robot.
+# Matters: A set-up that drifts during the measurement causes the same residuals. The field assigns
+# this drift to the robot.
 # Do: Measure the poses in another order, or test the field at poses of another day.
 # Example: poses sorted by the first joint, while the tracker drifted
 field-follows-order = the residual field depends on `{ $joint }`, whose values follow the order of the poses (rank correlation { FIXED($correlation, 2) }): a drift of the set-up causes the same residuals

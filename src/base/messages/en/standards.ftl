@@ -37,7 +37,7 @@ too-few-positions = { $of }: { $count ->
     .hint = measure more cycles
 
 # Means: An attained position is infinite or not a number.
-# Matters: Means and standard deviations would be undefined.
+# Matters: Means and standard deviations are undefined.
 # Do: Correct this row, or remove it.
 # Example: `NaN` in a column of coordinates
 position-not-finite = { $of }: position { $number } is non-finite
@@ -56,7 +56,7 @@ too-few-passes = { $of }: { $count ->
     .hint = record more passes of the path
 
 # Means: The passes were found with one set of command points and evaluated with another.
-# Matters: Passes and command points would not match.
+# Matters: Passes and command points do not match.
 # Do: Use the same command points for finding and for evaluating the passes.
 # Example: passes of a path of 100 points, evaluated with 50 points
 passes-of-other-path = { $of }: the passes belong to another path
@@ -102,7 +102,7 @@ test-plane-unknown = unknown test plane `{ $name }`
     .expected = { $planes }
 
 # Means: The radius or the duration of a standstill is zero, negative or not a number.
-# Matters: The program would find no standstill.
+# Matters: The program finds no standstill.
 # Do: Choose a radius larger than the noise of the standing robot, and a duration shorter than the
 # shortest stop.
 # Example: `still_mm = 0`
@@ -126,7 +126,7 @@ stream-value-missing = a coordinate or the time is missing or non-finite
     .hint = remove this sample
 
 # Means: The time stamp of a sample is not later than the time stamp of the previous sample.
-# Matters: The velocity would be infinite or negative.
+# Matters: The velocity is infinite or negative.
 # Do: Sort the samples by time. If two samples have the same time, record with finer time stamps.
 # Example: two samples at 1.5 s
 time-not-increasing = the time does not increase: { $later_s } s after { $earlier_s } s

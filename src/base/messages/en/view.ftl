@@ -123,7 +123,7 @@ view-without-campaign = the folder contains no readable campaign
     .hint = drop files and accept the proposal, or correct campaign.toml
 
 # Means: A run was started while another run is computing.
-# Matters: Two runs would write to the same output folder.
+# Matters: Two runs cannot write to the same output folder.
 # Do: Wait until the first run has ended, then start again.
 # Example: two clicks on the same button
 view-run-in-progress = a run is in progress
@@ -167,7 +167,7 @@ view-campaign-not-editable = the page cannot change `{ $key }` in campaign.toml
 
 # Means: A parameter should be identified, but a pattern in `hold`, the choice of effects or the
 # data hold it.
-# Matters: The identification would not change.
+# Matters: The identification does not change.
 # Do: Change `hold` or `effects` in campaign.toml yourself.
 # Example: `hold = ["delta*"]`, but `delta_1` should be identified
 view-parameter-stays-held = parameter `{ $name }` is held, but `hold` does not contain its name
@@ -189,7 +189,7 @@ view-browser-not-opened = the browser could not be opened
 
 # Means: The newest pose differs from its prediction by more than the uncertainty of the measurement
 # and of the model.
-# Matters: An outlier, a moved instrument or a wrong joint value would make the calibration wrong.
+# Matters: An outlier, a moved instrument or a wrong joint value makes the calibration wrong.
 # Do: Measure this pose again before you move to the next one.
 # Example: a reflector that was touched at its edge
 watch-disagrees = pose { $pose } disagrees: { FIXED($error_um, 0) } µm at { $target }, expected at most { FIXED($expected_um, 0) } µm
