@@ -222,38 +222,39 @@ urdf-two-parents = link `{ $link }` has two parents: `{ $first }` and `{ $second
 urdf-loop = the joints beyond link `{ $link }` form a loop
     .hint = a URDF is a tree: describe loops with `mimic`
 
-# Means: The campaign names a link that the URDF lacks.
-# Matters: Base or tool of the chain are unknown.
-# Do: Use a link of the file.
+# Means: The campaign refers to a link that the URDF does not contain.
+# Matters: The base or the tool of the chain is unknown.
+# Do: Correct the name; the message proposes similar names.
 # Example: `tool_link = "tool9"`
 urdf-link-unknown = `{ $file }` has no link `{ $link }`
 
 # Means: No chain of joints leads from the base link to the tool link.
 # Matters: The tool does not move with the robot.
-# Do: Check `base_link` and `tool_link`.
+# Do: Check `base_link` and `tool_link`: both must be on one tree of joints.
 # Example: a base link of another robot in the same file
 urdf-no-path = no joints lead from `{ $from }` to `{ $to }`
     .hint = check `base_link` and `tool_link`: no joint carries `{ $root }`
 
-# Means: A joint mimics a joint that the file lacks.
-# Matters: Its motion is unknown.
-# Do: Name a joint of the file in <mimic>.
+# Means: A joint mimics a joint that the file does not contain.
+# Matters: The motion of the joint is unknown.
+# Do: Correct the name of the joint in <mimic>.
 # Example: `<mimic joint="q9"/>`
-urdf-mimic-unknown = joint `{ $joint }` mimics `{ $mimics }`, which the file does not have
+urdf-mimic-unknown = joint `{ $joint }` mimics `{ $mimics }`, which the file does not contain
 
 # Means: A joint mimics itself.
 # Matters: Its motion is undefined.
-# Do: Name another joint in <mimic>.
+# Do: Write the name of another joint in <mimic>.
 # Example: `<joint name="q1"><mimic joint="q1"/>`
 urdf-mimics-itself = joint `{ $joint }` mimics itself
-    .hint = name another joint in <mimic>
+    .hint = write the name of another joint in <mimic>
 
-# Means: A joint has several elements `mimic`. URDF couples a joint to one other joint.
-# Matters: With one of them alone the kinematics would be wrong.
-# Do: Keep the element that applies, or remove all of them and log the value of the joint.
+# Means: A joint has several elements `mimic`. In a URDF, a joint can follow only one other joint.
+# Matters: With only one of these elements, the kinematics are wrong.
+# Do: Keep the element that applies. If several apply, remove all of them, and log the value of the
+# joint.
 # Example: a wrist whose angle is the sum of two motor angles
 urdf-mimics-several = joint `{ $joint }` mimics several joints
-    .hint = keep one `mimic`: a URDF joint follows one master. If `{ $joint }` depends on several joints of the chain, keep none: log the first master under its name, and give the factor of each further master in `coupling = [["{ $joint }", "..."]]` and [nominal]
+    .hint = keep one `mimic`: a URDF joint follows one master. If `{ $joint }` depends on several joints of the chain, keep none. Then log the first master under its name, and give the factor of each further master in `coupling = [["{ $joint }", "..."]]` and [nominal]
 
 # Means: All joints between base link and tool link are fixed.
 # Matters: There is nothing to identify.
