@@ -38,7 +38,7 @@ pub struct AxisTable {
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
     /// Base axis with its positions (mm or deg): x_mm, y_mm, z_mm (or x, y, z) or the column of a
-    /// joint; twice for a plane. A table states its own positions.
+    /// joint; twice for a plane. A table of measured errors contains its positions already.
     #[arg(long = "axis", value_name = "NAME[=FROM:TO:STEP]", required = true, value_parser = base_axis)]
     axes: Vec<BaseAxis>,
     /// Corrected axis; the first base axis by default.
@@ -53,7 +53,7 @@ pub struct AxisTable {
     /// Format to write.
     #[arg(long, value_enum, default_value = "csv")]
     to: Controller,
-    /// Use of the values in the control, for tables whose sign is not published.
+    /// Whether the control adds or subtracts the values, for tables whose sign is not published.
     #[arg(long, value_enum)]
     sign: Option<Sign>,
     /// Numbers of the axes in the control: base axes, then the corrected axis if it is another.
@@ -92,7 +92,7 @@ const DEVIATION: &str = "deviation";
 /// Columns of errors in positive and in negative direction of motion.
 const BOTH: [&str; 2] = ["forward", "backward"];
 
-/// A base axis with its positions, if stated.
+/// A base axis with its positions, if given.
 #[derive(Clone, Debug)]
 struct BaseAxis {
     name: String,
@@ -198,7 +198,7 @@ impl Source<'_> {
     }
 }
 
-/// Joint values, followed by the direction of approach of each joint with backlash: the stated one
+/// Joint values, followed by the direction of approach of each joint with backlash: the given one
 /// for `joint`, the middle of the backlash for all others.
 fn approached(arm: &dyn Kinematics, q: &[f64], joint: usize, direction: f64) -> Vec<f64> {
     let directions = arm.approached().iter().map(|other| if *other == joint { direction } else { 0.0 });
@@ -362,7 +362,7 @@ impl AxisTable {
         Ok(Source::Lead(lead.ok_or_else(missing)?))
     }
 
-    /// Measured errors of a table, whose positions become those of the base axes.
+    /// Measured errors of a table, whose positions become the positions of the base axes.
     fn table_deviations<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
         let both = BOTH.iter().any(|name| file.table.has(name)) && !file.table.has(DEVIATION);
         let errors = if both { &BOTH[..] } else { &[DEVIATION] };

@@ -16,8 +16,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Run many campaigns on all cores, and write their results as one table and one page.
 ///
-/// A campaign without changes since its last run is read back, so that an interrupted batch
-/// continues where it stopped. A failed campaign does not stop the others.
+/// If a campaign has not changed since its last run, its results are read again. An interrupted
+/// batch therefore continues where it stopped. A failed campaign does not stop the others.
 #[derive(Debug, clap::Args)]
 pub struct Batch {
     /// Campaigns, folders of campaigns, or text files that list campaigns, one per line, relative
@@ -28,7 +28,8 @@ pub struct Batch {
     /// observations.
     #[arg(long)]
     documents: bool,
-    /// Run campaigns again whose results are older than this file, for example the program itself.
+    /// Run a campaign again if its results are older than this file, for example older than the
+    /// program.
     #[arg(long, value_name = "FILE")]
     newer_than: Option<PathBuf>,
     /// Folder for batch.parquet and batch.html.

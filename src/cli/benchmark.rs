@@ -13,7 +13,7 @@ use etalon_documents::{BenchmarkScoreDocument, PredictionsDocument, QuantityScor
 use etalon_formats::table::{COVARIANCES, QUATERNION, XYZ};
 use std::path::PathBuf;
 
-/// Predict measurements with identified parameters, and score predictions of any program.
+/// Predict measurements with identified parameters, and score the predictions of any program.
 ///
 /// A benchmark of robot calibration compares programs on poses that none of them has seen:
 /// docs/benchmark.md.

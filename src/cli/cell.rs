@@ -13,8 +13,8 @@ use etalon_documents::{CellDocument, CellFrameEntry, CellPointEntry, Presentatio
 use etalon_report::{CellLines, Renderer};
 use std::path::PathBuf;
 
-/// Find tool, work object, hand and eye, or an external axis from controller poses and
-/// measurements.
+/// Identify a tool, a work object, a camera (hand-eye) or an external axis from controller poses
+/// and measurements.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Table, by --solve:
   tool-point      poses of the flange: flange_x_mm, flange_y_mm, flange_z_mm and an orientation
@@ -102,7 +102,7 @@ impl CellCommand {
         }
     }
 
-    /// Data of the stated controller.
+    /// Data of the given controller.
     fn lines(&self, document: &CellDocument, second: Option<CellDocument>) -> Result<Option<CellText>> {
         let Some(format) = self.data.controller.as_deref().and_then(controllers::by_name) else { return Ok(None) };
         let options = controllers::CellOptions {

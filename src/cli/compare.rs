@@ -11,9 +11,9 @@ use etalon_report::Renderer;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// Compare campaigns of one robot: significant changes and chance.
+/// Compare campaigns of one robot, and find significant changes.
 ///
-/// Each folder is that of a campaign, or the output folder of `etalon run`, the oldest first.
+/// Give the folder of each campaign, or the output folder of its `etalon run`, the oldest first.
 /// Parameters, errors, AP, RP and mean positions are compared with the first and with the previous
 /// campaign.
 #[derive(Debug, clap::Args)]

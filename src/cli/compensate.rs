@@ -27,9 +27,9 @@ use std::path::PathBuf;
 
 /// Compute commands with which the identified robot reaches its targets.
 ///
-/// For a controller that computes with nominal geometry. The pose to command is the pose of the
-/// nominal robot at the joint values that bring the identified robot to the target. In a program
-/// only the targets are replaced.
+/// The controller computes with nominal geometry. The pose to command is the pose of the nominal
+/// robot at the joint values that bring the identified robot to the target. In a program, only the
+/// targets are replaced.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Targets:
   table    pose, x_mm, y_mm, z_mm, qw, qx, qy, qz, and joint values that select the solution; or pose and joint values of the nominal
@@ -62,7 +62,7 @@ pub struct Compensate {
     /// Counts of each axis per mm or deg of its joint, for `galil`.
     #[arg(long, value_name = "N,N", value_delimiter = ',', allow_hyphen_values = true)]
     counts_per_unit: Vec<f64>,
-    /// Decimals of lengths in mm; other quantities have as many more as they need for the same
+    /// Decimals of lengths in mm; other quantities are written with the decimals for the same
     /// resolution.
     #[arg(long, value_name = "N", default_value_t = DECIMALS, value_parser = option_at_most::<17>)]
     decimals: usize,
@@ -550,7 +550,7 @@ fn unreachable(target: &UnreachableTarget) -> Message {
     warning!("target-unreachable", target = target.target, reason = target.reason)
 }
 
-/// Program that states in a comment, which begins with `mark`, if the parameters are synthetic.
+/// Program with a comment, which begins with `mark`, if the parameters are synthetic.
 fn stating(given: &ExportInput, mark: char, program: Vec<u8>) -> Vec<u8> {
     match given.synthetic() {
         Some(why) => commands::with_comment(&program, mark, &why),

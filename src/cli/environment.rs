@@ -5,8 +5,8 @@ use etalon_base::error;
 use etalon_base::message::{Problems, Result};
 use std::num::NonZero;
 
-/// Threads beyond the number of cores that a variable may state: more take longer to start than
-/// they save.
+/// Threads beyond the number of cores that a variable may set: more take longer to start than they
+/// save.
 const MOST_THREADS: usize = 64;
 
 /// Rejects values that no command can use, by the name of the variable, and starts at most as many
@@ -29,7 +29,7 @@ pub(super) fn check() -> Result<()> {
     problems.check().map(drop)
 }
 
-/// Number that a variable states.
+/// Number in a variable.
 fn stated(name: &str) -> Option<usize> {
     let text = std::env::var(name).ok()?;
     let text = text.trim();

@@ -24,8 +24,8 @@ pub struct ExportCommand {
     /// or its campaign.toml.
     #[arg(value_name = "PARAMETERS")]
     source: PathBuf,
-    /// Parameters to write: those of the file, or those recommended for a campaign
-    /// (`etalon recommend`), which are identified again with all others at nominal.
+    /// Parameters to write: all of the file, or the parameters recommended for a campaign (`etalon
+    /// recommend`), which are identified again with all others at nominal.
     #[arg(long, value_name = "WHICH", value_enum, default_value = "identified")]
     parameters: Which,
     /// Name of a format.
@@ -40,7 +40,7 @@ pub struct ExportCommand {
     /// Folder to write to; by default the folder of parameters.json.
     #[arg(long, value_name = "FOLDER", required_if_eq("parameters", "recommended"))]
     to: Option<PathBuf>,
-    /// Hash that the robot states (`calib_...`), for formats that contain it (universal-robots); by
+    /// Hash that the robot shows (`calib_...`), for formats that contain it (universal-robots); by
     /// default etalon's hash.
     #[arg(long, value_name = "HASH", value_parser = controller_hash)]
     controller_hash: Option<String>,
@@ -122,7 +122,7 @@ fn exporters<'a>(names: &[String], own: &'a [TemplateFormat]) -> Result<Vec<&'a 
     Ok(all)
 }
 
-/// Reads a template whose file replaces no document of a run, and no file beside a run.
+/// Reads a template whose file replaces no document of a run, and no file in the folder of a run.
 fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<TemplateFormat, Problems> {
     let named = path.display().to_string();
     let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
@@ -145,7 +145,7 @@ fn not_measured(file: &WrittenController) -> Option<Message> {
     (file.errors.is_none() && !file.left_out.is_empty()).then(message)
 }
 
-/// Parses the hash of a calibration as stated by a robot of Universal Robots.
+/// Parses the hash of a calibration as shown by a robot of Universal Robots.
 fn controller_hash(text: &str) -> Result<String, String> {
     let digits = text.strip_prefix("calib_").unwrap_or_default();
     let is_hash = !digits.is_empty() && digits.chars().all(|c| c.is_ascii_alphanumeric());

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// Fit a geometric element to the points of files.
 ///
 /// Points are read as PolyWorks text (`[name] x y z [i j k]`, separated by blanks) unless --format
-/// or --columns states another format. In a QIF file each measured feature is fitted to its points
+/// or --columns sets another format. In a QIF file each measured feature is fitted to its points
 /// and compared with the values in the file.
 #[derive(Debug, clap::Args)]
 pub struct FitCommand {
@@ -40,7 +40,7 @@ pub struct FitCommand {
     /// Fit each label separately instead of all points together.
     #[arg(long)]
     by_label: bool,
-    /// Hold the radius of a circle, sphere or cylinder.
+    /// Keep this radius of a circle, sphere or cylinder during the fit.
     #[arg(long, value_name = "MM")]
     radius_mm: Option<f64>,
     #[command(flatten)]
@@ -52,7 +52,7 @@ pub struct FitCommand {
     /// (Chebyshev) instead of least squares: the form of ISO 1101.
     #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
     minimum_zone: bool,
-    /// Set points aside that are far from the element of all others, and list them (trimmed least
+    /// Exclude points that are far from the element of all others, and list them (trimmed least
     /// squares).
     #[arg(long, conflicts_with = "minimum_zone")]
     robust: bool,
@@ -112,7 +112,7 @@ impl FitCommand {
         Ok(Verdict::Met)
     }
 
-    /// Names and texts of all files; a file may be given in place of the element.
+    /// Names and texts of all files; a file may be given instead of the element.
     fn texts(&self) -> Result<Vec<(String, String)>, Problems> {
         let first = PathBuf::from(&self.element);
         let paths = if self.all_features() { [&[first], &self.files[..]].concat() } else { self.files.clone() };
@@ -129,7 +129,7 @@ impl FitCommand {
         }
     }
 
-    /// `true` if a file is given in place of the element.
+    /// `true` if a file is given instead of the element.
     fn all_features(&self) -> bool {
         let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
         !known && Path::new(&self.element).is_file()
@@ -249,7 +249,7 @@ impl FitCommand {
         Ok((!all.is_empty()).then_some(all))
     }
 
-    /// Stated format.
+    /// Format of the options.
     fn format(&self) -> Result<Format, Problems> {
         self.format.as_deref().map_or_else(|| self.text.format(), stated_format)
     }

@@ -84,7 +84,7 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     text
 }
 
-/// Lines that compare stated and fitted values.
+/// Lines that compare the values of the file with the fitted values.
 fn stated_lines(stated: &FitStated, mut line: impl FnMut(Phrase, Option<String>, &str, Option<f64>)) {
     let vector = |v: &Vector| format!("{:.6} {:.6} {:.6}", v[0], v[1], v[2]);
     let off = |value: Option<f64>, off: Option<f64>, unit: &str| {

@@ -7,13 +7,13 @@ use etalon_campaign::read_robot;
 use etalon_formats::{FilesProposal, propose_file_for, propose_files};
 use std::path::{Path, PathBuf};
 
-/// Propose how to read and join files, with reasons and doubts, as lines for campaign.toml.
+/// Propose how to read and join files, as lines for campaign.toml with reasons and doubts.
 #[derive(Debug, clap::Args)]
 pub struct Formats {
     /// Files to read.
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Robot file: its nominal kinematics test order, units and directions of joints.
+    /// Robot file, whose nominal kinematics shows the order, units and directions of the joints.
     #[arg(long, value_name = "FILE")]
     robot: Option<PathBuf>,
     /// Print all readings as JSON, one document per file.

@@ -19,19 +19,19 @@ pub struct Init {
     #[arg(long)]
     synthetic: bool,
     /// Describe the robot by this URDF file: its chain with the most moving joints. The file is
-    /// copied beside robot.toml.
+    /// copied into the folder of robot.toml.
     #[arg(long, value_name = "FILE", conflicts_with = "synthetic")]
     urdf: Option<PathBuf>,
     /// Use the published geometry of this robot (ur5e, irb120 ...), an example of a model
     /// (five-bar, xy-theta, hexapod, delta ...), or your own robot.toml.
     ///
-    /// A robot.toml is copied into the folder, with the URDF that it names.
+    /// A robot.toml is copied into the folder, together with its URDF file.
     #[arg(long, value_name = "NAME|FILE", conflicts_with_all = ["synthetic", "urdf"])]
     robot: Option<String>,
     /// Propose the whole campaign from these files: exports, logs, tables with both, observations.
     ///
-    /// The files are copied into the folder, and `etalon check` asks for what they do not state.
-    /// Needs --robot or --urdf.
+    /// The files are copied into the folder, and `etalon check` lists the data that they do not
+    /// contain. Needs --robot or --urdf.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "synthetic")]
     from: Vec<PathBuf>,
     /// Print the names of the files written as JSON.
@@ -44,7 +44,7 @@ const ROBOT: &str = include_str!("init/robot.toml");
 const ROBOT_CAMPAIGN: &str = include_str!("init/campaign-robot.toml");
 const TRUTH: &str = include_str!("init/truth.toml");
 
-/// Line of the template, a comment, that states synthetic data.
+/// Commented line of the template for synthetic data.
 const SYNTHETIC: &str = "# synthetic = \"how the data were made\"";
 const MADE: &str = "synthetic = \"made by `etalon simulate` from truth.toml; nobody measured them\"";
 

@@ -17,8 +17,8 @@ use stream::Motion;
 /// Evaluate accuracy, repeatability and other characteristics to ISO 9283.
 ///
 /// `pose` evaluates attained poses, `path` a recorded motion, `compliance` a table of loads; `plan`
-/// lays out a test. Tables are CSV, as described in the help of each subcommand. Without a
-/// subcommand a table of attained poses is evaluated, with --commanded.
+/// creates a test. Tables are CSV, as described in the help of each subcommand. Without a
+/// subcommand, a table of attained poses is evaluated with --commanded.
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Iso9283 {
@@ -34,9 +34,9 @@ enum Test {
     /// Accuracy and repeatability of poses.
     ///
     /// Tables are CSV: pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], with rows in the order
-    /// of recording; planar robots omit z_mm. A column `approach` names directions of approach; by
-    /// default the direction is the previous pose. A column `robot` distinguishes several robots, a
-    /// column `reading` several readings of one attained pose.
+    /// of recording; planar robots omit z_mm. A column `approach` contains the direction of
+    /// approach; by default the direction is the previous pose. A column `robot` distinguishes
+    /// several robots, a column `reading` several readings of one attained pose.
     Pose {
         /// Attained poses.
         poses: PathBuf,
@@ -58,7 +58,7 @@ enum Test {
     /// Recorded motion: standstills, stabilisation, and with --path the characteristics of a path.
     Path {
         /// Recorded motion: time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg], or any text with
-        /// stated --columns, and with --unit if the file does not state its unit.
+        /// --columns, and with --unit if the file does not contain its unit.
         stream: PathBuf,
         /// Commanded poses at the standstills.
         #[arg(long, value_name = "FILE")]
@@ -132,7 +132,7 @@ struct PoseTest {
     #[command(flatten)]
     options: PoseOptions,
     /// Stationary reference targets: cycle,target,x_mm,y_mm[,z_mm], measured from time to time.
-    /// Positions, and angles of stated order, are compensated for drift.
+    /// Positions are compensated for drift, and so are angles if their order is given.
     #[arg(long, value_name = "FILE", requires = "poses")]
     reference: Option<PathBuf>,
     /// Evaluate distances, approaches, drift, exchangeability and coplanarity too; with --json one

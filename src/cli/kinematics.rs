@@ -17,7 +17,7 @@ use etalon_formats::tables::joints::{joint_column, stated_modes};
 use etalon_robots::Kinematics;
 use std::path::PathBuf;
 
-/// Tolerance of a quaternion's length, as it is stated with a few decimals.
+/// Tolerance of a quaternion's length: the file contains only a few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 
 /// Compute poses of the tool from joint values, or joint values from poses.

@@ -26,7 +26,7 @@ impl Man {
     }
 }
 
-/// The page of a command, then those of its subcommands.
+/// The page of a command, then the pages of its subcommands.
 fn pages(command: &Command, files: &mut Vec<(String, Vec<u8>)>) -> anyhow::Result<()> {
     let page = clap_mangen::Man::new(command.clone());
     let mut text = Vec::new();

@@ -55,8 +55,8 @@ use std::ffi::OsString;
 use std::fmt::Display;
 use std::ops::ControlFlow;
 
-/// Robot calibration from coordinate measurements: a campaign folder in, calibrated parameters and
-/// a report out.
+/// Robot calibration from coordinate measurements: from a campaign folder to calibrated parameters
+/// and a report.
 #[derive(Debug, Parser)]
 #[command(version, about, arg_required_else_help = true, max_term_width = 100)]
 #[command(after_help = "Examples:

@@ -16,14 +16,14 @@ use etalon_report::Renderer;
 use etalon_robots::Robot;
 use std::path::PathBuf;
 
-/// Choose the poses to measure among candidates, and prove their distance from the optimum.
+/// Choose the poses to measure among candidates, with a bound of the distance from the optimum.
 #[derive(Debug, clap::Args)]
 pub struct PlanCommand {
     /// Robot file.
     #[arg(long)]
     robot: PathBuf,
     /// Candidates: CSV with pose and one column per joint with its unit [and target, assembly]; or
-    /// pose,x_mm,y_mm for robots that find their own working modes. Rows of one pose are measured
+    /// pose,x_mm,y_mm for robots whose working modes are computed. Rows of one pose are measured
     /// together.
     #[arg(long, required_unless_present = "generate", conflicts_with = "generate")]
     candidates: Option<PathBuf>,
@@ -99,7 +99,7 @@ impl PlanCommand {
         out.answer(&renderer, self.json.then(|| to_json(&document)).transpose()?)
     }
 
-    /// The robot with its candidates: those of a table, or generated ones.
+    /// The robot with its candidates, which come from a table or are generated.
     fn candidates(&self, file: &RobotFile) -> Result<generation::Drawn> {
         if let Some(drawn) = self.generation.candidates(file, self.options.search.seed)? {
             return Ok(drawn);
@@ -110,7 +110,7 @@ impl PlanCommand {
         Ok((robot, candidates, None))
     }
 
-    /// The simulated calibration, if a truth is stated.
+    /// The simulated calibration, if a truth is given.
     fn simulation(&self, file: &RobotFile, robot: &dyn Robot) -> Result<Option<Simulation>> {
         let SimulationOptions { truth: Some(truth), workspace } = &self.simulation else { return Ok(None) };
         let truth = true_values(robot, &read_true_parameters(truth)?)?;

@@ -14,9 +14,9 @@ use std::path::PathBuf;
 
 /// Recommend identified parameters to be loaded into the controller.
 ///
-/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tested on poses that are left
-/// out of the identification. Parameters are tested by their change over its uncertainty. The
-/// recommended parameters are identified again with all others at nominal.
+/// Effects (zeros, geometry, gains, harmonics, coupling, bending) are tested on poses that are
+/// excluded from the identification. A parameter is tested by its change divided by the uncertainty
+/// of the change. The recommended parameters are identified again, while all others stay nominal.
 #[derive(Debug, clap::Args)]
 pub struct Recommend {
     /// Folder of the campaign, or its campaign.toml.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Write the report again from the documents of an output folder.
 ///
-/// Language, logo and templates come from the campaign, unless stated here.
+/// Language, logo and templates come from the campaign, unless an option sets them.
 #[derive(Debug, clap::Args)]
 pub struct ReportCommand {
     /// Folder that `etalon run` wrote, or its campaign.

@@ -27,7 +27,7 @@ enum Task {
     Convert(Convert),
 }
 
-/// Write an arm in another convention; what the convention cannot hold is said on stderr.
+/// Write an arm in another convention; a warning lists what the convention cannot express.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Conventions:
   poe   screw axes: hold every chain exactly
@@ -75,7 +75,7 @@ impl RobotCommand {
     }
 }
 
-/// Text of the robot in a convention, and warnings of what it lacks.
+/// Text of the robot in a convention, and warnings about what it cannot express.
 fn converted(robot: &dyn Robot, to: Target) -> Result<(String, Vec<Message>)> {
     if !robot.branches().is_empty() {
         return Err(error!("several-branches", links = robot.branches()).into());
@@ -190,12 +190,12 @@ fn compare(
     Err(error!("convert-not-reproduced", off_mm, off_deg = off_rad.to_degrees()).into())
 }
 
-/// Limits of a joint, if they are stated (rad or mm).
+/// Limits of a joint, if it has limits (rad or mm).
 fn range(robot: &dyn Robot, joint: usize) -> Option<[f64; 2]> {
     if let JointRange::Limits(ends) = robot.joint_range(joint) { Some(ends) } else { None }
 }
 
-/// Warning of effects that no description of axes holds.
+/// Warning about effects that no description of axes can express.
 fn left_out(robot: &dyn Robot) -> Vec<Message> {
     let own = robot.parameters().iter().filter(|p| p.role == Role::Robot);
     let other = own.filter(|p| !p.effect.is_rigid());

@@ -23,13 +23,13 @@ use std::path::PathBuf;
 
 Exit codes: 0 everything passed; 1 something failed, or a value of the campaign moved; 2 not run.")]
 pub struct Selftest {
-    /// Stated SHA-256 of the program file; another hash fails.
+    /// Expected SHA-256 of the program file; another hash fails.
     #[arg(long, value_name = "HEX", value_parser = sha256)]
     program_sha256: Option<String>,
     /// Folder of a frozen campaign of the laboratory, which is run again. Nothing is written to it.
     #[arg(long, value_name = "FOLDER", requires = "expected")]
     campaign: Option<PathBuf>,
-    /// Stored parameters.json of this campaign; every value that moved fails.
+    /// Stored parameters.json of this campaign; every value that has changed fails.
     #[arg(long, value_name = "FILE", requires = "campaign")]
     expected: Option<PathBuf>,
     #[command(flatten)]

@@ -7,12 +7,12 @@ use etalon_campaign::Campaign;
 use std::path::PathBuf;
 
 /// Write the exports, logs and observations of a campaign for a robot with known parameters and
-/// stated noise.
+/// given noise.
 #[derive(Debug, clap::Args)]
 pub struct Simulate {
     /// Folder of the campaign, or its campaign.toml.
     campaign: PathBuf,
-    /// True parameters and measurements; by default truth.toml beside the campaign.
+    /// True parameters and measurements; by default truth.toml in the folder of the campaign.
     #[arg(long, value_name = "FILE")]
     truth: Option<PathBuf>,
     /// Seed of the noise, instead of the seed in the truth.

@@ -12,8 +12,8 @@ use std::path::PathBuf;
 
 /// Compute distributions of a campaign's results by Monte Carlo and bootstrap.
 ///
-/// Everything that the campaign states about its readings is drawn randomly (JCGM 101): points of
-/// frames, targets, scale, temperature, homing. Each draw passes through frames and identification.
+/// Every uncertain quantity of the campaign is drawn randomly (JCGM 101): points of frames,
+/// targets, scale, temperature, homing. Frames and parameters are identified again from each draw.
 /// The bootstrap resamples the measured poses and cycles. Both are compared with the linear
 /// uncertainties of `etalon run`. Only reports are written.
 #[derive(Debug, clap::Args)]

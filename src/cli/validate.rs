@@ -14,9 +14,9 @@ use std::path::PathBuf;
 
 /// Judge given parameters on the data of a campaign.
 ///
-/// Parameters that were identified with one instrument are compared with measurements of another,
-/// or last year's parameters with measurements of today. No parameter of the robot is identified,
-/// and only reports are written; limits of the campaign are judged.
+/// For example, parameters from one instrument are compared with measurements of another, or last
+/// year's parameters with measurements of today. No parameter of the robot is identified, and only
+/// reports are written. The limits of the campaign are judged.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Exit code 1 if a limit of the campaign is not met.")]
 pub struct Validate {

@@ -18,7 +18,7 @@ fn passed(valid_until: &str, today: Date) -> Option<Message> {
     Some(warning!("parameters-expired", last = date_text(last), today = date_text(today)).to_decide())
 }
 
-/// Today (UTC), or the day that `SOURCE_DATE_EPOCH` states.
+/// Today (UTC), or the day in `SOURCE_DATE_EPOCH`.
 fn today() -> Option<Date> {
     let clock = || i64::try_from(SystemTime::now().duration_since(UNIX_EPOCH).ok()?.as_secs()).ok();
     source_date_epoch().unwrap_or_default().or_else(|| day_of_epoch(clock()?))

@@ -9,17 +9,18 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 
-/// Show a campaign in the browser: robot, errors and questions to them; or start one from files.
+/// Show a campaign in the browser, with its robot, its errors and open questions; or start one from
+/// files.
 ///
-/// The page is served on this machine alone, and needs no network. It ends with Ctrl-C, or when the
-/// page has been closed for a minute.
+/// Only this machine can open the page, and no network is needed. The command ends with Ctrl-C, or
+/// one minute after the page is closed.
 #[derive(Debug, clap::Args)]
 pub struct View {
     /// Folder of a campaign, its campaign.toml, or files to start a campaign from; by default the
-    /// present folder.
+    /// current folder.
     #[arg(value_name = "FOLDER|FILES")]
     paths: Vec<PathBuf>,
-    /// Print the address, and open no browser.
+    /// Print the address without opening a browser.
     #[arg(long)]
     no_open: bool,
     /// Port of the server; by default a free one.
@@ -33,10 +34,11 @@ pub struct View {
     /// plan --poses` writes it.
     #[arg(long, value_name = "FILE", requires = "watch", conflicts_with = "candidates")]
     plan: Option<PathBuf>,
-    /// Poses among which `--watch` names the one of most information: a table with pose and joints.
+    /// Candidates for the next pose: `--watch` shows which one gives the most information. A table
+    /// with pose and joints.
     #[arg(long, value_name = "FILE", requires = "watch")]
     candidates: Option<PathBuf>,
-    /// Write the page with the results inside to one file instead, which needs no server.
+    /// Write the page, with the results, to one file that needs no server.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["no_open", "port"])]
     export: Option<PathBuf>,
 }
@@ -129,7 +131,7 @@ fn open_browser(url: &str) -> bool {
         let mut child = Command::new(program);
         child.args(*arguments).arg(url).stdin(silent()).stdout(silent()).stderr(silent());
         let Ok(mut child) = child.spawn() else { return false };
-        // xdg-open ends at once where there is no browser
+        // without a browser xdg-open ends at once: the thread collects its exit status
         std::thread::spawn(move || drop(child.wait()));
         true
     };

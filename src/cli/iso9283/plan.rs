@@ -27,8 +27,8 @@ pub(super) struct PlanOptions {
     /// Change of the angles along the path with reorientation, there and back.
     #[arg(long, value_name = "DEG,...", value_delimiter = ',', allow_hyphen_values = true, requires = "workspace_mm")]
     reorientation_deg: Vec<f64>,
-    /// Robot file, to check that the robot reaches all places within its limits; a place out of
-    /// reach gives exit code 1. Joint values are reported.
+    /// Robot file, to check that the robot reaches all places within its limits; if one cannot be
+    /// reached, the exit code is 1. Joint values are reported.
     #[arg(long, value_name = "FILE", requires = "workspace_mm")]
     robot: Option<PathBuf>,
     /// Folder for the lists of places as CSV and as targets of a controller (.json, .h), and for

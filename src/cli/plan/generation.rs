@@ -23,15 +23,15 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Generated candidates")]
 pub(super) struct Generation {
-    /// Draw this number of candidates within the limits of the joints, in place of a table.
+    /// Draw this number of candidates within the limits of the joints, instead of reading a table.
     #[arg(long, value_name = "N", value_parser = option_at_most::<100_000>, conflicts_with = "target")]
     generate: Option<usize>,
-    /// Range of a joint by its column, such as q2_deg=-60:45: narrows the limits of the robot file,
-    /// or states them; may be repeated.
+    /// Range of a joint by its column, such as q2_deg=-60:45: replaces wider or missing limits of
+    /// the robot file; may be repeated.
     #[arg(long = "range", value_name = "COLUMN=FROM:TO", value_parser = named_range, requires = "generate")]
     ranges: Vec<(String, [f64; 2])>,
     /// Box (mm) in the base of the robot that contains all targets, such as
-    /// x=200:600,y=-300:300,z=0:500; an axis that is not stated is unlimited.
+    /// x=200:600,y=-300:300,z=0:500; an axis without a range is unlimited.
     #[arg(long = "box", value_name = "x=FROM:TO,...", value_parser = named_range, value_delimiter = ',', requires = "generate")]
     box_mm: Vec<(String, [f64; 2])>,
     /// Reflector of an arm, delta or hexapod; may be repeated.
@@ -53,14 +53,14 @@ pub(super) struct Generation {
     obstacles: Vec<StatedObstacle>,
     /// Link that a joint moves, as a capsule that blocks the view; may be repeated.
     ///
-    /// JOINT=RADIUS (mm) from the origin of the joint's frame to that of the next joint (of the
-    /// flange after the last), or JOINT=RADIUS,X,Y,Z,X,Y,Z by both ends in the base of the robot at
-    /// joint values zero.
+    /// JOINT=RADIUS (mm) from the origin of the joint's frame to the origin of the next joint (of
+    /// the flange after the last), or JOINT=RADIUS,X,Y,Z,X,Y,Z by both ends in the base of the
+    /// robot at joint values zero.
     #[arg(long = "link", value_name = "JOINT=RADIUS[,X,Y,Z,X,Y,Z]", value_parser = obstacles::link, requires = "instrument")]
     links: Vec<StatedLink>,
 }
 
-/// A reflector as stated.
+/// A reflector of the option.
 #[derive(Clone, Debug)]
 struct StatedReflector {
     name: String,
@@ -104,7 +104,7 @@ impl Generation {
         Ok(Some((robot, Candidates { observations: found.observations, limit_violations }, Some(generated))))
     }
 
-    /// The robot with the stated reflectors.
+    /// The robot with the reflectors of the options.
     fn robot(&self, file: &RobotFile) -> Result<Box<dyn Robot>> {
         let mut names: Vec<String> = Vec::new();
         for reflector in &self.reflectors {
@@ -175,7 +175,7 @@ impl Generation {
         problems.check().map(|_| ranges)
     }
 
-    /// The box, with infinite ends of axes that are not stated.
+    /// The box, with infinite ends of axes without a range.
     fn region(&self, robot: &dyn Robot) -> Result<Option<[[f64; 2]; 3]>> {
         let mut region = [[f64::NEG_INFINITY, f64::INFINITY]; 3];
         for (name, ends) in &self.box_mm {

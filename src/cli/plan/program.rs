@@ -19,7 +19,7 @@ pub(super) struct Program {
     /// (.jbi) or G-code (.ngc).
     #[arg(long, value_name = "FILE")]
     program: Option<PathBuf>,
-    /// Language of the program, if not by its ending.
+    /// Language of the program; by default from the file extension.
     #[arg(long, value_name = "LANGUAGE", requires = "program", value_parser = clap::builder::PossibleValuesParser::new(names()))]
     program_language: Option<String>,
     /// Waiting time at each pose in seconds.
@@ -59,8 +59,8 @@ impl Program {
         Stated { trigger: self.trigger.as_deref(), axes, pulses: &self.pulses }
     }
 
-    /// Changes the joint values of the document to those that the program commands, and states the
-    /// program in it, if one is written.
+    /// Changes the joint values of the document to the values that the program commands, and adds
+    /// the program to it, if one is written.
     ///
     /// # Errors
     /// Reports a file of an unknown language.

@@ -1,4 +1,4 @@
-//! Bodies in the way of the instrument, as options state them.
+//! Bodies in the way of the instrument, from options.
 
 use super::*;
 use etalon_base::pose::Pose;
@@ -9,7 +9,7 @@ use etalon_identify::plan::obstacles::Shape;
 pub(in crate::cli::plan) struct StatedObstacle {
     name: String,
     shape: Shape,
-    /// Shape and numbers as stated.
+    /// Shape and numbers of the option.
     text: String,
 }
 
@@ -24,7 +24,7 @@ pub(in crate::cli::plan) struct StatedLink {
 }
 
 impl Generation {
-    /// Bodies in the way of the instrument: those that do not move, then links.
+    /// Bodies in the way of the instrument: first the bodies that do not move, then links.
     pub(super) fn obstacles(&self, robot: &dyn Robot, instrument_mm: Vector) -> Result<Vec<Obstacle>> {
         let mut all: Vec<Obstacle> = Vec::new();
         for stated in &self.obstacles {
