@@ -66,7 +66,7 @@ pub fn date_text(date: Date) -> String {
     format!("{year:04}-{month:02}-{day:02}")
 }
 
-/// Day (UTC) that the variable `SOURCE_DATE_EPOCH` states, if it is set.
+/// Day (UTC) that the variable `SOURCE_DATE_EPOCH` gives, if it is set.
 ///
 /// # Errors
 /// Fails if the value is not the seconds since 1970, as reproducible-builds.org specifies it.
@@ -81,7 +81,7 @@ pub fn source_date_epoch() -> Result<Option<Date>> {
     }
 }
 
-/// Day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` states it;
+/// Day of a time in seconds since 1970 (UTC), as `SOURCE_DATE_EPOCH` gives it;
 /// `None` outside the years 1 to 9999. H. Hinnant, chrono-compatible low-level date algorithms,
 /// 2021.
 pub fn day_of_epoch(seconds: i64) -> Option<Date> {

@@ -111,7 +111,7 @@ fn cannot_write(path: &Path, reason: &impl std::fmt::Display) -> Message {
     error!("cannot-write-file", file = path.display().to_string(), reason = reason.to_string())
 }
 
-/// Refuses a path below `root` that leads through a symbolic link: the path itself, or a folder
+/// Rejects a path below `root` that leads through a symbolic link: the path itself, or a folder
 /// between it and `root`. The links above `root`, and `root` itself, belong to the user.
 pub fn refuse_links(root: &Path, path: &Path) -> Result<()> {
     let above = root.components().count();
@@ -139,7 +139,7 @@ fn above(path: &Path) -> &Path {
     path.parent().unwrap_or(Path::new(""))
 }
 
-/// Refuses a place that a writer may not replace: one that a link leads to, a device, or a pipe.
+/// Rejects a place that a writer may not replace: one that a link leads to, a device, or a pipe.
 pub(super) fn refuse_foreign(path: &Path) -> Result<()> {
     refuse_links(root(path), path)?;
     match std::fs::symlink_metadata(path) {
@@ -215,7 +215,7 @@ pub(super) fn keep_rights(earlier: &std::fs::Metadata, new: &Path) -> std::io::R
 }
 
 /// Writes a file under a temporary name, syncs and renames it, so that an interruption at any
-/// moment loses nothing. The mode of a replaced file is kept; links, devices and pipes are refused.
+/// moment loses nothing. The mode of a replaced file is kept; links, devices and pipes are rejected.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_by(path, |file| Ok(file.write_all(bytes)?))
 }

@@ -29,7 +29,7 @@ pub struct FolderLock {
 
 impl FolderLock {
     /// Takes the lock, waiting for another process that is replacing the folder. A folder that a
-    /// link leads to, below its campaign, is refused.
+    /// link leads to, below its campaign, is rejected.
     pub fn take(folder: &Path) -> Result<Self> {
         refuse_foreign(folder)?;
         let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

@@ -27,7 +27,7 @@ pub enum Rank {
     /// Whoever uses the result should know it.
     #[default]
     Know,
-    /// Nothing is wrong; stated for completeness.
+    /// Nothing is wrong; given for completeness.
     Routine,
 }
 
@@ -150,7 +150,7 @@ impl Place {
     }
 }
 
-/// A text that states values, and the file name under which it is shown: the place of each value.
+/// A text that gives values, and the file name under which it is shown: the place of each value.
 #[derive(Clone, Copy, Debug)]
 pub struct SourceText<'a> {
     /// File as the user named it.
@@ -217,7 +217,7 @@ impl Message {
             Some(Argument::Phrase(phrase)) => Some(phrase.text(language)),
             _ => {
                 let of = |language: &str| render(&self.id, Some(name), &self.arguments, language);
-                // a caller may have stated another one
+                // a caller may have given another one
                 let own = english.is_none() || *english == of("en");
                 of(language).filter(|_| own).or_else(|| english.clone())
             }
@@ -266,7 +266,7 @@ impl Message {
         Self { rank: Rank::Decide, ..self }
     }
 
-    /// Ranks the message as stated for completeness.
+    /// Ranks the message as given for completeness.
     pub fn routine(self) -> Self {
         Self { rank: Rank::Routine, ..self }
     }

@@ -1,4 +1,4 @@
-//! Random numbers from a stated seed with one stream per trial, equal on all machines and for any
+//! Random numbers from a given seed with one stream per trial, equal on all machines and for any
 //! number of threads.
 
 use rand_chacha::ChaCha8Rng;

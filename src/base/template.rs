@@ -1,5 +1,5 @@
 //! Limits of templates that a person writes: nesting of the source, instructions, widths, size of
-//! the result, time and memory. A template beyond a limit is refused with its name and the limit.
+//! the result, time and memory. A template beyond a limit is rejected with its name and the limit.
 
 use crate::message::Result;
 use crate::{error, phrase};
@@ -205,7 +205,7 @@ pub fn bound(environment: &mut Environment, instructions: u64) {
 const BUILT_IN: [&str; 5] =
     ["built-in indent", "built-in format", "built-in replace", "built-in batch", "built-in slice"];
 
-/// Width that an argument of a filter states.
+/// Width that an argument of a filter gives.
 fn width(value: &Value) -> Option<usize> {
     let named = || value.get_attr("width").ok()?.as_usize();
     value.as_usize().or_else(named)
@@ -215,7 +215,7 @@ fn check_widths(args: &[Value]) -> std::result::Result<(), Error> {
     args.iter().skip(1).filter_map(width).try_for_each(check_width)
 }
 
-/// Checks the width or the number of decimals that a template states.
+/// Checks the width or the number of decimals that a template gives.
 ///
 /// # Errors
 /// Fails beyond 10,000.

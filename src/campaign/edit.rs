@@ -57,7 +57,7 @@ impl Changes {
     /// Text of campaign.toml with these changes.
     ///
     /// # Errors
-    /// Fails if the text states a key in a form that cannot be changed, or does not hold a
+    /// Fails if the text contains a key in a form that cannot be changed, or does not hold a
     /// parameter that is to be identified.
     pub fn apply(&self, text: &str) -> Result<String> {
         let mut text = text.to_owned();
@@ -82,7 +82,7 @@ impl Changes {
         if self.is_in(&text) { Ok(text) } else { Err(not_editable("identify")) }
     }
 
-    /// `true` if a campaign states these changes.
+    /// `true` if a campaign contains these changes.
     fn is_in(&self, text: &str) -> bool {
         let Ok(Keys { identify, limits }) = keys(text, "identify") else { return false };
         let held = identify.hold.map(Spanned::into_inner).unwrap_or_default();
@@ -111,7 +111,7 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// The text with another one in place of a part.
+/// The text with another one instead of a part.
 fn replaced(text: &str, part: Range<usize>, by: &str) -> String {
     format!("{}{by}{}", text.get(..part.start).unwrap_or_default(), text.get(part.end..).unwrap_or_default())
 }

@@ -85,7 +85,7 @@ pub struct ScaleBarDefinition {
     /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate of the bar.
     pub length_uncertainty_um: Option<f64>,
     /// Maximum permissible error of the instrument for a distance; by default computed from its
-    /// stated uncertainty for two points (k = 2).
+    /// given uncertainty for two points (k = 2).
     pub permissible_error_um: Option<f64>,
 }
 
@@ -111,7 +111,7 @@ pub struct TableDefinition {
     pub poses: Spanned<StatedPoses>,
 }
 
-/// Orientations that must all be reached; the travel of the actuators is stated in robot.toml.
+/// Orientations that must all be reached; the travel of the actuators is given in robot.toml.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceDefinition {
@@ -129,7 +129,7 @@ impl GeometricDefinition {
         robot.chain(leads).chain(bars).chain(balls)
     }
 
-    /// `true` if all steps that determine the robot are stated.
+    /// `true` if all steps that determine the robot are given.
     pub fn is_whole(&self) -> bool {
         self.arc.is_some() && self.turn.is_some() && self.shaft.is_some() && self.offsets.is_some()
     }

@@ -56,14 +56,14 @@ pub struct PosesDefinition {
     /// Table of stationary reference targets that are measured from time to time:
     /// `cycle,target,x_mm,y_mm[,z_mm]`.
     pub reference: Option<TableDefinition>,
-    /// Form and columns of the tables; a table without a stated heading is read without the column.
+    /// Form and columns of the tables; a table without a given heading is read without the column.
     /// Filters, constant columns and `pose` are those of the attained poses.
     #[serde(flatten)]
     pub layout: TableLayout,
     /// Number of cycles in one set of a drift test; without it drift is not evaluated.
     #[schemars(with = "Option<usize>")]
     pub drift_set: Option<Spanned<usize>>,
-    /// Order of the rotations a, b, c; if stated, reference targets also compensate orientations.
+    /// Order of the rotations a, b, c; if given, reference targets also compensate orientations.
     pub rotation_order: Option<String>,
     /// Seed of the bootstrap intervals.
     #[serde(default = "seed")]
@@ -71,7 +71,7 @@ pub struct PosesDefinition {
 }
 
 impl PosesDefinition {
-    /// Table to read that states no form of its own; filters, constants and `pose` are those of the
+    /// Table to read that gives no form of its own; filters, constants and `pose` are those of the
     /// attained poses.
     pub fn reading(&self, attained: bool) -> TableReading {
         let mut layout = self.layout.clone();
@@ -94,7 +94,7 @@ pub struct StreamDefinition {
     /// Unique name for the report.
     #[schemars(with = "String")]
     pub name: Spanned<String>,
-    /// Recording: `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, or any text with stated
+    /// Recording: `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, or any text with given
     /// `format` and `unit`.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
@@ -102,7 +102,7 @@ pub struct StreamDefinition {
     pub format: Option<Format>,
     /// Length unit of the recording; required with `format`.
     pub unit: Option<Unit>,
-    /// Character encoding of the recording, if no byte-order mark states it.
+    /// Character encoding of the recording, if no byte-order mark gives it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Sampling rate, which replaces time stamps.
@@ -162,7 +162,7 @@ fn central_percent() -> f64 {
 }
 
 impl StreamDefinition {
-    /// Reports a file whose units are missing, or stated twice.
+    /// Reports a file whose units are missing, or given twice.
     pub fn problems(&self, campaign: &Campaign) -> Problems {
         if self.format.is_some() == self.unit.is_some() {
             return Problems::default();

@@ -60,7 +60,7 @@ pub enum ClockRate {
 /// Offset of two clocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ClockOffset {
-    /// Stated offset.
+    /// Given offset.
     Stated(f64),
     /// Determined from the standstills of the log; every point was measured during one.
     Standstills,
@@ -95,7 +95,7 @@ impl<'de> Deserialize<'de> for ClockOffset {
 }
 
 impl Join {
-    /// Offset of the clocks, if stated.
+    /// Offset of the clocks, if given.
     pub fn stated_offset_s(&self) -> Option<f64> {
         match self.clock_offset_s? {
             ClockOffset::Stated(offset_s) => Some(offset_s),

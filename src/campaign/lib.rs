@@ -1,4 +1,4 @@
-//! A campaign: one measurement session of one robot, as stated in `campaign.toml` and `robot.toml`.
+//! A campaign: one measurement session of one robot, as given in `campaign.toml` and `robot.toml`.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod edit;
@@ -226,7 +226,7 @@ impl Campaign {
         !self.unread.affects_except(&["export", &index.to_string()], "unit")
     }
 
-    /// Stated bound of uncertainties.
+    /// Given bound of uncertainties.
     ///
     /// # Errors
     /// Fails if the text is not a bound.
@@ -284,7 +284,7 @@ impl Campaign {
         self.try_robot_with(more).map_err(|unbuilt| unbuilt.problems)
     }
 
-    /// Builds the robot like [`Self::build_robot_with`]; the error states whether targets are
+    /// Builds the robot like [`Self::build_robot_with`]; the error shows whether targets are
     /// missing.
     pub fn try_robot_with(&self, more: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // an arm whose targets could not be read has some, and a test needs none
@@ -342,7 +342,7 @@ fn open_questions(name: &str, text: &str) -> Problems {
     Problems(text.lines().enumerate().filter(|(_, line)| open(line)).map(question).collect())
 }
 
-/// Keys of `campaign.toml` that this campaign needs and does not state. A test to ISO 9283 needs
+/// Keys of `campaign.toml` that this campaign needs and does not give. A test to ISO 9283 needs
 /// fewer keys than an identification.
 fn missing_keys(text: &str) -> Vec<&'static str> {
     let all = toml_file::Stated::parse(text);

@@ -10,8 +10,8 @@ use etalon_tables::FromRow;
 use toml::Spanned;
 
 impl CampaignFile {
-    /// Adds a log for each file whose exports state `joints`, and the join by rows, if neither is
-    /// stated; returns errors if joints cannot be read.
+    /// Adds a log for each file whose exports contain `joints`, and the join by rows, if neither is
+    /// given; returns errors if joints cannot be read.
     pub(super) fn add_joints_of_exports(&mut self, stated: SourceText) -> Vec<Message> {
         if !self.logs.is_empty() || self.exports.iter().all(|export| export.joints.is_empty()) {
             return Vec::new();
@@ -49,7 +49,7 @@ impl CampaignFile {
         wrong
     }
 
-    /// Contradiction to an export with `joints`, with the text that states it.
+    /// Contradiction to an export with `joints`, with the text that gives it.
     pub fn joints_stated_twice(&self) -> Option<(Message, &Spanned<String>)> {
         let mut mixed = self.exports.iter().filter(|export| !export.joints.is_empty());
         let export = mixed.next()?;
@@ -69,7 +69,7 @@ impl CampaignFile {
         (self.join_by() != Some(JoinBy::Row)).then(|| (error!("joints-joined-by-row"), &export.file))
     }
 
-    /// Targets that exports state for all their rows and that have no other use; these are the
+    /// Targets that exports contain for all their rows and that have no other use; these are the
     /// robot's targets if `[join]` names none.
     pub fn stated_targets(&self) -> Vec<String> {
         let mixed = self.exports.iter().any(|export| !export.joints.is_empty());

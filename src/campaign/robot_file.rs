@@ -56,7 +56,7 @@ struct CommonKeys {
     #[schemars(schema_with = "models")]
     model: &'static Model,
     /// Nominal parameters by name (mm, deg or without unit). The geometry of the robot must be
-    /// stated; other parameters default to the values of the model.
+    /// given; other parameters default to the values of the model.
     #[serde(default)]
     nominal: BTreeMap<String, f64>,
     /// Tolerances about nominal values. If an identified parameter is beyond its tolerance, the
@@ -214,7 +214,7 @@ impl RobotFile {
             let path_of = |own: &str| [&table[..], &[own.to_owned()]].concat();
             let find =
                 |path: &[String]| toml_file::find(&self.source.1, &path.iter().map(String::as_str).collect::<Vec<_>>());
-            // as spelled in the file, if stated
+            // as spelled in the file, if given
             let spellings = |name: &str| {
                 let mut all =
                     robot_keys::named(keys, name).map_or_else(|| vec![name.to_owned()], robot_keys::spellings);
@@ -255,7 +255,7 @@ impl RobotFile {
     /// Reads a robot file without the file that describes the robot.
     fn alone(path: &Path, text: &str) -> (Option<Self>, Problems) {
         let name = path.display().to_string();
-        // without a stated model, keys of any model
+        // without a given model, keys of any model
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
         let schema = match stated {
@@ -340,7 +340,7 @@ impl RobotFile {
         branches.iter().map(targets).collect()
     }
 
-    /// Targets on the branches of the robot; otherwise those whose positions the file states, or
+    /// Targets on the branches of the robot; otherwise those whose positions the file contains, or
     /// `name`: for commands that need any target.
     pub fn targets_or(&self, name: &str) -> Vec<String> {
         let mut targets = self.branches().concat();
@@ -350,7 +350,7 @@ impl RobotFile {
         if targets.is_empty() { vec![name.to_owned()] } else { targets }
     }
 
-    /// Targets whose positions `[nominal]` or `[tolerance]` states, such as that of `SMR_x`. A name
+    /// Targets whose positions `[nominal]` or `[tolerance]` gives, such as that of `SMR_x`. A name
     /// like that of a parameter is misspelt, and belongs to no target.
     fn placed_targets(&self) -> Vec<String> {
         let Some((robot, suffixes)) = self.target_suffixes() else { return Vec::new() };
@@ -401,7 +401,7 @@ impl RobotFile {
         self.try_build(targets).map_err(|unbuilt| unbuilt.problems)
     }
 
-    /// Builds the robot like [`Self::build`]; the error states whether targets are missing.
+    /// Builds the robot like [`Self::build`]; the error shows whether targets are missing.
     pub(super) fn try_build(&self, targets: &[String]) -> std::result::Result<Box<dyn Robot>, Unbuilt> {
         // unreadable entries are already reported
         let readable = self.description.as_ref().filter(|(model, _)| {
@@ -427,7 +427,7 @@ impl RobotFile {
     }
 
     /// Builds the robot with an effect of these joints, by number from 1, and these targets; `None`
-    /// if the file states the effect, or if the model has no such key.
+    /// if the file contains the effect, or if the model has no such key.
     pub fn build_with(&self, key: &'static str, joints: &[usize], targets: &[String]) -> Option<Box<dyn Robot>> {
         let (model, values) = self.description.as_ref()?;
         if values.contains_key(key) || !model.keys().iter().any(|known| known.name == key) {
@@ -503,7 +503,7 @@ impl RobotFile {
         Problems(odd)
     }
 
-    /// `true` if the file states the nominal value of a parameter.
+    /// `true` if the file contains the nominal value of a parameter.
     pub fn states_nominal(&self, parameter: &str) -> bool {
         self.nominal.contains_key(parameter)
     }
@@ -559,7 +559,7 @@ impl RobotFile {
         problems.check().map(|_| ())
     }
 
-    /// Error for geometry that the file does not state, because the model's default belongs to
+    /// Error for geometry that the file does not contain, because the model's default belongs to
     /// another machine.
     fn unstated(&self, robot: &dyn Robot) -> Option<Message> {
         let own = |p: &&Parameter| p.role == Role::Robot && p.quantity != Quantity::Ratio && p.nominal != 0.0;

@@ -168,7 +168,7 @@ impl Selection {
             .ok_or_else(wrong)
     }
 
-    /// `true` if the selection contains the pose with this name and index; `taken` states whether
+    /// `true` if the selection contains the pose with this name and index; `taken` shows whether
     /// the calibration uses it.
     pub fn contains(&self, pose: PoseName, index: usize, taken: bool) -> bool {
         match self {

@@ -72,7 +72,7 @@ impl<'de> Deserialize<'de> for TableFiles {
 /// A table: the name of its file, or a table of [`TableKeys`].
 #[derive(Clone, Debug)]
 pub enum TableDefinition {
-    /// A file in the form that its section states, or that etalon writes.
+    /// A file in the form that its section gives, or that etalon writes.
     File(Spanned<String>),
     /// A form of its own.
     Keys(Box<TableKeys>),
@@ -97,7 +97,7 @@ impl TableDefinition {
         self.files().iter().all(|file| !file.get_ref().is_empty())
     }
 
-    /// Keys of the form; `None` if the file alone is stated.
+    /// Keys of the form; `None` if the file alone is given.
     pub fn keys(&self) -> Option<&TableKeys> {
         match self {
             Self::File(_) => None,

@@ -37,7 +37,7 @@ pub struct CampaignFile {
     pub notes: Option<String>,
     /// Date of the measurements (ISO 8601), as the report prints it.
     pub date: Option<String>,
-    /// Last day on which the calibration is valid, as the laboratory states it: year-month-day.
+    /// Last day on which the calibration is valid, as the laboratory gives it: year-month-day.
     pub valid_until: Option<String>,
     /// Number of months for which the calibration is valid, from the `date` of the measurements; in
     /// place of `valid_until`.
@@ -81,7 +81,7 @@ pub struct CampaignFile {
     pub logs: Vec<Log>,
     /// Assignment of points to joint values.
     pub join: Option<Join>,
-    /// Tables of observations, in place of exports, log and join.
+    /// Tables of observations, instead of exports, log and join.
     #[serde(default, deserialize_with = "one_or_many")]
     #[schemars(schema_with = "one_or_many_observations")]
     pub observations: Vec<ObservationsDefinition>,
@@ -120,7 +120,7 @@ pub struct CampaignFile {
 }
 
 impl CampaignFile {
-    /// Last day on which the calibration is valid, as stated or by the stated number of months:
+    /// Last day on which the calibration is valid, as given or by the given number of months:
     /// year-month-day.
     pub fn valid_until(&self) -> Option<String> {
         let by_months = || Some(date_text(months_after(date(self.date.as_deref()?)?, self.valid_for_months?)));
@@ -276,7 +276,7 @@ impl Instrument {
         self.expanded_uncertainty_um / self.coverage_factor / 1000.0
     }
 
-    /// Standard uncertainty of a position (mm), if stated.
+    /// Standard uncertainty of a position (mm), if given.
     pub fn position_uncertainty_mm(&self) -> Option<f64> {
         Some(self.expanded_position_uncertainty_um? / self.coverage_factor / 1000.0)
     }
@@ -313,7 +313,7 @@ impl Instrument {
         norm(self.standard_uncertainties_mm(xyz_mm)) / 3f64.sqrt()
     }
 
-    /// Relative standard uncertainty of the scale; 0 if not stated.
+    /// Relative standard uncertainty of the scale; 0 if not given.
     pub fn scale_uncertainty(&self) -> f64 {
         self.expanded_scale_uncertainty_um_per_m.unwrap_or(0.0) / self.coverage_factor * 1e-6
     }
@@ -364,7 +364,7 @@ pub struct Rigid {
 }
 
 impl Rigid {
-    /// Stated shape of the part; `None` if shape or uncertainty are not stated.
+    /// Given shape of the part; `None` if shape or uncertainty are not given.
     pub fn shape(&self) -> Option<RigidPart> {
         let targets: Vec<String> = self.targets.iter().map(|t| t.get_ref().clone()).collect();
         let places = targets.iter().map(|t| self.places_mm.get(t).copied());
@@ -715,7 +715,7 @@ impl Limits {
         }
     }
 
-    /// Stated limits.
+    /// Given limits.
     pub fn stated(&self) -> impl Iterator<Item = (LimitQuantity, f64)> {
         LimitQuantity::ALL.iter().filter_map(|&quantity| Some((quantity, self.limit(quantity)?)))
     }

@@ -45,7 +45,7 @@ impl Urdf {
     }
 }
 
-/// Reads links and joints of a file. A file with elements of xacro is refused.
+/// Reads links and joints of a file. A file with elements of xacro is rejected.
 pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
     // elements of xacro are found wherever they are
     let has_sign = text.contains("<xacro:");

@@ -196,7 +196,7 @@ impl FitCommand {
         FitSettings { radius_mm: self.radius_mm, circle, probe, ..FitSettings::default() }
     }
 
-    /// Stated side of the probe, if any.
+    /// Given side of the probe, if any.
     fn side(&self) -> Result<Option<Side>, Problems> {
         let Some(text) = self.probe.probe_side.as_deref() else { return Ok(None) };
         let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
@@ -208,7 +208,7 @@ impl FitCommand {
         }
     }
 
-    /// Stated probe, if any.
+    /// Given probe, if any.
     fn probe(&self) -> Result<Option<Probe>, Problems> {
         match (self.probe.probe_radius_mm, self.side()?) {
             (None, None) => Ok(None),

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
 
-/// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from stated
+/// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from given
 /// uncertainties.
 fn parameter_degrees_of_freedom(entry: &ParameterEntry, residuals: &ResidualSummary) -> f64 {
     match residuals.uncertainties_from {

@@ -19,7 +19,7 @@ pub struct Estimate {
     pub value: f64,
     /// Standard uncertainty (k = 1).
     pub standard_uncertainty: f64,
-    /// Degrees of freedom; infinite if the uncertainty is stated rather than estimated.
+    /// Degrees of freedom; infinite if the uncertainty is given rather than estimated.
     pub degrees: f64,
 }
 
@@ -49,7 +49,7 @@ impl Estimate {
         let change = later.value - self.value;
         let (a, b) = (self.standard_uncertainty.powi(2), later.standard_uncertainty.powi(2));
         let degrees = (a + b).powi(2) / (a * a / self.degrees + b * b / later.degrees);
-        // 0/0 without scatter; x/0 if uncertainties are stated
+        // 0/0 without scatter; x/0 if uncertainties are given
         let (tail, factor) = student(if degrees.is_nan() { f64::INFINITY } else { degrees });
         let u = (a + b).sqrt();
         Difference { change, low: change - factor * u, high: change + factor * u, p: chance(change, u, &tail) }

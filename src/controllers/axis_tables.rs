@@ -13,7 +13,7 @@ use std::fmt::Write;
 const MOST_ROWS: usize = 256;
 /// Unit of Beckhoff's tables (mm or deg).
 const UNIT: f64 = 1e-4;
-/// Default number of entries of a plane in a Beckhoff control, if `max_points` is not stated
+/// Default number of entries of a plane in a Beckhoff control, if `max_points` is not given
 /// (P-COMP-00061).
 const PLANE_ENTRIES: usize = 10_201;
 

@@ -2,7 +2,7 @@
 //! (`https://ptb.de/dcc/v3.3.0`).
 //!
 //! The draft is neither signed nor issued by an accredited laboratory, and says so. Elements that
-//! the schema requires and the campaign does not state are marked as not stated.
+//! the schema requires and the campaign does not contain are marked as not given.
 
 use super::xml::{Element, element, leaf};
 use super::{ExportInput, Exporter};

@@ -68,7 +68,7 @@ pub trait Exporter {
     /// Bytes of the file for parameters that may be written.
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>>;
 
-    /// `true` if the file states the hash of the calibration in the controller
+    /// `true` if the file contains the hash of the calibration in the controller
     /// ([`ExportInput::controller_hash`]).
     fn states_controller_hash(&self) -> bool {
         false
@@ -358,7 +358,7 @@ impl<'a> ExportInput<'a> {
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
-    /// it cannot follow, and effects of what a reading states beside joint values.
+    /// it cannot follow, and effects of what a reading gives beside joint values.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
         // without known masses, the payload alone tilts joints and base
         let tilts = self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass));

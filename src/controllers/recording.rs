@@ -66,7 +66,7 @@ fn is_position(error: &PointError) -> bool {
     error.quantity == ErrorQuantity::Position
 }
 
-/// Name of the frame in which a position is stated: the centre `C` of a platform is in the base.
+/// Name of the frame in which a position is given: the centre `C` of a platform is in the base.
 fn frame(given: &ExportInput, target: &str) -> &'static str {
     let is_centre = target == "C" && given.robot.is_none_or(|robot| robot.platform().is_some());
     if is_centre { "base" } else { "world" }

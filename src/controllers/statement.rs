@@ -18,7 +18,7 @@ pub struct Statement {
     pub left_out: Vec<String>,
     /// Position errors that decide whether the file is written; `None` if they were not measured.
     pub errors: Option<ControllerErrors>,
-    /// Parameters that the file holds in place of the identified ones.
+    /// Parameters that the file holds instead of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
     /// Frame in which the file describes the robot.
     frame: &'static str,
@@ -49,7 +49,7 @@ impl Statement {
     }
 
     /// Warning about files that are written although they improve the robot little, or not
-    /// everywhere; `None` for a file that is clearly better than nominal or refused.
+    /// everywhere; `None` for a file that is clearly better than nominal or rejected.
     pub fn warning(&self, formats: &[&str]) -> Option<Message> {
         let reason = self.near_nominal().filter(|_| self.worse_than_nominal().is_none())?;
         Some(warning!("file-near-nominal", formats, formats_count = formats.len(), reason))

@@ -1,6 +1,6 @@
 //! A user's own format: a template (minijinja) over the identified parameters.
 //!
-//! The first line of a template states what its file holds: `{# holds: theta_* #}`. All other
+//! The first line of a template gives what its file holds: `{# holds: theta_* #}`. All other
 //! parameters count as left out: the file has the estimate conditioned on their nominal values, as
 //! every format of this crate has.
 
@@ -38,7 +38,7 @@ impl TemplateFormat {
     ///
     /// # Errors
     ///
-    /// Rejects a file name without the ending `.j2`, a template whose first line does not state the
+    /// Rejects a file name without the ending `.j2`, a template whose first line does not give the
     /// parameters that its file holds, and a template with a syntax error.
     pub fn new(path: &str, text: String) -> Result<Self> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();

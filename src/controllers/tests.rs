@@ -262,7 +262,7 @@ fn what_a_machine_must_not_run_is_refused() {
 }
 
 /// A variable of a Galil controller is a multiple of 1/65536 in µm and 1E-6 deg; each reads back
-/// within the rounding that it states.
+/// within the rounding that it gives.
 #[test]
 fn a_galil_controller_holds_values_within_a_tenth_of_their_uncertainty() {
     let with = |u: f64| {
@@ -388,7 +388,7 @@ fn what_failed_its_checks_is_written_by_force_alone_and_says_so() {
             let head: String = forced.lines().take(8).collect();
             assert!(head.contains("NOT FIT FOR A CONTROLLER") && head.contains(why), "{name}: {head}");
         }
-        // parameters of synthetic data, stated by the document or by the campaign, say so
+        // parameters of synthetic data, given by the document or by the campaign, say so
         let mut synthetic = whole.clone();
         synthetic.synthetic = Some("made with seed 7".to_owned());
         let mut simulated = summary.clone();

@@ -87,7 +87,7 @@ impl Exporter for Urdf {
     }
 }
 
-/// Collects changes of a file, and parameters that its format cannot state; `None` if the file is
+/// Collects changes of a file, and parameters that its format cannot give; `None` if the file is
 /// unreadable.
 fn collect_edits(text: &str, given: &ExportInput, edits: &mut Vec<Edit>, left_out: &mut Vec<String>) -> Option<()> {
     let mut reader = Reader::from_str(text);

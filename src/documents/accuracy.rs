@@ -59,7 +59,7 @@ pub struct AccuracyDocument {
     pub left_out: Option<LeftOutErrors>,
     /// Standard uncertainties of the limited errors after calibration: of the validation poses, or
     /// of the calibration poses in a campaign without validation. The parameters are under test and
-    /// contribute nothing. Empty if no uncertainty is stated.
+    /// contribute nothing. Empty if no uncertainty is given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
     /// Dependence of the mean errors of the calibration poses after identification on joints, reach
@@ -70,7 +70,7 @@ pub struct AccuracyDocument {
     /// first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parameter_influences: Vec<ParameterInfluence>,
-    /// Limits that the campaign states, with their verdicts.
+    /// Limits that the campaign contains, with their verdicts.
     pub limits: Vec<LimitVerdict>,
     /// Expected error at the tool point; absent without a tool point or a covariance.
     #[serde(default)]
@@ -169,7 +169,7 @@ pub struct ParameterInfluence {
     pub change_mm: f64,
     /// Displacement of the point by the standard uncertainty of the parameter (mm, k = 1).
     pub standard_uncertainty_mm: Option<f64>,
-    /// Displacement of the point by the stated tolerance of the parameter (mm).
+    /// Displacement of the point by the given tolerance of the parameter (mm).
     pub tolerance_mm: Option<f64>,
 }
 

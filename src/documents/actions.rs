@@ -127,7 +127,7 @@ pub struct WrittenFile {
     pub sha256: Option<String>,
 }
 
-/// Files of output folders that do not state it were said to be for controllers.
+/// Files of output folders that do not give it were said to be for controllers.
 fn is_loaded() -> bool {
     true
 }

@@ -156,7 +156,7 @@ pub struct FormatsDocument {
     pub schema: String,
     /// The file as the user named it.
     pub file: String,
-    /// Name of the format, if the file states one. Such a file needs no proposal.
+    /// Name of the format, if the file contains one. Such a file needs no proposal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub format: Option<String>,
     /// Proposed use of the file: `export`, `export with joints`, `log`, `observations`, `poses`,
@@ -177,7 +177,7 @@ pub struct FormatsDocument {
     /// Doubts about the first proposal.
     #[serde(flatten, with = "FormatsDoubts")]
     pub doubts: Vec<Worded>,
-    /// Facts that the file cannot state and the campaign must.
+    /// Facts that the file cannot give and the campaign must.
     #[serde(flatten, with = "FormatsQuestions")]
     pub questions: Vec<Worded>,
     /// Join with a log, if several files were named.
@@ -204,7 +204,7 @@ worded! {
 }
 
 worded! {
-    /// Facts that the file cannot state and the campaign must.
+    /// Facts that the file cannot give and the campaign must.
     list FormatsQuestions: questions, question_phrases
 }
 

@@ -44,10 +44,10 @@ pub struct AxisEntry {
     /// Position and direction of the axis.
     #[serde(flatten)]
     pub line: AxisLine,
-    /// Standard uncertainty of a coordinate: as stated, or from the residuals.
+    /// Standard uncertainty of a coordinate: as given, or from the residuals.
     pub coordinate_standard_uncertainty_mm: f64,
     /// Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent
-    /// if it is stated.
+    /// if it is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub degrees_of_freedom: Option<usize>,
     /// Paths of the targets.

@@ -38,7 +38,7 @@ pub struct BatchEntry {
     pub robot: Option<String>,
     /// Date of the measurement.
     pub date: Option<String>,
-    /// Last day on which the calibration is valid, as stated: year-month-day.
+    /// Last day on which the calibration is valid, as given: year-month-day.
     #[serde(default)]
     pub valid_until: Option<String>,
     /// Outcome.
@@ -55,7 +55,7 @@ pub struct BatchEntry {
     /// Checks of the result: solver, robot, warnings, and each limit.
     #[serde(default)]
     pub checks: Vec<BatchCheck>,
-    /// Robots that are alike have the same text: type as stated, otherwise model and nominal
+    /// Robots that are alike have the same text: type as given, otherwise model and nominal
     /// parameters. Results are compared among robots that are alike.
     #[serde(default)]
     pub alike: Option<String>,
@@ -85,7 +85,7 @@ pub struct BatchCheck {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum BatchEnd {
-    /// All limits are met, or no limit is stated.
+    /// All limits are met, or no limit is given.
     Done,
     /// A limit is not met, or the result is implausible.
     NotMet,

@@ -76,7 +76,7 @@ pub struct QuantityScore {
     /// Distances of predicted from measured positions, or angles between orientations.
     pub errors: Statistics,
     /// Intervals of coordinates, or of rotations about the axes of the world; absent if the
-    /// predictions state none.
+    /// predictions give none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub intervals: Option<IntervalScore>,
     /// Share of positions within the ellipsoid of `probability`; absent without covariances that

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 pub struct CampaignSummary {
     /// Name of the campaign.
     pub name: String,
-    /// Name of the robot, if its file states one.
+    /// Name of the robot, if its file contains one.
     #[serde(default)]
     pub robot: Option<String>,
     /// Statements about the measurements.
@@ -23,10 +23,10 @@ pub struct CampaignSummary {
     /// Measuring instrument.
     #[serde(flatten)]
     pub instrument: InstrumentSummary,
-    /// Decision rule for limits, as stated.
+    /// Decision rule for limits, as given.
     #[serde(default)]
     pub decision_rule: Option<DecisionRule>,
-    /// Repeatability of the robot in returning to a measured point, if stated.
+    /// Repeatability of the robot in returning to a measured point, if given.
     pub contact: Option<ContactSummary>,
     /// Temperature during the measurements.
     #[serde(flatten)]
@@ -34,7 +34,7 @@ pub struct CampaignSummary {
     /// Conditions of a test.
     #[serde(default)]
     pub conditions: Conditions,
-    /// Last day on which the calibration is valid, as stated: year-month-day.
+    /// Last day on which the calibration is valid, as given: year-month-day.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub valid_until: Option<String>,
     /// Controller files that the run wrote.
@@ -55,9 +55,9 @@ pub struct MeasurementSummary {
     pub synthetic: Option<String>,
     /// Remarks.
     pub notes: Option<String>,
-    /// Date as stated.
+    /// Date as given.
     pub date: Option<String>,
-    /// Operator as stated.
+    /// Operator as given.
     pub operator: Option<String>,
 }
 
@@ -71,7 +71,7 @@ pub struct InstrumentSummary {
     pub expanded_uncertainty_um: Option<f64>,
     /// Coverage factor of `expanded_uncertainty_um`.
     pub coverage_factor: Option<f64>,
-    /// Expanded uncertainty of a position, if stated.
+    /// Expanded uncertainty of a position, if given.
     #[serde(default)]
     pub expanded_position_uncertainty_um: Option<f64>,
 }
@@ -82,7 +82,7 @@ pub struct TemperatureSummary {
     /// Temperature during the campaign.
     #[serde(rename = "temperature_c")]
     pub stated_c: Option<f64>,
-    /// Lowest and highest temperature (°C) that rows of the exports state.
+    /// Lowest and highest temperature (°C) that rows of the exports contain.
     #[serde(rename = "temperature_range_c", default, skip_serializing_if = "Option::is_none")]
     pub range_c: Option<[f64; 2]>,
 }
@@ -93,9 +93,9 @@ pub struct TemperatureSummary {
 pub struct CampaignReference {
     /// Name of the campaign.
     pub name: String,
-    /// Name of the robot, if its file states one.
+    /// Name of the robot, if its file contains one.
     pub robot: Option<String>,
-    /// Date as stated.
+    /// Date as given.
     pub date: Option<String>,
     /// Measuring instrument.
     pub instrument: Option<String>,
@@ -122,7 +122,7 @@ pub struct ContactSummary {
 }
 
 /// Identification of a report (ISO/IEC 17025:2017, 7.8.2.1). A report shows missing entries as "not
-/// stated".
+/// given".
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Issue {
@@ -170,7 +170,7 @@ pub struct Conditions {
     /// Standards to which the instrument's calibration is traceable, and the laboratory that
     /// establishes traceability.
     pub traceability: Option<String>,
-    /// Deviations from the standard; an empty list states that there were no deviations.
+    /// Deviations from the standard; an empty list says that there were no deviations.
     pub deviations: Option<Vec<String>>,
 }
 

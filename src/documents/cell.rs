@@ -55,7 +55,7 @@ pub struct CellFrameEntry {
     pub xyz_mm: Vector,
     /// Orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
-    /// Standard uncertainties of the position; absent without redundancy or stated uncertainty.
+    /// Standard uncertainties of the position; absent without redundancy or given uncertainty.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_uncertainty_mm: Option<Vector>,
     /// Standard uncertainties of a small rotation about the axes of the reference frame (deg).
@@ -77,7 +77,7 @@ pub struct CellPointEntry {
     pub reference: String,
     /// Position (mm).
     pub xyz_mm: Vector,
-    /// Standard uncertainties; absent without redundancy or stated uncertainty.
+    /// Standard uncertainties; absent without redundancy or given uncertainty.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_uncertainty_mm: Option<Vector>,
     /// Covariance (mm²), 3 × 3.

@@ -47,12 +47,12 @@ pub struct ComparedCampaign {
     pub folder: String,
     /// Name of the campaign.
     pub name: String,
-    /// Name of the robot, if its file states one.
+    /// Name of the robot, if its file contains one.
     #[serde(default)]
     pub robot: Option<String>,
-    /// Date as stated.
+    /// Date as given.
     pub date: Option<String>,
-    /// Conditions as stated.
+    /// Conditions as given.
     #[serde(default)]
     pub conditions: Conditions,
     /// Identified parameters of the robot.
@@ -68,7 +68,7 @@ pub struct ComparedCampaign {
     pub synthetic: Option<String>,
     /// Basis of the standard uncertainties of the parameters.
     pub uncertainties_from: Option<UncertaintyFrom>,
-    /// Degrees of freedom of the standard uncertainties; null if the uncertainties are stated
+    /// Degrees of freedom of the standard uncertainties; null if the uncertainties are given
     /// rather than estimated.
     pub degrees_of_freedom: Option<f64>,
 }
@@ -173,7 +173,7 @@ pub struct CompareTogether {
     pub parameters: usize,
     /// Δᵀ (C₁ + C₂)⁻¹ Δ divided by the number of parameters; about 1 if nothing changed.
     pub f: f64,
-    /// Degrees of freedom of the covariances; null if the uncertainties are stated rather than
+    /// Degrees of freedom of the covariances; null if the uncertainties are given rather than
     /// estimated.
     pub degrees_of_freedom: Option<f64>,
     /// Probability of a value at least this large if nothing changed.

@@ -98,7 +98,7 @@ impl ControllerFiles {
         self.errors.last()
     }
 
-    /// The identified parameters, with the written values in place of the identified ones.
+    /// The identified parameters, with the written values instead of the identified ones.
     pub fn applied_to(&self, identified: &ParametersDocument) -> ParametersDocument {
         let left_out: Vec<&str> = self.left_out.iter().map(String::as_str).collect();
         let mut document = identified.holding(&left_out);

@@ -41,7 +41,7 @@ pub struct FieldDocument {
     pub factor: f64,
     /// Standard deviation of a measured coordinate without the field's error (mm).
     pub noise_mm: f64,
-    /// Explanation of synthetic data, as the campaign states it; absent for measured data.
+    /// Explanation of synthetic data, as the campaign gives it; absent for measured data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub synthetic: Option<String>,
     /// Origin of the numbers.

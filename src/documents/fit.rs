@@ -1,4 +1,4 @@
-//! Answer of `etalon fit`: an element, the probe, and the values that a file states.
+//! Answer of `etalon fit`: an element, the probe, and the values that a file contains.
 
 use super::Termination;
 use crate::worded::worded;
@@ -38,7 +38,7 @@ pub struct FitDocument {
     /// Probe and fit before compensation, if the points are probe centres.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub probe: Option<FitProbe>,
-    /// Values that the file states for the feature.
+    /// Values that the file contains for the feature.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stated: Option<FitStated>,
     /// Solver and its termination.
@@ -415,30 +415,30 @@ impl FitProbe {
     }
 }
 
-/// Values that a file states for a feature, and their differences from the fit.
+/// Values that a file contains for a feature, and their differences from the fit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FitStated {
     /// Id of the feature in the file.
     pub id: String,
-    /// Stated location or point of the axis.
+    /// Given location or point of the axis.
     pub point_mm: Option<Vector>,
-    /// Stated normal or direction.
+    /// Given normal or direction.
     pub direction: Option<Vector>,
-    /// Stated radius.
+    /// Given radius.
     pub radius_mm: Option<f64>,
-    /// Stated radius of the tube of a torus.
+    /// Given radius of the tube of a torus.
     pub minor_radius_mm: Option<f64>,
-    /// Stated full angle of a cone.
+    /// Given full angle of a cone.
     pub apex_angle_deg: Option<f64>,
-    /// Distance between the stated point and the fitted centre, axis, line or plane.
+    /// Distance between the given point and the fitted centre, axis, line or plane.
     pub point_apart_mm: Option<f64>,
-    /// Angle between the stated and the fitted direction.
+    /// Angle between the given and the fitted direction.
     pub direction_apart_deg: Option<f64>,
-    /// Fitted minus stated radius.
+    /// Fitted minus given radius.
     pub radius_less_stated_mm: Option<f64>,
-    /// Fitted minus stated radius of the tube.
+    /// Fitted minus given radius of the tube.
     pub minor_radius_less_stated_mm: Option<f64>,
-    /// Fitted minus stated full angle.
+    /// Fitted minus given full angle.
     pub apex_angle_less_stated_deg: Option<f64>,
 }

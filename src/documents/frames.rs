@@ -120,7 +120,7 @@ pub struct FramePose {
     pub export_T_world: etalon_base::pose::Pose,
     /// Covariance from the uncertainty of the points that define the frame: of a small shift along
     /// the axes of the world (mm), followed by a small rotation about them (rad). In a planar world
-    /// the shift is that at the height of the targets. Absent if the exports state the frame.
+    /// the shift is that at the height of the targets. Absent if the exports contain the frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub covariance: Option<[[f64; 6]; 6]>,
 }

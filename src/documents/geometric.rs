@@ -95,7 +95,7 @@ pub struct GeometricStep {
     pub count: usize,
     /// Standard deviation of a residual.
     pub standard_deviation_mm: f64,
-    /// Standard deviation expected from the instrument's stated uncertainty.
+    /// Standard deviation expected from the instrument's given uncertainty.
     pub expected_mm: f64,
     /// Largest residual.
     pub max_mm: f64,
@@ -177,7 +177,7 @@ pub enum BarVerdict {
     NotConforming,
     /// The certificate's uncertainty is more than a quarter of the permissible error.
     BarTooUncertain,
-    /// The campaign states no uncertainty of the length.
+    /// The campaign contains no uncertainty of the length.
     NoCertificate,
 }
 

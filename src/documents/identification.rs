@@ -195,7 +195,7 @@ pub fn set_up_phrase(found: &SetUpError) -> Phrase {
     })
 }
 
-/// Message that a measurement contradicts the stated positions on a rigid part.
+/// Message that a measurement contradicts the given positions on a rigid part.
 pub fn contradicted_places(contradicted: &Contradicted) -> Message {
     contradicted.message("[[rigid]]: `places_mm`").hint(phrase!("check-rigid-part"))
 }

@@ -1,4 +1,4 @@
-//! Limits of a campaign, judged by a stated decision rule with the uncertainty of the limited
+//! Limits of a campaign, judged by a given decision rule with the uncertainty of the limited
 //! value.
 
 use crate::mirror::mirror;
@@ -50,7 +50,7 @@ mirror! {
     enum Acceptance of decision::Acceptance {
         /// Every limit is met, and nothing qualifies this; exit code 0.
         Pass,
-        /// Every limit is met by its rule, with a stated reservation: a value within the guard
+        /// Every limit is met by its rule, with a given reservation: a value within the guard
         /// band, or a precondition that is not fulfilled; exit code 0.
         Conditional,
         /// A limit is within the uncertainty of its value, or its quantity was not measured; exit

@@ -23,10 +23,10 @@ pub struct ParametersDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Last day on which the parameters are valid, as the campaign states it: year-month-day.
+    /// Last day on which the parameters are valid, as the campaign gives it: year-month-day.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub valid_until: Option<String>,
-    /// Explanation of synthetic data, as the campaign states it; absent for measured data.
+    /// Explanation of synthetic data, as the campaign gives it; absent for measured data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub synthetic: Option<String>,
     /// All parameters of the model.
@@ -84,7 +84,7 @@ impl ParametersDocument {
         identified.filter(move |p| !without.contains(p.name.as_str()))
     }
 
-    /// `true` if residuals exceed the stated uncertainty of the instrument. Parameters then absorb
+    /// `true` if residuals exceed the given uncertainty of the instrument. Parameters then absorb
     /// unmodelled errors at the measured poses.
     pub fn misfits(&self) -> bool {
         use UncertaintyFrom::{Residuals, ResidualsByPose, ResidualsByRegion};
@@ -176,7 +176,7 @@ pub struct UntestedMistake {
     /// Change of the set-up, in English.
     #[serde(flatten, with = "UntestedMistakeChange")]
     pub change: Worded,
-    /// Standard deviation of a residual with the set-up as stated (mm).
+    /// Standard deviation of a residual with the set-up as given (mm).
     pub stated_mm: f64,
     /// Standard deviation of a residual with the change (mm).
     pub changed_mm: f64,
@@ -221,7 +221,7 @@ pub struct ParameterEntry {
     pub meaning_id: Option<String>,
     /// Nominal value.
     pub nominal: f64,
-    /// Tolerance about the nominal value, if the robot's file states one.
+    /// Tolerance about the nominal value, if the robot's file contains one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
     /// Value before calibration, with only base and targets fitted.
@@ -282,13 +282,13 @@ pub struct ResidualSummary {
     /// pose to pose. Squares of a smooth misfit scatter more than squares of noise.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub effective_degrees_of_freedom: Option<f64>,
-    /// Test of the residuals against the stated uncertainty and against repeats.
+    /// Test of the residuals against the given uncertainty and against repeats.
     #[serde(flatten)]
     pub test: ResidualTest,
     /// Basis of the standard uncertainties.
     pub uncertainties_from: UncertaintyFrom,
     /// Median ratio of the standard uncertainties to the uncertainties from the instrument alone.
-    /// Without a stated uncertainty of the instrument, to the uncertainties from independent
+    /// Without a given uncertainty of the instrument, to the uncertainties from independent
     /// residuals.
     pub uncertainties_enlarged_by: f64,
     /// Residuals of each quantity other than positions of targets.
@@ -321,16 +321,16 @@ pub struct PositionResiduals {
     pub extrapolation: Vec<JointExtrapolation>,
 }
 
-/// Test of residuals against the stated uncertainty and against repeats.
+/// Test of residuals against the given uncertainty and against repeats.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ResidualTest {
-    /// Stated standard uncertainty of one coordinate (mm): of the contact if stated separately,
+    /// Given standard uncertainty of one coordinate (mm): of the contact if given separately,
     /// otherwise of the instrument.
     pub stated_standard_uncertainty_mm: Option<f64>,
     /// Standard uncertainty common to all observations of the same coordinates (mm): of the
-    /// instrument, if that of the contact is stated separately.
+    /// instrument, if that of the contact is given separately.
     pub common_standard_uncertainty_mm: Option<f64>,
-    /// Chi-square with both stated uncertainties.
+    /// Chi-square with both given uncertainties.
     pub chi_square: Option<f64>,
     /// `true` if chi-square rejects the hypothesis that measurement noise explains the residuals,
     /// at a significance level of 0.1 %.
@@ -389,7 +389,7 @@ pub struct QuantityResiduals {
 }
 
 impl ResidualSummary {
-    /// Residuals over the stated uncertainty, √(χ²/ν); `None` without a statement or redundancy.
+    /// Residuals over the given uncertainty, √(χ²/ν); `None` without a statement or redundancy.
     pub fn times_uncertainty(&self) -> Option<f64> {
         let times = (self.test.chi_square? / self.degrees_of_freedom as f64).sqrt();
         times.is_finite().then_some(times)
@@ -404,7 +404,7 @@ pub struct ReliabilitySummary {
     pub significance: f64,
     /// Power β0 with which an error of detectable size is detected.
     pub power: f64,
-    /// Standard deviation σ of a coordinate (mm): the stated one if it explains the residuals,
+    /// Standard deviation σ of a coordinate (mm): the given one if it explains the residuals,
     /// otherwise estimated from the residuals.
     pub sigma_mm: f64,
     /// Number of measured positions.
@@ -450,7 +450,7 @@ pub struct RobustSummary {
     /// Constant c of the loss c² ln(1 + (r / c σ)²). With c = 2.385 the variance of parameters is 5
     /// % larger than by least squares if residuals are normal.
     pub constant: f64,
-    /// Standard deviation σ of a coordinate (mm): from the median residual, but at least the stated
+    /// Standard deviation σ of a coordinate (mm): from the median residual, but at least the given
     /// one.
     pub sigma_mm: f64,
     /// Identified parameters in both fits.

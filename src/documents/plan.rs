@@ -88,7 +88,7 @@ pub struct PlanOptimality {
     pub nodes: usize,
     /// Greedy choice of the thesis: candidates are added one after the other.
     pub greedy: GreedySummary,
-    /// Poses for comparison, if stated.
+    /// Poses for comparison, if given.
     pub compared: Option<ComparedPoses>,
 }
 
@@ -100,12 +100,12 @@ pub struct PlanPrediction {
     /// Parameters, with their predicted uncertainties from the chosen poses.
     pub parameters: Vec<PlannedParameter>,
     /// Predicted standard uncertainty of position over all candidates; absent if the instrument's
-    /// uncertainty is not stated.
+    /// uncertainty is not given.
     pub workspace: Option<WorkspaceUncertainty>,
 }
 
 impl PlanDocument {
-    /// Poses in the order of measurement; in that of `chosen` if none is stated.
+    /// Poses in the order of measurement; in that of `chosen` if none is given.
     pub fn in_order(&self) -> Vec<&PlannedPose> {
         let PlanChoice { order, chosen, .. } = &self.choice;
         match order.as_ref().filter(|order| order.indices.len() == chosen.len()) {
@@ -125,7 +125,7 @@ pub struct PlannedPose {
     pub configurations: Vec<BTreeMap<String, f64>>,
 }
 
-/// Order in which poses are measured: nearest neighbour and exchanges of legs (2-opt).
+/// Order in which poses are measured: nearest neighbour and swaps of legs (2-opt).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeasuringOrder {
@@ -157,7 +157,7 @@ pub struct GeneratedCandidates {
     pub obstacles: Vec<PlannedObstacle>,
     /// Smallest and largest value of each joint, by column.
     pub ranges: BTreeMap<String, [f64; 2]>,
-    /// Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as stated.
+    /// Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as given.
     pub box_mm: BTreeMap<String, [f64; 2]>,
     /// Position of the instrument in the base of the robot.
     pub instrument_mm: Option<Vector>,
@@ -173,9 +173,9 @@ pub struct PlannedReflector {
     pub name: String,
     /// Nominal position in the frame of the flange.
     pub at_mm: Vector,
-    /// Outward axis in the frame of the flange, if stated.
+    /// Outward axis in the frame of the flange, if given.
     pub axis: Option<Vector>,
-    /// Largest angle between the axis and the direction to the instrument, if stated.
+    /// Largest angle between the axis and the direction to the instrument, if given.
     pub acceptance_deg: Option<f64>,
 }
 
@@ -189,7 +189,7 @@ pub struct PlannedProgram {
     pub language: String,
     /// Waiting time at each pose.
     pub dwell_s: f64,
-    /// Digital output that is on during the second half of the waiting time, if stated.
+    /// Digital output that is on during the second half of the waiting time, if given.
     pub trigger: Option<String>,
 }
 
@@ -201,7 +201,7 @@ pub struct PlannedObstacle {
     pub name: String,
     /// `true` if the body is a link of the arm, which moves with the joint of this name.
     pub is_link: bool,
-    /// Shape and size (mm), as stated.
+    /// Shape and size (mm), as given.
     pub stated: String,
     /// Draws in which the body hides a reflector, and no earlier one in the list does.
     pub hidden: usize,
@@ -257,7 +257,7 @@ pub struct PlannedParameter {
     pub unit: String,
     /// `true` if the parameter is identifiable from the candidates.
     pub identifiable: bool,
-    /// Predicted standard uncertainty; absent if the instrument's uncertainty is not stated.
+    /// Predicted standard uncertainty; absent if the instrument's uncertainty is not given.
     pub standard_uncertainty: Option<f64>,
     /// Parameters that the chosen poses separate from this parameter poorly or not at all.
     pub confounded_with: Vec<String>,

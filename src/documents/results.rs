@@ -67,7 +67,7 @@ mirror! {
     /// Basis of the standard uncertainties.
     #[serde(rename_all = "snake_case")]
     enum UncertaintyFrom of identify::UncertaintyFrom {
-        /// Stated uncertainty of the instrument; chi-square does not reject the model.
+        /// Given uncertainty of the instrument; chi-square does not reject the model.
         Instrument,
         /// Residuals, assumed to be independent.
         Residuals,
@@ -79,7 +79,7 @@ mirror! {
         /// regions, averaged over eight divisions (delete-a-group jackknife, Bell & McCaffrey
         /// 2002).
         ResidualsByRegion,
-        /// No basis: there is no redundancy, and no uncertainty is stated.
+        /// No basis: there is no redundancy, and no uncertainty is given.
         Nothing,
     }
 }
@@ -88,13 +88,13 @@ mirror! {
     /// A source of uncertainty.
     #[serde(rename_all = "snake_case")]
     enum UncertaintySource of identify::UncertaintySource {
-        /// Instrument, by its stated uncertainty or the uncertainties of the readings.
+        /// Instrument, by its given uncertainty or the uncertainties of the readings.
         Instrument,
-        /// Stated repeatability of the robot in returning to a measured point.
+        /// Given repeatability of the robot in returning to a measured point.
         Contact,
-        /// Stated shape of rigid parts.
+        /// Given shape of rigid parts.
         RigidParts,
-        /// Stated positions and lengths of sockets and other fixed points.
+        /// Given positions and lengths of sockets and other fixed points.
         KnownPoints,
         /// Nominal values, by their tolerances.
         NominalValues,
@@ -102,7 +102,7 @@ mirror! {
         Repeatability,
         /// Unmodelled errors of the robot: residuals beyond all other sources.
         Model,
-        /// Residuals, if no uncertainty is stated.
+        /// Residuals, if no uncertainty is given.
         Residuals,
         /// World frame, common to all poses.
         Frame,

@@ -38,13 +38,13 @@ mirror! {
         Coupling,
         /// Bending of joints and links under their own loads.
         Bending,
-        /// Bending of joints under a payload that each reading states.
+        /// Bending of joints under a payload that each reading gives.
         Payload,
-        /// Bending of joints under their torques, which each reading states.
+        /// Bending of joints under their torques, which each reading gives.
         Torque,
-        /// Common expansion of all lengths with the temperature that each reading states.
+        /// Common expansion of all lengths with the temperature that each reading gives.
         Expansion,
-        /// Drift of the zeros of joints with the temperature that each reading states.
+        /// Drift of the zeros of joints with the temperature that each reading gives.
         Drift,
         /// Tilt of revolute joints across their axes under the moment of masses and payload.
         Lateral,

@@ -27,7 +27,7 @@ pub struct SelftestDocument {
     pub requirements: Vec<SelftestRequirement>,
     /// Slips in the reference data, each of which must fail a comparison.
     pub must_fail: Vec<SelftestMustFail>,
-    /// Comparison of the laboratory's own campaign with its stored result; null if none was stated.
+    /// Comparison of the laboratory's own campaign with its stored result; null if none was given.
     #[serde(default)]
     pub performance: Option<SelftestPerformance>,
     /// Packages of which program, build scripts and tests are built (Cargo.lock).
@@ -49,9 +49,9 @@ pub struct SelftestProgram {
     pub version: String,
     /// SHA-256 of the program file; null if the file cannot be read.
     pub sha256: Option<String>,
-    /// Stated SHA-256 (`--program-sha256`); null if none was stated.
+    /// Given SHA-256 (`--program-sha256`); null if none was given.
     pub expected_sha256: Option<String>,
-    /// `true` if the file could be read and has the stated hash.
+    /// `true` if the file could be read and has the given hash.
     pub pass: bool,
 }
 
@@ -75,7 +75,7 @@ pub struct ReferenceFile {
     pub name: String,
     /// SHA-256 of the file in the program.
     pub sha256: String,
-    /// SHA-256 that the program states.
+    /// SHA-256 that the program gives.
     pub expected_sha256: String,
     /// `true` if both agree.
     pub pass: bool,

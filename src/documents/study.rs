@@ -6,7 +6,7 @@ use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Comparison of sets of poses under stated noise.
+/// Comparison of sets of poses under given noise.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudiesDocument {

@@ -25,7 +25,7 @@ pub struct UncertaintyDocument {
     /// parameters.
     pub resamples: usize,
     /// Basis of the standard uncertainties of the identification. Draws of parameters contain the
-    /// stated uncertainties and the model error; draws of errors contain the stated uncertainties.
+    /// given uncertainties and the model error; draws of errors contain the given uncertainties.
     pub uncertainties_from: UncertaintyFrom,
     /// Identified parameters.
     pub parameters: Vec<DistributionEntry>,

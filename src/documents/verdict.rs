@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 pub struct VerdictDocument {
     /// Schema and version: `etalon/verdict/1`.
     pub schema: String,
-    /// Verdict; null if nothing was judged, because no limit is stated.
+    /// Verdict; null if nothing was judged, because no limit is given.
     pub verdict: Option<Acceptance>,
     /// Exit code of the run: 0 if the answer may be loaded, otherwise 1.
     pub exit_code: u8,
@@ -148,7 +148,7 @@ pub struct Judged<'a> {
     pub tested: &'a Characteristics,
     /// Controller files.
     pub controllers: Option<&'a ControllersDocument>,
-    /// Stated conditions of the measurements.
+    /// Given conditions of the measurements.
     pub conditions: Option<&'a Conditions>,
 }
 

@@ -182,7 +182,7 @@ pub enum MovementKind {
 }
 
 impl VerificationDocument {
-    /// `true` if an error states that the parameters are not those of the robot.
+    /// `true` if an error says that the parameters are not those of the robot.
     pub fn is_refused(&self) -> bool {
         self.messages.iter().any(|message| message.severity == Severity::Error)
     }

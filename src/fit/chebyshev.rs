@@ -14,7 +14,7 @@ pub(super) struct Level {
     pub spread: f64,
 }
 
-/// Maximum number of exchanges; tens suffice in practice.
+/// Maximum number of swaps; tens suffice in practice.
 const EXCHANGES: usize = 300;
 /// Maximum number of rows in the subset.
 const TOGETHER: usize = 10;

@@ -2,7 +2,7 @@
 //!
 //! The farthest point outside the ball is added to the support points, and the smallest ball of
 //! these at most five points is found by trying every subset (pivot rule of Gärtner 1999, "Fast and
-//! robust smallest enclosing balls", ESA'99, with enumeration in place of Welzl's recursion of
+//! robust smallest enclosing balls", ESA'99, with enumeration instead of Welzl's recursion of
 //! 1991). The radius grows in every step, so the algorithm terminates, without recursion or
 //! shuffling. Four corners of a square determine the centre in the third direction to 1e-9 only;
 //! therefore subsets are judged, and near ties decided, in 106 bits.

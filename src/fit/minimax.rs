@@ -29,7 +29,7 @@ enum Bound {
     Box(usize, bool),
 }
 
-/// Maximum number of exchanges; tens suffice in practice.
+/// Maximum number of swaps; tens suffice in practice.
 const EXCHANGES: usize = 400;
 /// Tolerance for a row beyond its level, relative to the largest value: rounding.
 const BEYOND: f64 = 4.0 * f64::EPSILON;

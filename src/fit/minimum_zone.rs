@@ -3,7 +3,7 @@
 //! [`super::round_zone`].
 //!
 //! In contrast to least squares, at most four points determine the zone, and a single wrong point
-//! moves it. Each result names its contact points, and states whether it was proved to be the
+//! moves it. Each result names its contact points, and shows whether it was proved to be the
 //! narrowest.
 
 use super::chart::Chart;

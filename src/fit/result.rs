@@ -386,7 +386,7 @@ pub struct Compensation {
     pub minor_radius_mm: Option<f64>,
 }
 
-/// Sine of the smallest angle (5 degrees) between the stated direction and a plane or line at which
+/// Sine of the smallest angle (5 degrees) between the given direction and a plane or line at which
 /// the direction tells the side of the probe.
 const LEAST_SINE: f64 = 0.087;
 

@@ -22,7 +22,7 @@ pub struct Export {
     pub file: Spanned<String>,
     /// Format of the file: a name, or a table of keys that describes text.
     pub format: Format,
-    /// Character encoding, if no byte-order mark states it.
+    /// Character encoding, if no byte-order mark gives it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Length unit of the file.

@@ -1,5 +1,5 @@
 //! Input files: their bytes, and their text. A file without lines is rejected before it is read to
-//! its end. Text is decoded strictly, in the stated encoding or in that of the byte-order mark.
+//! its end. Text is decoded strictly, in the given encoding or in that of the byte-order mark.
 
 use super::exports::{Format, binary_format};
 use super::logs::LogKind;
@@ -70,7 +70,7 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
     }
 }
 
-/// Error about a workbook without a statement of the sheet; the hint states the first sheet with
+/// Error about a workbook without a statement of the sheet; the hint gives the first sheet with
 /// more than one row.
 fn sheet_not_stated(bytes: &[u8]) -> Message {
     let mut book = match Workbook::open(bytes) {

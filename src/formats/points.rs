@@ -15,7 +15,7 @@ use std::sync::{Arc, LazyLock};
 
 /// Row of an export. The reader fills in the contents of the row; statements of the campaign
 /// follow. Exports have millions of rows, most of which state a label and a place only: what else
-/// a row states is in [`Stated`], to which a point dereferences.
+/// a row contains is in [`Stated`], to which a point dereferences.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.
@@ -45,14 +45,14 @@ pub struct Stated {
     pub cycle: Option<i64>,
     /// Time (s).
     pub time_s: Option<f64>,
-    /// Standard uncertainties of x, y and z, if the file states them.
+    /// Standard uncertainties of x, y and z, if the file contains them.
     pub standard_uncertainty_mm: Option<Vector>,
-    /// Direction of surface or probe (unit vector), if the file states it.
+    /// Direction of surface or probe (unit vector), if the file contains it.
     pub direction: Option<Vector>,
     /// Orientation of the measured body in the frame of the file (quaternion, scalar first), if
-    /// the file states it.
+    /// the file contains it.
     pub orientation: Option<[f64; 4]>,
-    /// Temperature during the measurement (°C), if the file states it.
+    /// Temperature during the measurement (°C), if the file contains it.
     pub temperature_c: Option<f64>,
     /// Rule that rejects the row.
     pub refused: Option<Box<Phrase>>,

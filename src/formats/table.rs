@@ -18,7 +18,7 @@ pub const UNCERTAINTIES: [&str; 3] = ["ux_mm", "uy_mm", "uz_mm"];
 /// Columns of the covariance of the coordinates (mm²): upper triangle, row by row.
 pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", "cyz_mm2", "czz_mm2"];
 
-/// Columns of the angles (deg): rotations about the axes of the stated rotation order.
+/// Columns of the angles (deg): rotations about the axes of the given rotation order.
 pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 
 /// Columns of the orientation of a body in the world: quaternion, scalar first.

@@ -32,7 +32,7 @@ impl Package {
         }
     }
 
-    /// Maximum permissible errors (mm, rad) that an answer states: the smallest ones that PTB
+    /// Maximum permissible errors (mm, rad) that an answer gives: the smallest ones that PTB
     /// accepts.
     fn permissible_errors(self) -> &'static [(&'static str, &'static str)] {
         match self {

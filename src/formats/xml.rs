@@ -42,7 +42,7 @@ pub struct Node<'t, 'a> {
 }
 
 impl<'a> Elements<'a> {
-    /// Reads a text. `skipped` states the elements that are omitted with their contents.
+    /// Reads a text. `skipped` gives the elements that are omitted with their contents.
     ///
     /// # Errors
     /// Fails if the text is not well-formed XML, or if it declares a document type.
@@ -226,7 +226,7 @@ impl<'t, 'a> Node<'t, 'a> {
     /// Value of an attribute; `None` if it is missing or malformed.
     pub fn attribute(self, name: &str) -> Option<Cow<'a, str>> {
         let mut attributes = quick_xml::events::attributes::Attributes::new(self.element().attributes, 0);
-        // looking for attributes stated twice takes time in the square of their number
+        // looking for attributes given twice takes time in the square of their number
         let found = attributes.with_checks(false).flatten().find(|a| a.key.local_name().into_inner() == name)?;
         found.normalized_value(quick_xml::XmlVersion::Implicit1_0).ok()
     }

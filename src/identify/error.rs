@@ -14,9 +14,9 @@ use std::fmt;
 /// without its remedy.
 #[derive(Clone, Debug)]
 pub enum Error {
-    /// Residuals of the pose mix mm and rad, and no standard uncertainty of a coordinate is stated.
+    /// Residuals of the pose mix mm and rad, and no standard uncertainty of a coordinate is given.
     PoseWithoutUncertainty,
-    /// A common uncertainty is stated without an independent one for each observation, or for
+    /// A common uncertainty is given without an independent one for each observation, or for
     /// residuals of the pose.
     CommonUncertaintyAlone,
     /// A parameter to hold does not exist in the robot.
@@ -48,7 +48,7 @@ pub enum Error {
         /// Model of the robot.
         model: String,
     },
-    /// The robot lacks the part in whose frame the tool point is stated.
+    /// The robot lacks the part in whose frame the tool point is given.
     NoSuchPart {
         /// Model of the robot.
         model: String,
@@ -105,15 +105,15 @@ pub enum Cause {
         /// Extent of the points of the model.
         model_mm: f64,
     },
-    /// The tool contradicts the stated assembly mode.
+    /// The tool contradicts the given assembly mode.
     AssemblyMode {
         /// Poses with the contradiction.
         poses: BTreeSet<PoseName>,
         /// Pose with the largest deviation.
         worst: PoseName,
-        /// Stated mode of this pose, 1 or -1.
+        /// Given mode of this pose, 1 or -1.
         mode: f64,
-        /// Distances (mm) of the model from the measured position, in the stated mode and in the
+        /// Distances (mm) of the model from the measured position, in the given mode and in the
         /// other mode.
         left_mm: [f64; 2],
     },

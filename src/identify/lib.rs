@@ -110,7 +110,7 @@ pub struct Settings {
     pub common_uncertainty_mm: Option<f64>,
     /// Names of parameters held at their nominal value; `*` stands for any text.
     pub hold: Vec<String>,
-    /// Rigid parts that carry targets, with their stated shapes. Residuals of targets only.
+    /// Rigid parts that carry targets, with their given shapes. Residuals of targets only.
     pub rigid: Vec<RigidPart>,
     /// Further observations of targets; only for residuals of targets of a robot with a free base.
     pub conditions: Vec<Condition>,
@@ -127,7 +127,7 @@ pub struct Settings {
 
 impl Settings {
     /// Standard uncertainty (mm) of one measured coordinate, including its common part; 0 if none
-    /// is stated.
+    /// is given.
     pub fn coordinate_uncertainty_mm(&self) -> f64 {
         self.standard_uncertainty_mm.unwrap_or(0.0).hypot(self.common_uncertainty_mm.unwrap_or(0.0))
     }
@@ -142,7 +142,7 @@ impl Settings {
         Self { prior: Prior::None, ..self.clone() }
     }
 
-    /// Returns these settings with stated shapes and nominal values weighted relative to residuals
+    /// Returns these settings with given shapes and nominal values weighted relative to residuals
     /// of this standard deviation.
     fn with_weight(&self, weight: f64) -> Self {
         let mut settings = self.clone();
@@ -202,7 +202,7 @@ pub struct Identification {
     pub identifiability: Identifiability,
     /// Residuals at the solution.
     pub residuals: ResidualStatistics,
-    /// Standard deviation of a residual, by which the rows of stated shapes and nominal values were
+    /// Standard deviation of a residual, by which the rows of given shapes and nominal values were
     /// multiplied.
     pub weight: f64,
     /// Weight of nominal values.
@@ -224,7 +224,7 @@ pub struct ParameterUncertainty {
     /// Source of the covariance.
     pub from: UncertaintyFrom,
     /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty if
-    /// these follow from stated uncertainties.
+    /// these follow from given uncertainties.
     pub effective_degrees: Vec<f64>,
     /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
     /// alone.
@@ -264,14 +264,14 @@ pub struct ResidualStatistics {
     /// Effective degrees of freedom of the residual variance, from the scatter of the squared
     /// residuals between poses: a smooth misfit lowers them.
     pub effective_degrees: f64,
-    /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is stated or
+    /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is given or
     /// no degrees of freedom are left.
     pub chi_square: Option<f64>,
     /// Residuals of each quantity other than positions of targets.
     pub conditions: Vec<ConditionResiduals>,
     /// Scatter of repeats compared with the rest; `None` if no pose was repeated.
     pub replicates: Option<Replicates>,
-    /// Scatter between the stated series; `None` for one series, and where the instrument explains
+    /// Scatter between the given series; `None` for one series, and where the instrument explains
     /// all residuals.
     pub between_series: Option<BetweenSeries>,
     /// Growth of the errors of predictions beyond the measured values of joints; empty where the
@@ -323,7 +323,7 @@ impl Identification {
         Some((1.0 - (u / s).powi(2)).clamp(0.0, 1.0))
     }
 
-    /// Effective degrees of freedom of a parameter; `None` if its uncertainty follows from stated
+    /// Effective degrees of freedom of a parameter; `None` if its uncertainty follows from given
     /// ones.
     pub fn degrees_of_freedom(&self, index: usize) -> Option<f64> {
         self.uncertainty.effective_degrees.get(self.free.iter().position(|&i| i == index)?).copied()
@@ -452,7 +452,7 @@ fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
 pub struct NestedFit {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
-    /// Sum of squares of the measurements, over the stated variances.
+    /// Sum of squares of the measurements, over the given variances.
     pub squares: f64,
     /// Equations minus parameters that the data determine.
     pub degrees_of_freedom: f64,

@@ -20,7 +20,7 @@ pub struct Warning {
 pub enum Subject {
     /// Parameters are held that the choice of base and targets fixes; others could be held instead.
     HeldByFrames,
-    /// The measurements contradict the stated shape of a part.
+    /// The measurements contradict the given shape of a part.
     Shape(Contradicted),
     /// A change of the set-up explains the measurements.
     SetUp(SetUpError),
@@ -62,17 +62,17 @@ pub struct SetUpError {
     /// The change, and others that explain the data equally well: "`q7` reversed".
     pub changes: Vec<(Phrase, Origin)>,
     /// Standard deviation (mm) of a coordinate at poses left out of an identification with the
-    /// set-up as stated; infinite if a pose is out of reach.
+    /// set-up as given; infinite if a pose is out of reach.
     pub stated_mm: f64,
     /// Standard deviation (mm) with the change.
     pub changed_mm: f64,
-    /// Standard deviations (rad) of measured orientations, as stated and with the change; 0 if none
+    /// Standard deviations (rad) of measured orientations, as given and with the change; 0 if none
     /// are measured.
     pub angles_rad: [f64; 2],
 }
 
 impl SetUpError {
-    /// Hint at the change. `statement` returns the place where the wrong part is stated, if a layer
+    /// Hint at the change. `statement` returns the place where the wrong part is given, if a layer
     /// above knows it.
     pub fn to_check(&self, statement: impl Fn(Origin) -> Option<Phrase>) -> Phrase {
         let named = self.changes.iter().map(|(slip, origin)| {

@@ -263,7 +263,7 @@ impl Factor {
         self.back_substitute(self.qtb.clone())
     }
 
-    /// Solves R x = b in place of `b`; `None` if R is singular.
+    /// Solves R x = b instead of `b`; `None` if R is singular.
     pub fn back_substitute(&self, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let mut own = b;
         b = own.split_off(self.columns() - self.n);
@@ -292,7 +292,7 @@ impl Factor {
         Some(x)
     }
 
-    /// Solves Rᵀ x = b in place of `b`; `None` if R is singular.
+    /// Solves Rᵀ x = b instead of `b`; `None` if R is singular.
     pub fn forward_substitute(&self, mut b: Vec<f64>) -> Option<Vec<f64>> {
         let mut x = Vec::new();
         if !self.heads.is_empty() {

@@ -300,7 +300,7 @@ fn order(figures: &BatchFigures) -> Vec<usize> {
     order
 }
 
-/// Value to the second digit of its uncertainty; errors, which have no stated uncertainty, with
+/// Value to the second digit of its uncertainty; errors, which have no given uncertainty, with
 /// four digits.
 fn digits(value: BatchValue) -> String {
     match value.standard_uncertainty {

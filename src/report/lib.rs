@@ -164,7 +164,7 @@ pub struct Renderer {
 
 impl Renderer {
     fn new(contents: Contents, attachments: Vec<Attachment>, presentation: Presentation, words: Words) -> Self {
-        // commands refuse another value of the variable
+        // commands reject another value of the variable
         let built = source_date_epoch().unwrap_or_default();
         let mut contents = contents.explained(&words).in_language(&words);
         contents.dates.built = built;
@@ -317,7 +317,7 @@ impl Renderer {
         Self::new(Contents { version, ..contents }, vec![attached], presentation, words)
     }
 
-    /// Creates the certificate of a campaign for the customer: a draft until all fields are stated.
+    /// Creates the certificate of a campaign for the customer: a draft until all fields are given.
     pub fn certificate(results: &Results) -> Result<Self> {
         let presentation = results.campaign.report.clone();
         let words = Words::new(presentation.language);

@@ -39,7 +39,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A number as stated by the user.
+/// A number as given by the user.
 pub(super) fn stated(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { fixed(value, 0) }
 }
@@ -49,7 +49,7 @@ pub(crate) fn ratio(value: f64) -> String {
     fixed(value, if value.abs() < 99.95 { 1 } else { 0 })
 }
 
-/// A number computed from stated numbers: at most four significant digits, without trailing zeros.
+/// A number computed from given numbers: at most four significant digits, without trailing zeros.
 pub(super) fn derived(value: f64) -> String {
     let text = significant(value, 4);
     let (digits, power) = text.split_once('e').map_or((text.as_str(), None), |(digits, power)| (digits, Some(power)));

@@ -36,9 +36,9 @@ pub(super) enum Coefficient {
     /// Sine or cosine of `order` times the angle of a joint.
     Harmonic { joint: usize, factor: f64, offset: f64, order: f64, sine: bool },
     /// `factor` times the direction of approach of a joint: +1 from below, −1 from above, 0 if not
-    /// stated. `at` is the position of the direction behind the joint values.
+    /// given. `at` is the position of the direction behind the joint values.
     Approach { at: usize, factor: f64 },
-    /// `factor` · (value − `from`) of a value that each reading states; 0 if it is not stated. `at`
+    /// `factor` · (value − `from`) of a value that each reading gives; 0 if it is not given. `at`
     /// is the position of the value behind the joint values.
     Stated { at: usize, from: f64, factor: f64 },
     /// Load on the chain, by its index.

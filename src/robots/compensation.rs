@@ -46,7 +46,7 @@ const SAME_RAD: f64 = 0.5;
 const BETWEEN: i32 = 16;
 /// Measures of singularity below this are zero.
 const SINGULAR: f64 = 1e-9;
-/// Largest distance (mm) and angle (rad) of the pose at stated joint values from its target if the
+/// Largest distance (mm) and angle (rad) of the pose at given joint values from its target if the
 /// joint values are those of the target, and do not only select a configuration.
 const STATED: [f64; 2] = [1.0, 1e-3];
 

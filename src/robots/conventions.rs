@@ -622,7 +622,7 @@ mod tests {
         }
     }
 
-    /// Arms of each convention with all effects of what a reading states.
+    /// Arms of each convention with all effects of what a reading gives.
     fn arms(effects: &Effects) -> Vec<Serial> {
         let joint = |(alpha_rad, a_mm, d_mm): (f64, f64, f64)| SerialJoint {
             alpha_rad,

@@ -63,13 +63,13 @@ pub enum Effect {
     Coupling,
     /// Bending of joints and links under their own loads.
     Bending,
-    /// Bending of joints under a payload that each reading states.
+    /// Bending of joints under a payload that each reading gives.
     Payload,
-    /// Bending of joints under their torques, which each reading states.
+    /// Bending of joints under their torques, which each reading gives.
     Torque,
-    /// Common expansion of all lengths with the temperature that each reading states.
+    /// Common expansion of all lengths with the temperature that each reading gives.
     Expansion,
-    /// Drift of the zeros of joints with the temperature that each reading states.
+    /// Drift of the zeros of joints with the temperature that each reading gives.
     Drift,
     /// Tilt of revolute joints across their axes under the moment of masses and payload.
     Lateral,
@@ -106,12 +106,12 @@ impl Effect {
         matches!(self, Self::Lateral | Self::Pedestal) || self.follows_readings()
     }
 
-    /// `true` for effects that follow from what each reading states beside joint values.
+    /// `true` for effects that follow from what each reading gives beside joint values.
     pub fn follows_readings(self) -> bool {
         matches!(self, Self::Payload | Self::Torque) || self.is_thermal()
     }
 
-    /// `true` for effects of the temperature that each reading states.
+    /// `true` for effects of the temperature that each reading gives.
     pub fn is_thermal(self) -> bool {
         matches!(self, Self::Expansion | Self::Drift)
     }
@@ -127,7 +127,7 @@ const _: () = {
     assert!(Effect::Pedestal as usize + 1 == Effect::ALL.len());
 };
 
-/// Value that each reading states besides its joint values and directions of approach.
+/// Value that each reading gives besides its joint values and directions of approach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Circumstance {
     /// Mass of the payload (kg).
@@ -179,7 +179,7 @@ pub struct Parameter {
     /// larger result indicates a wrong set-up. Infinite for parameters without a nominal value:
     /// base and targets of an arm.
     pub tolerance: f64,
-    /// `true` if the tolerance is stated for this robot, `false` if it is the default of the kind.
+    /// `true` if the tolerance is given for this robot, `false` if it is the default of the kind.
     pub tolerance_is_stated: bool,
     /// Id of the sentence on meaning and sign, which is common to all parameters of the kind.
     pub meaning: &'static str,
@@ -225,7 +225,7 @@ impl Parameter {
         Self { meaning, ..self }
     }
 
-    /// Sets a stated tolerance (mm, deg or 1).
+    /// Sets a given tolerance (mm, deg or 1).
     pub fn state_tolerance(&mut self, value: f64) {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
@@ -238,7 +238,7 @@ impl Parameter {
     }
 
     /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, whatever
-    /// tolerance is stated. For parameters without a nominal value, that of a rough estimate of
+    /// tolerance is given. For parameters without a nominal value, that of a rough estimate of
     /// base and targets.
     pub fn known_within(&self) -> f64 {
         usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })

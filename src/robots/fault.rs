@@ -37,7 +37,7 @@ pub enum FaultKind {
     NotPositive(&'static str),
     /// A value that the other values require is missing.
     Missing(&'static str),
-    /// A value is stated in both of its units.
+    /// A value is given in both of its units.
     StatedTwice(&'static str),
     /// A hexapod does not have six legs.
     LegCount(usize),
@@ -54,26 +54,26 @@ pub enum FaultKind {
         /// Names of all joints.
         joints: Vec<String>,
     },
-    /// A value of a screw axis is stated among Denavit-Hartenberg parameters.
+    /// A value of a screw axis is given among Denavit-Hartenberg parameters.
     NotDenavitHartenberg(&'static str),
-    /// Denavit-Hartenberg parameters are stated for a screw axis.
+    /// Denavit-Hartenberg parameters are given for a screw axis.
     NotScrew,
     /// The axis of a joint has zero length.
     AxisWithoutDirection,
-    /// Screw axes are stated without the pose of the flange (value of this key).
+    /// Screw axes are given without the pose of the flange (value of this key).
     NoFlange(&'static str),
-    /// The pose of the flange is stated beside Denavit-Hartenberg parameters.
+    /// The pose of the flange is given beside Denavit-Hartenberg parameters.
     FlangeOfTable(&'static str),
-    /// Limits are stated for the wrong kind of joint (sliding or revolute).
+    /// Limits are given for the wrong kind of joint (sliding or revolute).
     RangeOfOtherMotion {
-        /// Key of the stated limits.
+        /// Key of the given limits.
         key: &'static str,
         /// Key of the limits that apply to the joint.
         own: &'static str,
     },
     /// The lower limit is not below the upper limit.
     NoRange {
-        /// Key of the stated limits.
+        /// Key of the given limits.
         key: &'static str,
         /// Lower and upper limit (mm or rad).
         ends: [f64; 2],
@@ -167,9 +167,9 @@ pub enum TreeFault {
     NoMass(String),
     /// Two parameters would have the same name.
     DoubledName(String),
-    /// Neither a link of the targets nor branches are stated.
+    /// Neither a link of the targets nor branches are given.
     NoToolLink,
-    /// A link of all targets is stated beside branches.
+    /// A link of all targets is given beside branches.
     ToolLinkBesideBranches,
     /// A target is on two branches.
     TargetOnTwoBranches {

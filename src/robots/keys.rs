@@ -15,7 +15,7 @@ pub struct Key {
     pub meaning: &'static str,
     /// Quantity of the numbers; a ratio has no unit.
     pub quantity: Quantity,
-    /// `true` if the value may be stated in a second unit: metres or radians.
+    /// `true` if the value may be given in a second unit: metres or radians.
     pub two_units: bool,
     /// `true` if the robot cannot be built without a readable value.
     pub essential: bool,
@@ -90,7 +90,7 @@ pub enum Value {
     Table(Values),
     /// A [`Shape::Tables`].
     Tables(Vec<Values>),
-    /// A value that is stated in both units.
+    /// A value that is given in both units.
     Twice,
 }
 
@@ -178,7 +178,7 @@ impl Setting for f64 {
     }
 }
 
-/// Value of a key that may be stated in either of two units.
+/// Value of a key that may be given in either of two units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) enum Stated<T> {
     #[default]
@@ -241,7 +241,7 @@ impl<'v> Reader<'v> {
         stated.or_else(|| T::from_value(&default.inward(quantity))).unwrap_or_default()
     }
 
-    /// Reads a value that may be stated in either of two units.
+    /// Reads a value that may be given in either of two units.
     pub fn in_two_units<T: Setting>(&mut self, key: Key) -> Stated<T> {
         let key = Key { shape: T::SHAPE, absence: Absence::Nothing, two_units: true, ..key };
         match self.value(key) {
@@ -283,7 +283,7 @@ type Build = fn(&Values, &[String]) -> Result<Box<dyn Robot>, Faults>;
 pub struct Model {
     /// Short name: `prexyt`, `five_bar`, `serial` ...
     pub name: &'static str,
-    /// `true` if the keys state the geometry, so that nominal parameters are optional.
+    /// `true` if the keys give the geometry, so that nominal parameters are optional.
     pub states_geometry: bool,
     keys: fn() -> Vec<Key>,
     build: Build,
@@ -313,7 +313,7 @@ impl Model {
 
 /// Description of a robot of one model.
 pub(super) trait Description: Sized {
-    /// `true` if the description states the geometry, so that nominal parameters are optional.
+    /// `true` if the description gives the geometry, so that nominal parameters are optional.
     const STATES_GEOMETRY: bool = true;
 
     /// Reads the description.

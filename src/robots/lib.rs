@@ -67,12 +67,12 @@ pub enum JointRange {
     Limits([f64; 2]),
     /// Continuous rotation.
     Endless,
-    /// The robot file states no limits.
+    /// The robot file contains no limits.
     Unstated,
 }
 
 impl JointRange {
-    /// Converts stated limits; equal infinite limits mean continuous rotation.
+    /// Converts given limits; equal infinite limits mean continuous rotation.
     fn from_limits(limits: Option<[f64; 2]>) -> Self {
         match limits {
             Some([lower, upper]) if lower.is_infinite() && upper.is_infinite() => Self::Endless,
@@ -165,7 +165,7 @@ pub trait Robot: Send + Sync {
         &[]
     }
 
-    /// Values that each reading states besides: they follow the joint values and the directions of
+    /// Values that each reading gives besides: they follow the joint values and the directions of
     /// [`Robot::approached`]. Without these values there is no payload and no torque, and the
     /// temperature is that of reference.
     fn circumstances(&self) -> &[Circumstance] {
@@ -200,13 +200,13 @@ pub trait Robot: Send + Sync {
         None
     }
 
-    /// Description of the stated limit that joint values, followed by the assembly mode, violate,
+    /// Description of the given limit that joint values, followed by the assembly mode, violate,
     /// if any.
     fn limit_violation(&self, _parameters: &[f64], _joints: &[f64]) -> Option<Phrase> {
         None
     }
 
-    /// Range of a joint, by its index, as stated in the robot file.
+    /// Range of a joint, by its index, as given in the robot file.
     fn joint_range(&self, _joint: usize) -> JointRange {
         JointRange::Unstated
     }
@@ -618,7 +618,7 @@ pub trait Platform: Robot {
 
 /// A platform on carriages on rails, as calibrated by the geometric method (thesis, chapter 2).
 pub trait RailTable: Platform {
-    /// Travel of each actuator from zero, if stated.
+    /// Travel of each actuator from zero, if given.
     fn travel_mm(&self) -> Option<[f64; 3]>;
 
     /// Travel of a carriage along x and y per millimetre commanded; the actuator is 1, 2 or 3.

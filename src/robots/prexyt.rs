@@ -318,7 +318,7 @@ impl Robot for Prexyt {
         sketch.add(Length, "y_o", &[[0.0, -0.2 * s, 0.0], [0.0; 3]]);
         vec![sketch]
     }
-    /// Rails are drawn to the largest travel, without a stated travel to the carriages.
+    /// Rails are drawn to the largest travel, without a given travel to the carriages.
     fn outline(&self, p: &[f64], joints: &[f64]) -> Outline {
         let pose = self.direct(p, joints);
         let [[x2, y2], [x3, y3]] = self.revolutes(p, joints);

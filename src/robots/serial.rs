@@ -60,7 +60,7 @@ pub(super) struct Effects {
     pub lateral: Vec<usize>,
     /// `true` if the base tilts under the moments of the arm.
     pub pedestal: bool,
-    /// Stated masses of the links behind the joints; empty if none is stated.
+    /// Given masses of the links behind the joints; empty if none is given.
     pub bodies: Vec<Body>,
 }
 
@@ -212,7 +212,7 @@ pub(super) struct ArmBuilder {
     moved: Vec<Vec<Term>>,
     /// Joints with direction of approach.
     approached: Vec<usize>,
-    /// Values that each reading states; they follow the directions of approach.
+    /// Values that each reading gives; they follow the directions of approach.
     circumstances: Vec<Circumstance>,
     /// Term of the common expansion of all lengths.
     expansion: Option<Term>,
@@ -260,7 +260,7 @@ impl ArmBuilder {
     }
 
     /// Starts another branch of the same robot. Both branches share the parameters, the directions
-    /// of approach of their common joints, and what each reading states.
+    /// of approach of their common joints, and what each reading gives.
     pub fn branch(&self) -> Self {
         let mut branch = Self::new(&self.targets);
         branch.parameters = self.parameters.clone();
@@ -492,7 +492,7 @@ impl ArmBuilder {
         }
     }
 
-    /// Position of a value that each reading states, behind the directions of approach.
+    /// Position of a value that each reading gives, behind the directions of approach.
     fn stated(&mut self, value: Circumstance) -> usize {
         self.circumstances.iter().position(|known| *known == value).unwrap_or_else(|| {
             self.circumstances.push(value);
@@ -500,7 +500,7 @@ impl ArmBuilder {
         })
     }
 
-    /// Declares that each reading states the payload.
+    /// Declares that each reading gives the payload.
     fn stated_payload(&mut self) {
         self.stated(Circumstance::PayloadMass);
         for k in 0..3 {
@@ -941,7 +941,7 @@ pub struct Serial {
     other: Option<(Phrase, Box<Self>)>,
 }
 
-/// Values that each reading states in addition to the joint values.
+/// Values that each reading gives in addition to the joint values.
 #[derive(Clone, Debug)]
 pub(super) struct StatedValues {
     /// Joints whose direction of approach follows the joint values.

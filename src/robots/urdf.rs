@@ -106,7 +106,7 @@ pub struct Tree {
 pub struct Link {
     /// Name of the link.
     pub name: String,
-    /// Mass (kg); 0 if not stated.
+    /// Mass (kg); 0 if not given.
     pub mass_kg: f64,
     /// Centre of mass in the frame of the link.
     pub center_mm: Vector,
@@ -459,7 +459,7 @@ impl Description for Keys {
 }
 
 impl Keys {
-    /// The stated branches with their chains; a single one without `branch`.
+    /// The given branches with their chains; a single one without `branch`.
     fn branches(&self, targets: &[String]) -> Result<Vec<Branch<'_>>, Faults> {
         let tree_fault = |at, fault| Err(Fault::tree(at, fault).into());
         match (&self.tool_link, &self.branches[..]) {

@@ -1,5 +1,5 @@
 //! The output folder of a run for readers: every document is the one that the run wrote, or the
-//! folder is refused.
+//! folder is rejected.
 
 use crate::stages::evaluate::error_table;
 use etalon_base::catalogue::IntoArgument;
@@ -229,7 +229,7 @@ fn checked(path: &Path, bytes: &[u8]) -> Result<ParametersDocument> {
     Ok(document)
 }
 
-/// A document of this name and of the version that this program writes; `campaign` states none.
+/// A document of this name and of the version that this program writes; `campaign` gives none.
 fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T> {
     let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| unreadable(path, &e.to_string()))?;
     let schema = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");

@@ -13,7 +13,7 @@ use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// Maximum number of targets that a hint states.
+/// Maximum number of targets that a hint gives.
 const MOST_TARGETS: usize = 12;
 
 /// Kind of a name in the campaign.
@@ -70,7 +70,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
         let text = name.get_ref();
         let borne = |set: &&BTreeSet<&str>| set.contains(text.as_str()) || set.iter().any(|l| matches_pattern(text, l));
         if !among.iter().any(borne) {
-            // the campaign states its features, the exports all else
+            // the campaign contains its features, the exports all else
             if !complete && sought != Sought::Feature {
                 return open.push(text.clone());
             }
@@ -109,7 +109,7 @@ pub(super) fn labels(campaign: &Campaign, imported: &Gathered, complete: bool, p
     let joined = || file.join_targets().filter(|_| file.join_by() != Some(JoinBy::Label));
     let is_measured = |name: &Spanned<String>| targets.contains(name.get_ref().as_str());
     let odd: Vec<Message> = file.exports.iter().filter_map(|e| other_form(campaign, e, imported)).collect();
-    // where no label has the form that is stated, no target is named
+    // where no label has the form that is given, no target is named
     let is_odd = complete && !odd.is_empty() && !joined().all(is_measured);
     for name in joined().filter(|_| !is_odd) {
         want(name, &[&targets], Sought::Target);
@@ -171,7 +171,7 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, not_exported: &NotEx
     }
 }
 
-/// Errors of a robot without targets: with the line that states the targets that labels name, and
+/// Errors of a robot without targets: with the line that gives the targets that labels name, and
 /// none if the table that names them does not read.
 pub(super) fn targets_to_state(unbuilt: Unbuilt, imported: &Gathered, unread: bool) -> Problems {
     let Unbuilt { mut problems, without_target } = unbuilt;
@@ -254,7 +254,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
     }
 }
 
-/// Error if the labels of an export name targets of the robot, and the campaign states no form.
+/// Error if the labels of an export name targets of the robot, and the campaign contains no form.
 fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robot: &dyn Robot) -> Option<Message> {
     if export.label.is_some() || export.target.is_some() {
         return None;
@@ -267,7 +267,7 @@ fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robo
     is_named.then(|| error!("label-form-missing", file, form).at(campaign.place(&export.file)))
 }
 
-/// Error if no label of an export has the form that the campaign states.
+/// Error if no label of an export has the form that the campaign contains.
 fn other_form(campaign: &Campaign, export: &Export, imported: &Gathered) -> Option<Message> {
     let form = export.label.as_ref()?;
     let pattern = etalon_formats::LabelPattern::parse(form.get_ref()).ok()?;

@@ -114,7 +114,7 @@ fn with_hash(mut found: IdentifiedDocuments) -> Result<IdentifiedDocuments> {
     Ok(found)
 }
 
-/// Contents of the files of these formats in place of the identified parameters: identified again
+/// Contents of the files of these formats instead of the identified parameters: identified again
 /// from the data of the campaign, for parameters that may be written.
 pub(super) fn identified_again(
     campaign: &Campaign,
@@ -128,7 +128,7 @@ pub(super) fn identified_again(
     is_plausible.then(|| written_values::identify_again(&input, robot, &found.solution, formats)).flatten()
 }
 
-/// Controller files that are not refused.
+/// Controller files that are not rejected.
 fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &ControllerFormats) -> Vec<WrittenFile> {
     let Some(found) = results.plausible() else { return Vec::new() };
     let input = ExportInput {
@@ -186,7 +186,7 @@ fn write(
     Ok(Outcome { results, solution, renderer, written })
 }
 
-/// Names and bytes of the controller files that are not refused.
+/// Names and bytes of the controller files that are not rejected.
 fn controller_files(
     campaign: &Campaign,
     results: &Results,
@@ -205,7 +205,7 @@ fn controller_files(
     };
     let mut all = Vec::new();
     for (name, exporter) in formats.all() {
-        // refused files are among the messages
+        // rejected files are among the messages
         let Ok(statement) = input.statement(exporter) else { continue };
         if statement.refusal(name).is_none() {
             input.check()?;

@@ -215,7 +215,7 @@ fn join(campaign: &Campaign, join: &Join, problems: &mut Problems) {
     }
 }
 
-/// Reports a pose or target that is stated by a key and by a column of one export.
+/// Reports a pose or target that is given by a key and by a column of one export.
 fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
     let stated =
         [("pose", export.pose.is_some(), ColumnRole::Pose), ("target", export.target.is_some(), ColumnRole::Target)];

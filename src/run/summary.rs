@@ -1,11 +1,11 @@
-//! The campaign as its report states it.
+//! The campaign as its report gives it.
 
 use etalon_campaign::{Campaign, ReportDefinition};
 use etalon_documents::{
     CampaignSummary, ContactSummary, InstrumentSummary, Issue, MeasurementSummary, Presentation, TemperatureSummary,
 };
 
-/// The campaign as its report states it, before its files are read.
+/// The campaign as its report gives it, before its files are read.
 pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
     let file = &campaign.file;
     CampaignSummary {

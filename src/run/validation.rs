@@ -52,7 +52,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
 pub struct Recommended {
     /// Parameters with their errors; what is not recommended is at nominal.
     pub found: IdentifiedDocuments,
-    /// Contents of formats in place of these parameters.
+    /// Contents of formats instead of these parameters.
     pub controllers: Option<ControllersDocument>,
     /// Statements of the campaign about itself.
     pub summary: CampaignSummary,

@@ -74,7 +74,7 @@ pub(super) struct Inputs {
     pub presentation: Option<Presentation>,
     /// State after reading: all files are read, and the robot has the parameters that they need.
     is_read: bool,
-    /// Features and frames are stated, and every label that they name is present.
+    /// Features and frames are given, and every label that they name is present.
     is_named: bool,
 }
 
@@ -138,7 +138,7 @@ impl Walk {
         Ok(walk)
     }
 
-    /// Exports and logs become points and joint values, and all that is stated is checked on them.
+    /// Exports and logs become points and joint values, and all that is given is checked on them.
     fn gather(campaign: &Campaign, mode: Mode) -> Self {
         let mut walk = Self { mode, ..Self::default() };
         let (problems, inputs) = (&mut walk.problems, &mut walk.inputs);
@@ -168,7 +168,7 @@ impl Walk {
         }
         problems.0.extend(more.0);
         // rows without a pose are not read: their targets are not missing; and the exports do
-        // contain a target whose rows [[rigid]] refuses
+        // contain a target whose rows [[rigid]] rejects
         let is_left_out =
             |target: &str| gathered.has_rows_without_pose || gathered.refused_targets.iter().any(|t| t == target);
         not_exported.withdraw(problems, |target, _| is_left_out(target));
@@ -213,7 +213,7 @@ impl Walk {
         self.join(campaign)?;
         let document = &mut self.inputs.gathered.document;
         document.messages.extend(self.features.iter().flat_map(|features| features.messages.clone()));
-        // select: observations of the poses that are stated; a run does so when it identifies
+        // select: observations of the poses that are given; a run does so when it identifies
         if self.mode == Mode::Check {
             self.select(campaign);
         }

@@ -1,5 +1,5 @@
 //! Other identifications of an open campaign: with other data, parameters or limits, and the text
-//! of campaign.toml that states them.
+//! of campaign.toml that gives them.
 
 use crate::session::opened::{Opened, parameters};
 use crate::session::scene::UM;
@@ -28,7 +28,7 @@ const UNREASONED: &str = "-";
 /// Share of a variance below which a difference of variances is rounding.
 const ROUNDING: f64 = 1e-4;
 
-/// The campaign that states what is asked for.
+/// The campaign that gives what is asked for.
 ///
 /// # Errors
 /// Fails for unknown poses, targets and parameters, and if the text cannot be changed.
@@ -114,7 +114,7 @@ pub(super) fn without_visits(opened: &Opened, visits: &[Visit]) -> Result<Campai
 /// Identifies again as asked for, and compares with the first result.
 ///
 /// # Errors
-/// Fails like a run of the campaign that states the changes.
+/// Fails like a run of the campaign that gives the changes.
 pub(super) fn what_if(opened: &Opened, asked: &WhatIfAsked, language: &str) -> Result<WhatIf> {
     let begun = Instant::now();
     let campaign = changed(opened, &opened.campaign.text, asked, UNREASONED)?;

@@ -1,4 +1,4 @@
-//! A campaign proposed from the files of a page, with questions for what the files do not state.
+//! A campaign proposed from the files of a page, with questions for what the files do not contain.
 
 use crate::session::changes::difference;
 use crate::session::files;
@@ -20,7 +20,7 @@ const ROWS: usize = 8;
 const CHARACTERS: usize = 400;
 /// Bytes from which the first rows of a file are shown.
 const HEAD: usize = 64 << 10;
-/// Units of lengths, and of joints, that a campaign may state.
+/// Units of lengths, and of joints, that a campaign may contain.
 const LENGTHS: [&str; 4] = ["mm", "m", "um", "inch"];
 const JOINTS: [&str; 5] = ["deg", "rad", "mm", "m", "um"];
 /// Begins the ids of questions of robot.toml.

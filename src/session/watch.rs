@@ -320,7 +320,7 @@ fn missing(before: &Opened, observation: &Observation, robot: &dyn Robot, pose: 
 struct Prediction<'a> {
     robot: &'a dyn Robot,
     found: &'a Unjudged,
-    /// Variance of a measured coordinate (mm²): stated, or as the residuals show.
+    /// Variance of a measured coordinate (mm²): given, or as the residuals show.
     variance_mm2: f64,
     /// Bound on the squared distance of a reading.
     bound: f64,
@@ -373,7 +373,7 @@ impl<'a> Prediction<'a> {
         errors.is_some_and(|errors| errors.iter().all(|error| error.squared <= self.bound))
     }
 
-    /// Message if the reading agrees with two of its targets exchanged.
+    /// Message if the reading agrees with two of its targets swapped.
     fn exchanged(&self, observation: &Observation, robot: &dyn Robot, pose: &str) -> Option<Message> {
         let measured: Vec<usize> =
             (0..observation.targets.len()).filter(|k| observation.targets[*k].is_some()).collect();

@@ -12,7 +12,7 @@ pub(super) fn shown(messages: &[Message], language: &str) -> Vec<ShownMessage> {
     grouped.iter().map(|message| ShownMessage::new(message, language)).collect()
 }
 
-/// Language that the user's environment states, of a page without a campaign.
+/// Language that the user's environment gives, of a page without a campaign.
 pub(super) fn language_of_user() -> &'static str {
     let stated = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(|name| std::env::var(name).ok());
     match stated.as_deref().and_then(|stated| stated.get(..2)) {

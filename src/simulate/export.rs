@@ -1,4 +1,4 @@
-//! Simulated export in the format that the campaign states.
+//! Simulated export in the format that the campaign contains.
 
 use super::{Scene, Turn, geometric, repeatability};
 use crate::stages::gather;

@@ -1,4 +1,4 @@
-//! Simulated exports, logs and tables of observations of a robot with known parameters and stated
+//! Simulated exports, logs and tables of observations of a robot with known parameters and given
 //! noise, in the formats that a campaign reads.
 
 mod export;
@@ -43,7 +43,7 @@ struct Scene<'a> {
     values: Vec<f64>,
     /// Joint values of each pose (mm or rad).
     joints: Vec<Vec<f64>>,
-    /// Point on which the tool stands at each pose, if stated.
+    /// Point on which the tool stands at each pose, if given.
     stands: Vec<Option<Vector>>,
     export_T_world: Pose,
 }
@@ -65,7 +65,7 @@ impl Turn {
 }
 
 impl Scene<'_> {
-    /// Rejects poses beyond the stated limits of the robot file; all are reported.
+    /// Rejects poses beyond the given limits of the robot file; all are reported.
     fn check_joint_limits(&self) -> Result<()> {
         // with the true parameters: near a limit, the nominal robot may be on its other side
         let violation = |(q, at): (&Vec<f64>, &Option<Vector>)| match at {
@@ -89,7 +89,7 @@ impl Scene<'_> {
         (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
     }
 
-    /// Encoder values at a pose: as stated, or those of a point that is touched again with the
+    /// Encoder values at a pose: as given, or those of a point that is touched again with the
     /// contact's noise.
     fn encoders(&self, turn: Turn, contact: &mut Noise) -> Result<Vec<f64>> {
         let pose = turn.pose as usize - 1;
@@ -116,7 +116,7 @@ impl Scene<'_> {
         self.truth.unmodelled.as_ref().map_or(p, |u| u.moved(self, p, turn.time_s() / 3600.0))
     }
 
-    /// True minus stated joint values; each joint comes from its position before its last motion.
+    /// True minus given joint values; each joint comes from its position before its last motion.
     fn joint_errors(&self, turn: Turn, stated: &[f64]) -> Vec<f64> {
         let Some(unmodelled) = &self.truth.unmodelled else { return Vec::new() };
         let here = &self.joints[turn.pose as usize - 1];

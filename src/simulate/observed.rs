@@ -63,7 +63,7 @@ pub(super) struct Item {
     /// Index of the observed target.
     pub target: usize,
     poses: Option<Selection>,
-    /// Standard uncertainties that the row states.
+    /// Standard uncertainties that the row contains.
     pub u_um: Option<f64>,
     pub urot_deg: Option<f64>,
 }

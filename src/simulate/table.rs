@@ -1,4 +1,4 @@
-//! Simulated table of observations of all kinds, in the layout that the campaign states.
+//! Simulated table of observations of all kinds, in the layout that the campaign contains.
 
 use super::observed::Item;
 use super::{Scene, Turn};
@@ -226,7 +226,7 @@ impl Table<'_> {
         Ok(())
     }
 
-    /// Text of the table, without columns that no row needs and columns that the campaign states
+    /// Text of the table, without columns that no row needs and columns that the campaign contains
     /// instead.
     fn text(&self) -> String {
         let layout = &self.stated.layout;
@@ -253,14 +253,14 @@ impl Table<'_> {
 }
 
 impl Scene<'_> {
-    /// Standard deviation of a length (mm), from the uncertainty stated in the row or otherwise the
+    /// Standard deviation of a length (mm), from the uncertainty given in the row or otherwise the
     /// instrument's. The ratio of `noise_um` to the instrument's uncertainty scales all rows.
     fn u_mm(&self, stated_um: Option<f64>) -> f64 {
         let instrument = self.campaign.file.instrument.standard_uncertainty_mm();
         stated_um.map_or(instrument, |um| um / 1000.0) * self.noise_scale()
     }
 
-    /// Standard deviation of an angle (rad), from the uncertainty stated in the row or otherwise
+    /// Standard deviation of an angle (rad), from the uncertainty given in the row or otherwise
     /// the instrument's.
     fn u_rad(&self, stated_deg: Option<f64>) -> std::result::Result<f64, Message> {
         let instrument = self.campaign.file.instrument.rotation_uncertainty_rad();

@@ -18,7 +18,7 @@ use std::path::Path;
 const DRAWN: u64 = 1 << 40;
 /// Maximum number of draws for joint values that the robot cannot reach.
 const ATTEMPTS: u64 = 1000;
-/// Temperature of the robot (°C) if none is stated.
+/// Temperature of the robot (°C) if none is given.
 const USUAL_C: f64 = 20.0;
 
 /// `truth.toml`: true robot, and its measurements.
@@ -37,7 +37,7 @@ pub struct Truth {
     /// Gaussian noise of a coordinate when a labelled point is touched again; that of the contact
     /// by default.
     pub contact_um: Option<f64>,
-    /// Contents of columns that import skips, in their order; `-` if not stated.
+    /// Contents of columns that import skips, in their order; `-` if not given.
     #[serde(default)]
     pub skipped: Vec<String>,
     /// Number of decimals in the exports.
@@ -231,7 +231,7 @@ impl Truth {
         labels.nth(pose.max(1) as usize - 1).flatten()
     }
 
-    /// Point on which the tool stands at each pose, if stated.
+    /// Point on which the tool stands at each pose, if given.
     pub(super) fn stands(&self) -> Result<Vec<Option<Vector>>> {
         let mut all = Vec::new();
         for poses in &self.poses {

@@ -78,7 +78,7 @@ impl Unmodelled {
         Ok(())
     }
 
-    /// True minus stated joint values (mm or rad) at `stated`, when the robot comes from `before`.
+    /// True minus given joint values (mm or rad) at `stated`, when the robot comes from `before`.
     pub(super) fn joint_errors(&self, scene: &Scene, stated: &[f64], before: &[f64]) -> Vec<f64> {
         let mut zeros = Noise::new(scene.truth.seed, ZEROS);
         let joints = scene.robot.joints().iter().zip(stated.iter().zip(before));

@@ -1,4 +1,4 @@
-//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a stated
+//! Measured orientations of a table: quaternions, rotation vectors, or three angles in a given
 //! order.
 
 pub use etalon_base::angle_order::AngleOrder;
@@ -37,7 +37,7 @@ pub struct Written {
     pub(super) form: Form,
     /// Numbers of the form (rad); unused ones are 0.
     pub(super) numbers: [f64; 9],
-    /// Order of angles that the row states.
+    /// Order of angles that the row contains.
     pub(super) order: Option<AngleOrder>,
 }
 
@@ -117,7 +117,7 @@ pub fn written(table: &Table) -> Result<Vec<Written>> {
 }
 
 impl Written {
-    /// `true` if the row states any of its numbers.
+    /// `true` if the row contains any of its numbers.
     pub fn is_stated(&self) -> bool {
         let count = match self.form {
             Form::Quaternion => 4,
@@ -155,7 +155,7 @@ impl Written {
     }
 }
 
-/// The error about angles without a stated order, with the orders that fit the nominal robot
+/// The error about angles without a given order, with the orders that fit the nominal robot
 /// located by positions: `angles` are those of the orientations among the conditions of `settings`,
 /// in their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {

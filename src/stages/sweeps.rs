@@ -61,7 +61,7 @@ pub(crate) struct SweepsStated {
     pub source_of_x: Option<String>,
     /// `true` if the robot is written in spite of errors.
     pub force: bool,
-    /// Stated bound of the uncertainties of the axes.
+    /// Given bound of the uncertainties of the axes.
     pub bound: UncertaintyBound,
 }
 

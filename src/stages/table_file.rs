@@ -20,7 +20,7 @@ use toml::Spanned;
 /// A table with its texts: of one file, or of several whose rows follow each other.
 #[derive(Clone, Debug)]
 pub(crate) struct TableFile {
-    /// File name stated by the user.
+    /// File name given by the user.
     pub name: String,
     pub table: Table,
     /// Name and text of each file.
@@ -137,13 +137,13 @@ pub(crate) struct CampaignTables<'a> {
 }
 
 impl CampaignTables<'_> {
-    /// A table in the form that the campaign states, of one file or of several; `holds` describes
+    /// A table in the form that the campaign contains, of one file or of several; `holds` describes
     /// it in the list of inputs.
     pub fn read(&mut self, table: &TableDefinition, kind: SourceKind, holds: Phrase) -> Result<TableFile> {
         self.read_in(table, &TableReading::any(TableLayout::default()), kind, holds)
     }
 
-    /// A table with keys of its own, or in the form of its section where it states none.
+    /// A table with keys of its own, or in the form of its section where it gives none.
     pub fn read_in(
         &mut self,
         table: &TableDefinition,

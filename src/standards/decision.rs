@@ -53,7 +53,7 @@ pub enum Conformity {
 pub enum Acceptance {
     /// Every limit is met, and nothing qualifies this.
     Pass,
-    /// Every limit is met by its rule, with a stated reservation: a value within the guard band, or
+    /// Every limit is met by its rule, with a given reservation: a value within the guard band, or
     /// a precondition that is not fulfilled.
     Conditional,
     /// A limit is within the uncertainty of its value, or its quantity was not measured.

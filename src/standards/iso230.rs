@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     /// Deviations (nm) of a stage measured at the Paul Scherrer Institute, and the quantities that
-    /// its own program states (ecmccfg, examples/test/fat_sat/report.md), rounded to 0.1 nm and
+    /// its own program gives (ecmccfg, examples/test/fat_sat/report.md), rounded to 0.1 nm and
     /// 0.01 nm.
     #[test]
     fn a_measured_axis_has_the_quantities_that_another_program_states() {

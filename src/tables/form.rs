@@ -20,7 +20,7 @@ pub fn is_topic(name: &str) -> bool {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct Form {
-    /// Delimiter of the columns; in a table a comma, if nothing else is stated.
+    /// Delimiter of the columns; in a table a comma, if nothing else is given.
     pub delimiter: Option<Delimiter>,
     /// Width of each column (characters), for columns without a delimiter.
     pub widths: Vec<usize>,
@@ -29,7 +29,7 @@ pub struct Form {
     pub decimal: Option<Decimal>,
     /// Mark between groups of three digits.
     pub thousands: Option<Thousands>,
-    /// Character encoding, if no byte-order mark states it.
+    /// Character encoding, if no byte-order mark gives it.
     #[schemars(extend("default" = "utf-8"))]
     pub encoding: Option<Encoding>,
     /// Sheet of a workbook that contains the table, or as `topic` the topic of a recording (MCAP);
@@ -88,7 +88,7 @@ impl Form {
         self.sheet.as_deref().is_some_and(is_topic)
     }
 
-    /// Key that is stated beside `sheet` and does not apply to it.
+    /// Key that is given beside `sheet` and does not apply to it.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
         let text = [
             ("delimiter", self.delimiter.is_some()),
@@ -160,7 +160,7 @@ pub struct TableLayout {
 }
 
 impl TableLayout {
-    /// This layout in a section with another one, whose marks apply where it states none.
+    /// This layout in a section with another one, whose marks apply where it gives none.
     pub fn or(&self, section: &Self) -> Self {
         Self { form: self.form.or(&section.form), ..self.clone() }
     }

@@ -30,7 +30,7 @@ const MARKS: [(Decimal, Option<Thousands>); 8] = [
     (Decimal::Comma, Some(Thousands::Blank)),
 ];
 
-/// Returns the error about two commas in a text; the hint states the marks that split its rows.
+/// Returns the error about two commas in a text; the hint gives the marks that split its rows.
 pub fn two_commas_in(text: &str) -> Message {
     let guess = guesses(text, None).into_iter().next().map(|guess| guess.form);
     match guess.and_then(|form| Some((form.delimiter?, form.decimal()))) {

@@ -1,5 +1,5 @@
 //! Head of a table: the row at which the data begin, the rows above it that name the columns, and
-//! the unit of lengths that the head states.
+//! the unit of lengths that the head gives.
 
 use crate::Form;
 use crate::lexer::{Row, lines, row};
@@ -32,7 +32,7 @@ pub struct Head {
     pub line: Option<usize>,
 }
 
-/// Unit of lengths that the head of a file states.
+/// Unit of lengths that the head of a file contains.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StatedUnit {
     /// Unit, spelled as in the keys of a campaign.
@@ -228,7 +228,7 @@ const UNIT_KEYS: [&str; 12] = [
     "単位",
 ];
 
-/// Unit of lengths that a word states.
+/// Unit of lengths that a word gives.
 fn length_unit(word: &str) -> Option<&'static str> {
     unit_word(word.trim_matches(|c: char| matches!(c, '"' | '\'' | '(' | ')' | '[' | ']' | ';' | ',')))
         .filter(|unit| ["mm", "m", "um", "inch"].contains(unit))
@@ -283,7 +283,7 @@ pub fn first_data_line(text: &str, form: &Form, header: usize) -> Option<usize> 
     lines(text, form).nth(header).map(|(line, _)| line)
 }
 
-/// Unit that a line states in words, and the place of the statement: `units: mm`, `UNITS=MM`,
+/// Unit that a line gives in words, and the place of the statement: `units: mm`, `UNITS=MM`,
 /// `coordinates in mm`.
 fn stated_in_words(line: &str) -> Option<(&'static str, Range<usize>)> {
     let lower = line.to_lowercase();

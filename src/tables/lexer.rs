@@ -189,7 +189,7 @@ pub const WHOLE: f64 = 9e15;
 /// Maximum length of a number (characters): the smallest double written out is shorter.
 const LONGEST: usize = 1100;
 
-/// A number in the stated decimal mark, without other text.
+/// A number in the given decimal mark, without other text.
 pub fn number(field: &str, decimal: Decimal) -> std::result::Result<f64, Message> {
     marked(field, decimal, None)
 }
@@ -208,7 +208,7 @@ pub fn pose_name(field: &str, decimal: Decimal) -> std::result::Result<PoseName,
     }
 }
 
-/// Reads a number in the stated decimal and thousands marks, correctly rounded. Exponents may be
+/// Reads a number in the given decimal and thousands marks, correctly rounded. Exponents may be
 /// `e+003`, `E001` or Fortran's `D+01`; the minus may be U+2212.
 pub fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> std::result::Result<f64, Message> {
     if field.len() > LONGEST {
@@ -218,7 +218,7 @@ pub fn marked(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> st
     parsed(field, decimal, thousands).ok_or_else(|| wrong(field, decimal, thousands))
 }
 
-/// A finite number in the stated marks; `None` for any other text.
+/// A finite number in the given marks; `None` for any other text.
 pub fn parsed(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Option<f64> {
     if field.len() > LONGEST {
         return None;
@@ -617,13 +617,13 @@ pub fn blank(field: &str, quote: bool) -> String {
     }
 }
 
-/// A number with all its digits and the stated decimal mark.
+/// A number with all its digits and the given decimal mark.
 pub fn written_out(value: f64, decimal: Decimal) -> String {
     let text = value.to_string();
     if decimal == Decimal::Comma { text.replace('.', ",") } else { text }
 }
 
-/// A number with the stated decimal mark.
+/// A number with the given decimal mark.
 pub fn written(value: f64, digits: usize, decimal: Decimal) -> String {
     let text = format!("{value:.digits$}");
     if decimal == Decimal::Comma { text.replace('.', ",") } else { text }

@@ -1,5 +1,5 @@
 //! Tables: the form that a file has, and its rows. Every section of a campaign and every command
-//! with a table states its form by the same keys, and reads it by the same rules.
+//! with a table contains its form by the same keys, and reads it by the same rules.
 
 mod expression;
 pub mod filter;

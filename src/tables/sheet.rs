@@ -37,7 +37,7 @@ impl<'t> Sheet<'t> {
     ///
     /// # Errors
     /// Marks with two meanings, quotes that do not match, a header or data rows that are missing, a
-    /// delimiter that leaves one column where `columns` are stated, a header of numbers.
+    /// delimiter that leaves one column where `columns` are given, a header of numbers.
     pub fn split(file: &'t str, text: &'t str, form: &'t Form, columns: &[&ColumnSource]) -> Result<Self> {
         if (form.delimiter(), form.decimal()) == (Delimiter::Comma, Decimal::Comma) {
             return Err(two_commas_in(text).into());
@@ -74,7 +74,7 @@ impl<'t> Sheet<'t> {
         self.header.iter_mut().chain(&mut self.rows).for_each(|row| row.fields.resize(width, Cow::Borrowed("")));
     }
 
-    /// Checks that the delimiter of the form splits the rows, where several columns are stated or
+    /// Checks that the delimiter of the form splits the rows, where several columns are given or
     /// another delimiter would split them.
     fn check_delimiter(&self, text: &str, columns: usize) -> Result<()> {
         if self.width() != 1 || !self.form.widths.is_empty() {
@@ -97,7 +97,7 @@ impl<'t> Sheet<'t> {
     }
 
     /// Checks that the row which should name the columns holds no numbers, unless one of them is
-    /// stated as a heading.
+    /// given as a heading.
     fn check_header(&self, columns: &[&ColumnSource]) -> Result<()> {
         let Some(header) = &self.header else { return Ok(()) };
         let is_number = |field: &&Cow<str>| parsed(field.trim(), self.form.decimal(), self.form.thousands).is_some();
@@ -145,7 +145,7 @@ impl<'t> Sheet<'t> {
         odd.map(move |row| field_count(self.file, row, width, like))
     }
 
-    /// Leaves out the rows that `only` and `without` refuse, and lists them.
+    /// Leaves out the rows that `only` and `without` reject, and lists them.
     ///
     /// # Errors
     /// A column of a filter that the table lacks, or filters that leave no row.

@@ -99,7 +99,7 @@ impl fmt::Display for Cells {
 
 impl Cells {
     /// `true` if a cell is one of these cells, as a text or as an equal number. `number` reads a
-    /// number in the marks of the table; a stated number may also have a decimal point.
+    /// number in the marks of the table; a given number may also have a decimal point.
     pub fn contain(&self, cell: &str, number: impl Fn(&str) -> Option<f64>) -> bool {
         let cell = cell.trim();
         let of_cell = number(cell);

@@ -78,7 +78,7 @@ pub fn predict(inputs: &Inputs, document: &ParametersDocument) -> Result<Predict
 }
 
 /// Scores predictions against measured values: errors, and coverage, width and interval score of
-/// stated intervals. Rows belong together by `pose` and `target`.
+/// given intervals. Rows belong together by `pose` and `target`.
 ///
 /// # Errors
 /// Fails if a measured row has no prediction or several, and if a value is missing.
@@ -254,7 +254,7 @@ fn interval_scores(poses: &[PoseName], rows: &[Vec<([f64; 2], f64)>]) -> Interva
 struct Turned {
     /// Rotation vectors (deg) in the world from measured to predicted orientations.
     errors_deg: Vec<Vector>,
-    /// Standard uncertainty (deg) about any axis of each row, if the predictions state it.
+    /// Standard uncertainty (deg) about any axis of each row, if the predictions give it.
     uncertainties_deg: Option<Vec<f64>>,
 }
 

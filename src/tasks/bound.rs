@@ -15,7 +15,7 @@ pub struct BoundOption {
 }
 
 impl BoundOption {
-    /// The stated bound.
+    /// The given bound.
     ///
     /// # Errors
     /// Fails if the text is not a bound.

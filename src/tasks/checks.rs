@@ -5,7 +5,7 @@ use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_campaign::PLAUSIBLE_EXPANDED_UM;
 
-/// Checks that the number of an option, if stated, is positive.
+/// Checks that the number of an option, if given, is positive.
 pub(crate) fn check_positive(option: &str, stated: Option<f64>) -> Result<()> {
     match stated.is_none_or(|value| value > 0.0 && value.is_finite()) {
         true => Ok(()),

@@ -16,7 +16,7 @@ pub enum Table<'a> {
     Text {
         /// Name for messages and for the list of inputs.
         name: &'a str,
-        /// Text, with commas and decimal points unless options state other marks.
+        /// Text, with commas and decimal points unless options give other marks.
         text: &'a str,
     },
 }

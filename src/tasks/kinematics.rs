@@ -24,7 +24,7 @@ pub fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
     robot.kinematics().ok_or_else(none)
 }
 
-/// Uses the parameters of a `parameters.json`, if stated, as the nominal ones.
+/// Uses the parameters of a `parameters.json`, if given, as the nominal ones.
 ///
 /// # Errors
 /// Fails with parameters of another robot.
@@ -79,7 +79,7 @@ pub struct Twists {
 }
 
 impl Twists {
-    /// The robot of a file, with the parameters of a `parameters.json`, if stated.
+    /// The robot of a file, with the parameters of a `parameters.json`, if given.
     ///
     /// # Errors
     /// Fails for a robot whose flange has no whole pose in space, and with parameters of another

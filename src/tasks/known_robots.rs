@@ -105,7 +105,7 @@ pub(crate) struct KnownRobot {
     note: Option<String>,
     /// Source of the limits.
     limits_source: Option<String>,
-    /// Lower and upper limit of each joint (deg); empty if no source states it.
+    /// Lower and upper limit of each joint (deg); empty if no source gives it.
     #[serde(default)]
     limits_deg: Vec<Vec<f64>>,
     #[serde(default)]
@@ -138,7 +138,7 @@ impl KnownRobot {
         if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
     }
 
-    /// Limits of joint `i` in the text of robot.toml; empty if no source states them.
+    /// Limits of joint `i` in the text of robot.toml; empty if no source gives them.
     fn limits(&self, i: usize) -> String {
         let stated = self.limits_deg.get(i).filter(|ends| !ends.is_empty());
         stated.map_or_else(String::new, |ends| format!(", limits_deg = {ends:?}"))

@@ -18,14 +18,14 @@ use std::path::Path;
 #[serde(default)]
 pub struct StreamOptions {
     /// Format of the recording, e.g. spatialanalyzer; replaces --columns, but needs --rate-hz, and
-    /// --unit if the file does not state its unit.
+    /// --unit if the file does not contain its unit.
     #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
     pub format: Option<String>,
     /// Reading of the tables.
     #[command(flatten)]
     #[serde(flatten)]
     pub text: TextFormat,
-    /// Sampling rate of the recording, which replaces time stamps; some exports state full seconds
+    /// Sampling rate of the recording, which replaces time stamps; some exports contain full seconds
     /// only.
     #[arg(long, value_name = "HZ", requires = "stream")]
     pub rate_hz: Option<f64>,

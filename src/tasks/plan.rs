@@ -33,7 +33,7 @@ const STUDY_RUNS: u64 = 5;
 /// Number of such means, the median of whose errors is reported; a single mean scatters by a third.
 const STUDY_DRAWS: u64 = 20;
 
-/// Criterion of a choice of poses, as an option states it.
+/// Criterion of a choice of poses, as an option gives it.
 #[derive(Clone, Copy, Debug)]
 pub struct Index(pub Criterion);
 

@@ -39,7 +39,7 @@ struct CellForm {
     /// Mark between groups of three digits: comma, point, apostrophe or blank.
     #[arg(long, value_name = "MARK")]
     thousands: Option<String>,
-    /// Character encoding, if no byte-order mark states it.
+    /// Character encoding, if no byte-order mark gives it.
     #[arg(long)]
     encoding: Option<String>,
     /// Sheet of a workbook (.xlsx), or topic of a recording (MCAP), that contains the table.
@@ -64,7 +64,7 @@ struct RowForm {
     #[arg(long = "column", value_name = "NAME=HEADING")]
     #[serde(rename = "column", deserialize_with = "pairs")]
     named: Vec<String>,
-    /// Cells that mean "not measured", in place of the usual ones (an empty cell, nan, N/A ...).
+    /// Cells that mean "not measured", instead of the usual ones (an empty cell, nan, N/A ...).
     #[arg(long, value_name = "TEXT,...", value_delimiter = ',', allow_hyphen_values = true)]
     missing: Option<Vec<String>>,
     /// Beginning of lines to skip.
@@ -84,7 +84,7 @@ struct RowForm {
 }
 
 impl TextForm {
-    /// Stated form.
+    /// Given form.
     fn form(&self) -> Result<Form, Problems> {
         let Self { cells, rows } = self;
         Ok(Form {
@@ -148,12 +148,12 @@ impl TextForm {
         Ok(TableReading::any(TableLayout { form, columns, ..TableLayout::default() }))
     }
 
-    /// Reads a table in the names of etalon, one of several for which the options are stated.
+    /// Reads a table in the names of etalon, one of several for which the options are given.
     pub(crate) fn read(&self, table: Table) -> Result<TableFile, Problems> {
         self.one_of_several(table, self.reading()?)
     }
 
-    /// Reads one of several tables for which the options are stated; columns that it lacks are left
+    /// Reads one of several tables for which the options are given; columns that it lacks are left
     /// out.
     fn one_of_several(&self, table: Table, reading: TableReading) -> Result<TableFile, Problems> {
         let mut reading = TableReading { lenient: true, ..reading };
@@ -163,7 +163,7 @@ impl TextForm {
 }
 
 impl RowForm {
-    /// Stated header, if any.
+    /// Given header, if any.
     fn header(&self) -> Option<Header> {
         let stated = self.header.as_deref().map(|text| match text.trim().parse() {
             Ok(rows) => Header::Rows(rows),
@@ -177,7 +177,7 @@ impl RowForm {
 #[derive(Clone, Debug, Default, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct TextFormat {
-    /// Length unit of the files: `mm`, `m`, `um` or `inch`; needed for a file that does not state
+    /// Length unit of the files: `mm`, `m`, `um` or `inch`; needed for a file that does not give
     /// its unit, and never guessed.
     #[arg(long)]
     unit: Option<String>,
@@ -193,12 +193,12 @@ pub struct TextFormat {
 }
 
 impl TextFormat {
-    /// `true` if the contents of the columns are stated from the left.
+    /// `true` if the contents of the columns are given from the left.
     pub(crate) fn in_order(&self) -> bool {
         !self.columns.is_empty()
     }
 
-    /// `true` if a form of text is stated.
+    /// `true` if a form of text is given.
     pub(crate) fn stated(&self) -> bool {
         let CellForm { delimiter, widths, decimal, sheet, .. } = &self.form.cells;
         self.in_order()
@@ -214,12 +214,12 @@ impl TextFormat {
         self.form.cells.encoding.is_none() && self.form.cells.sheet.is_none()
     }
 
-    /// Stated unit, if any.
+    /// Given unit, if any.
     pub(crate) fn stated_unit(&self) -> Result<Option<Unit>, Problems> {
         self.unit.as_deref().map(|name| word("--unit", name)).transpose()
     }
 
-    /// Unit of a text in a format: as stated, or as the text states it.
+    /// Unit of a text in a format: as given, or as the text gives it.
     pub(crate) fn unit(&self, format: &Format, text: &str) -> Result<Unit, Problems> {
         let unit = self.stated_unit()?.or_else(|| format.stated_unit(text));
         unit.ok_or_else(|| error!("option-unit-missing").into())
@@ -230,7 +230,7 @@ impl TextFormat {
         &self.form
     }
 
-    /// Stated columns, by default PolyWorks text.
+    /// Given columns, by default PolyWorks text.
     pub(crate) fn format(&self) -> Result<Format, Problems> {
         if !self.stated() {
             return Ok(Format::default());
@@ -309,12 +309,12 @@ impl TableFormat {
         self.form.one_of_several(table, self.reading(true)?)
     }
 
-    /// Names of the columns whose source is stated.
+    /// Names of the columns whose source is given.
     pub(crate) fn named(&self) -> Result<Vec<String>, Problems> {
         Ok(self.form.columns()?.into_keys().collect())
     }
 
-    /// Stated source of a column as an operand of an expression, if any.
+    /// Given source of a column as an operand of an expression, if any.
     pub(crate) fn source(&self, column: &str) -> Result<Option<String>, Problems> {
         Ok(self.form.columns()?.remove(column).map(|source| match source {
             ColumnSource::Number(number) => format!("${number}"),
@@ -343,7 +343,7 @@ pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Pr
     }
 }
 
-/// Value of an option, if it is stated.
+/// Value of an option, if it is given.
 fn stated<T: serde::de::DeserializeOwned>(option: &str, text: Option<&str>) -> Result<Option<T>, Problems> {
     text.map(|text| word(option, text)).transpose()
 }
@@ -396,7 +396,7 @@ fn parse_column_source(text: &str) -> ColumnSource {
     }
 }
 
-/// Format of an option: a name, or a table of keys as a campaign states it.
+/// Format of an option: a name, or a table of keys as a campaign gives it.
 pub(crate) fn stated_format(text: &str) -> Result<Format, Problems> {
     #[derive(Deserialize)]
     struct Stated {

@@ -28,7 +28,7 @@ pub(crate) fn answer(shared: &Shared, stream: &mut TcpStream) {
     finish(stream, &answer);
 }
 
-/// Refuses a connection beyond the bound.
+/// Rejects a connection beyond the bound.
 pub(crate) fn refuse_busy(shared: &Shared, stream: &mut TcpStream) {
     // nothing is waited for: the server goes on to the next connection at once
     let busy = refusal(shared, 503, error!("view-busy", most = shared.limits.connections));

@@ -1,5 +1,5 @@
 //! Documents that page and program exchange, as JSON. Lengths are in mm, angles in degrees, errors
-//! in µm, times in s, unless the key states another unit.
+//! in µm, times in s, unless the key gives another unit.
 
 use etalon_base::catalogue::Argument;
 use etalon_base::message;
@@ -15,7 +15,7 @@ pub enum Severity {
     Error,
     /// Effect on the result.
     Warning,
-    /// Stated for completeness.
+    /// Given for completeness.
     Info,
 }
 
@@ -162,7 +162,7 @@ pub struct LargestError {
     pub before_um: Option<f64>,
 }
 
-/// Selections of poses as the campaign states them.
+/// Selections of poses as the campaign gives them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Split {
     /// Poses that identify.

@@ -2,7 +2,7 @@
 
 use crate::contract::{Asked, Proposal, ShownMessage, State, WhatIf, WhatIfAsked};
 
-/// Reasons why a call is refused.
+/// Reasons why a call is rejected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refusal(pub Vec<ShownMessage>);
 
@@ -17,25 +17,25 @@ pub trait Desk: Send + Sync {
     /// Stores a file in the folder of the page.
     ///
     /// # Errors
-    /// Refuses a name that another file has, and files beyond the bounds of the folder.
+    /// Rejects a name that another file has, and files beyond the bounds of the folder.
     fn add_file(&self, name: &str, bytes: &[u8]) -> Answered<State>;
 
     /// Removes a file that was dropped on the page.
     ///
     /// # Errors
-    /// Refuses every other file.
+    /// Rejects every other file.
     fn remove_file(&self, name: &str) -> Answered<State>;
 
     /// Proposes a campaign from the dropped files.
     ///
     /// # Errors
-    /// Refuses files that hold no measurements.
+    /// Rejects files that hold no measurements.
     fn propose(&self, asked: &Asked) -> Answered<Proposal>;
 
     /// Writes the proposed campaign with these answers.
     ///
     /// # Errors
-    /// Refuses like [`Desk::propose`].
+    /// Rejects like [`Desk::propose`].
     fn accept(&self, asked: &Asked) -> Answered<State>;
 
     /// Checks the campaign without computing.
@@ -44,19 +44,19 @@ pub trait Desk: Send + Sync {
     /// Starts a run, whose progress and end are events.
     ///
     /// # Errors
-    /// Refuses without a campaign, or while a run is in progress.
+    /// Rejects without a campaign, or while a run is in progress.
     fn run(&self) -> Answered<()>;
 
     /// Identifies again with other data or parameters.
     ///
     /// # Errors
-    /// Refuses unknown names, and what leaves nothing to identify.
+    /// Rejects unknown names, and what leaves nothing to identify.
     fn what_if(&self, asked: &WhatIfAsked) -> Answered<WhatIf>;
 
     /// Writes `asked` into the campaign, and returns the difference.
     ///
     /// # Errors
-    /// Refuses an exclusion without a reason.
+    /// Rejects an exclusion without a reason.
     fn keep(&self, asked: &WhatIfAsked, reason: &str) -> Answered<String>;
 
     /// A file of the output folder that [`State::downloads`] lists; `None` for any other name.

@@ -35,7 +35,7 @@ impl Server {
         format!("http://{}/?token={}", self.address, self.token)
     }
 
-    /// Answers requests until the page has been closed for the stated time.
+    /// Answers requests until the page has been closed for the given time.
     ///
     /// # Errors
     /// Fails if the system starts no thread.
@@ -70,7 +70,7 @@ fn wait_for_pages(shared: &Shared, address: SocketAddr) {
     drop(TcpStream::connect(address));
 }
 
-/// Answers a connection in a thread of its own; refuses it beyond the bound.
+/// Answers a connection in a thread of its own; rejects it beyond the bound.
 fn accept(shared: &Arc<Shared>, mut stream: TcpStream) {
     // a listener at 127.0.0.1 has no other peers: a second wall
     if !stream.peer_addr().is_ok_and(|peer| peer.ip().is_loopback()) {

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 /// Bounds on times, sizes and numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Connections at the same time; more are refused.
+    /// Connections at the same time; more are rejected.
     pub connections: usize,
     /// Open pages.
     pub pages: usize,
@@ -83,7 +83,7 @@ impl Shared {
         *self.idle_since.lock().unwrap_or_else(PoisonError::into_inner) = Some(Instant::now());
     }
 
-    /// `true` if the last page has been closed for the stated time.
+    /// `true` if the last page has been closed for the given time.
     pub fn is_idle(&self) -> bool {
         let since = *self.idle_since.lock().unwrap_or_else(PoisonError::into_inner);
         self.pages.load(Ordering::SeqCst) == 0 && since.is_some_and(|since| since.elapsed() >= self.limits.closed)

@@ -79,7 +79,7 @@ impl Served {
     fn status(&self, path: &str) -> String {
         let mut text = String::new();
         let mut stream = self.connect(path);
-        // a refused connection may end before its answer is read
+        // a rejected connection may end before its answer is read
         drop(stream.read_to_string(&mut text));
         text.split(' ').nth(1).unwrap_or_default().to_owned()
     }

@@ -17,7 +17,7 @@ const Y: usize = 1;
 /// Kinematics of a tilting head.
 pub(super) struct Pivot {
     name: &'static str,
-    /// `true` if a pin states the sense of B.
+    /// `true` if a pin gives the sense of B.
     has_sense: bool,
 }
 

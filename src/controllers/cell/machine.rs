@@ -13,7 +13,7 @@ const LARGEST_DEG: f64 = 5.0;
 const SMALLEST_DEG: f64 = 0.005;
 /// Tilt in standard uncertainties beyond which it is significant.
 const SIGNIFICANT: f64 = 3.0;
-/// Distance from the axis (mm) at which the effect of a tilt is stated.
+/// Distance from the axis (mm) at which the effect of a tilt is given.
 const LEVER_MM: f64 = 100.0;
 /// Names of the axes of a machine.
 const NAMES: [&str; 3] = ["x", "y", "z"];

@@ -9,7 +9,7 @@ fn options() -> CellOptions {
     CellOptions { name: "grip-1".to_owned(), number: 3, ..CellOptions::default() }
 }
 
-/// Text of a format; panics if the format refuses the answer.
+/// Text of a format; panics if the format rejects the answer.
 fn written(maker: &str, document: &CellDocument, options: &CellOptions) -> CellText {
     write(by_name(maker).unwrap(), document, options).unwrap_or_else(|refused| panic!("{maker}: {refused:?}"))
 }
@@ -356,7 +356,7 @@ fn wrong_axes_of_machines_are_refused() {
     assert_eq!(refused("xyzac-trt-kins", &table, &with(&back)), "cell-axis-sense");
     let negative = axis([0.0, 0.0, -1.0], [310.0, 205.0, 0.0], [400.0, 205.0, 60.0]);
     assert_eq!(refused("grblhal", &negative, &with(&back)), "cell-axis-sense");
-    // a small tilt is stated, one within its uncertainty is not
+    // a small tilt is given, one within its uncertainty is not
     let leaning = written("xyzac-trt-kins", &table, &with(&tilting([1.0, 0.0, 0.002])));
     assert_eq!(leaning.messages[0].id, "cell-axis-tilted");
     assert!(written("xyzac-trt-kins", &table, &with(&tilting([1.0, 0.0, 2e-5]))).messages.is_empty());

@@ -1,4 +1,4 @@
-//! Poses to command in the languages of controllers, either as a list or in place of the targets of
+//! Poses to command in the languages of controllers, either as a list or instead of the targets of
 //! an existing program.
 //!
 //! A program is a sequence of bytes: everything except targets is preserved, whatever its encoding
@@ -84,7 +84,7 @@ pub struct Program {
     pub tools: BTreeSet<String>,
     /// Named frames other than the base.
     pub objects: BTreeSet<String>,
-    /// Poses of those tools and frames that the program states.
+    /// Poses of those tools and frames that the program gives.
     pub known: BTreeMap<String, Pose>,
     /// Expressions that compute poses at run time, which are left unchanged.
     pub computed: BTreeSet<String>,
@@ -247,7 +247,7 @@ pub(crate) fn identifier(name: &str, longest: usize) -> String {
     (text + &name.chars().map(safe).collect::<String>()).chars().take(longest).collect()
 }
 
-/// Program with blanks in place of strings and comments, byte by byte. Comments run from `comment`
+/// Program with blanks instead of strings and comments, byte by byte. Comments run from `comment`
 /// to the end of the line.
 fn masked(program: &[u8], comment: u8) -> Vec<u8> {
     let (mut inside, mut out) = (None, Vec::with_capacity(program.len()));

@@ -47,7 +47,7 @@ pub struct MeasuringProgram<'a> {
     pub stated: Stated<'a>,
 }
 
-/// Settings of a controller, as stated.
+/// Settings of a controller, as given.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stated<'a> {
     /// Digital output that is on during the second half of the waiting time.
@@ -168,7 +168,7 @@ pub fn language(name: Option<&str>, ending: &str) -> Option<(&'static str, &'sta
     LANGUAGES.iter().find(is_meant).map(|(name, language, _)| (*name, *language))
 }
 
-/// Checks that a language moves these joints, and that the settings which it needs are stated.
+/// Checks that a language moves these joints, and that the settings which it needs are given.
 ///
 /// # Errors
 ///

@@ -42,7 +42,7 @@ pub struct Iso9283NamedStream {
     pub name: String,
     /// File, as the campaign names it.
     pub file: String,
-    /// Limit band, if stated.
+    /// Limit band, if given.
     pub band_mm: Option<f64>,
     /// Characteristics of the recording.
     pub stream: Iso9283StreamDocument,
@@ -74,9 +74,9 @@ pub struct Iso9283StreamDocument {
     pub arrivals: Vec<Iso9283Arrival>,
     /// Moves between poses; empty without a limit band.
     pub posing: Vec<Iso9283Posing>,
-    /// Characteristics of the commanded path, if a path without weaving is stated.
+    /// Characteristics of the commanded path, if a path without weaving is given.
     pub path: Option<Iso9283Path>,
-    /// Characteristics of the weave, if stated.
+    /// Characteristics of the weave, if given.
     pub weaving: Option<Iso9283Weaving>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,

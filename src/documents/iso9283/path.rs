@@ -38,7 +38,7 @@ mirror! {
         /// RT of the measured angles; empty with a single pass, and if two of them are not
         /// separable.
         rt_angles_deg: Vec<f64> = degrees(&p.rt.angles_rad),
-        /// Velocity, if the commanded velocity is stated.
+        /// Velocity, if the commanded velocity is given.
         velocity: Option<Iso9283Velocity> = p.velocity.map(Into::into),
         /// Corners of the commanded path.
         corners: Vec<Iso9283Corner> = all(p.corners),

@@ -31,7 +31,7 @@ pub struct Iso9283PlanDocument {
     pub test_plane: String,
     /// Named lists of places to visit in order: `poses` (P1 to P5), `linear`, `circle-large`, ...
     pub places: Vec<Iso9283Places>,
-    /// Places that the stated robot does not reach.
+    /// Places that the given robot does not reach.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unreached: Vec<Iso9283Unreached>,
     /// Test programme: one line for each characteristic.
@@ -56,13 +56,13 @@ pub struct Iso9283Places {
     /// Coordinates of each place, numbered from 1: `x_mm`, `y_mm` and, if applicable, `z_mm`,
     /// `a_deg`, `b_deg`, `c_deg`.
     pub points: Vec<BTreeMap<String, f64>>,
-    /// Joint values at each place if a robot is stated; null if out of reach.
+    /// Joint values at each place if a robot is given; null if out of reach.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<Option<BTreeMap<String, f64>>>,
 }
 
 mirror! {
-    /// A place that the stated robot does not reach.
+    /// A place that the given robot does not reach.
     struct Iso9283Unreached of Unreached as unreached {
         /// Name of the list.
         places: String,
@@ -105,7 +105,7 @@ const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
 const ASSEMBLY: &str = "assembly";
 
 impl Iso9283PlanDocument {
-    /// Creates the document of a plan, with joint values if a robot is stated.
+    /// Creates the document of a plan, with joint values if a robot is given.
     pub fn new(plan: &TestPlan, reached: Option<(&dyn Robot, &Reachability)>) -> Self {
         let joints = |i: usize| match reached {
             Some((robot, reach)) => reach.joints[i].iter().map(|q| q.as_ref().map(|q| named(robot, q))).collect(),

@@ -41,11 +41,11 @@ pub struct Iso9283Document {
     pub distances: Vec<Iso9283Distance>,
     /// One entry per pose that was approached in at least two ways.
     pub approaches: Vec<Iso9283Variation>,
-    /// Texts of the catalogue that are names of approaches in English; names that a table states
+    /// Texts of the catalogue that are names of approaches in English; names that a table contains
     /// are absent.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub approach_phrases: BTreeMap<String, Phrase>,
-    /// Drift of each pose, if sets are stated.
+    /// Drift of each pose, if sets are given.
     pub drifts: Vec<Iso9283Drift>,
     /// Largest distance between the barycentres of two robots at any pose, with several robots.
     pub exchangeability_mm: Option<f64>,
@@ -61,7 +61,7 @@ pub struct Iso9283Document {
     /// All visits of a campaign; visits of one pose are in the order of recording.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub visits: Vec<Iso9283Visit>,
-    /// Limits that the campaign states.
+    /// Limits that the campaign contains.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitVerdict>,
     /// Measurements of the reference targets for drift compensation, if any.
@@ -243,7 +243,7 @@ mirror! {
         rp_c_deg: Option<f64> = p.angles.repeatability_rad[2].map(f64::to_degrees),
         /// Rotation from the commanded to the mean orientation about x, y and z of the table, as a
         /// rotation vector; instead of AP_a, AP_b and AP_c where two rotations have nearly the same
-        /// axis and their order is stated.
+        /// axis and their order is given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ap_rotation_deg: Option<Vector> =
             p.rotation.and_then(|r| r.deviation_rad).map(|v| v.map(f64::to_degrees)),
@@ -253,10 +253,10 @@ mirror! {
         rp_rotation_deg: Option<Vector> =
             p.rotation.and_then(|r| r.repeatability_rad).map(|v| v.map(f64::to_degrees)),
         /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if
-        /// stated; null with fewer than three visits.
+        /// given; null with fewer than three visits.
         ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
         /// 95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if
-        /// stated; null with fewer than three visits.
+        /// given; null with fewer than three visits.
         rp_interval: Option<Iso9283Interval> = p.rp.interval.map(Into::into),
         /// 95 % interval of AP in closed form, from the sampling alone.
         ap_interval_analytic: Option<Iso9283Interval> = p.ap.interval_analytic.map(Into::into),
@@ -271,13 +271,13 @@ mirror! {
         /// Standard deviation of one reading along each coordinate.
         #[serde(skip_serializing_if = "Option::is_none")]
         noise_mm: Option<Vector> = p.noise_free.map(|n| n.noise_mm),
-        /// Conformity of AP with the stated limit.
+        /// Conformity of AP with the given limit.
         #[serde(skip_serializing_if = "Option::is_none")]
         ap_conformity: Option<Conformity> = p.ap.conformity.map(Into::into),
-        /// Conformity of RP with the stated limit.
+        /// Conformity of RP with the given limit.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_conformity: Option<Conformity> = p.rp.conformity.map(Into::into),
-        /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if stated.
+        /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if given.
         #[serde(skip_serializing_if = "Option::is_none")]
         uncertainty_over_ap: Option<f64> = p.ap.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
         /// Expanded uncertainty of the instrument over RP.
@@ -358,7 +358,7 @@ mirror! {
         /// RD of the measured angles.
         rd_angles_deg: Vec<f64> = degrees(&d.rd_angles_rad),
         /// AD of the angle between the two orientations, where angles are not separable and their
-        /// order is stated.
+        /// order is given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ad_rotation_deg: Option<f64> = d.rotation_rad.map(|[ad, _]| ad.to_degrees()),
         /// RD of this angle.
@@ -382,7 +382,7 @@ mirror! {
         /// vAP of the measured angles, in the order a, b, c; empty if they are not separable.
         vap_angles_deg: Vec<f64> = degrees(&v.angles_rad),
         /// Largest angle between the mean orientations of two approaches, where angles are not
-        /// separable and their order is stated.
+        /// separable and their order is given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         vap_rotation_deg: Option<f64> = v.rotation_rad.map(f64::to_degrees),
         /// Characteristics of each approach.
@@ -438,7 +438,7 @@ impl Iso9283Drift {
     }
 }
 
-/// Returns a warning if positions change over the cycles, and no sets of cycles are stated for the
+/// Returns a warning if positions change over the cycles, and no sets of cycles are given for the
 /// drift.
 fn unstated_drift(test: &PoseTest, settings: &PoseTestSettings) -> Option<Message> {
     let (pose, change_mm) = largest_trend(test).filter(|_| settings.drift_set.is_none())?;

@@ -40,7 +40,7 @@ pub enum ColumnRole {
     Elevation,
     /// Distance from the origin.
     Distance,
-    /// First coordinate of the type that the column `type` of the row states.
+    /// First coordinate of the type that the column `type` of the row contains.
     C1,
     /// Second coordinate of that type.
     C2,
@@ -215,7 +215,7 @@ impl ColumnRole {
         matches!(self, Self::U95x | Self::U95y | Self::U95z)
     }
 
-    /// `true` for a coordinate whose kind each row states.
+    /// `true` for a coordinate whose kind each row contains.
     pub fn is_typed(self) -> bool {
         matches!(self, Self::C1 | Self::C2 | Self::C3)
     }
@@ -248,7 +248,7 @@ impl From<Vec<ColumnRole>> for Columns {
 }
 
 impl Columns {
-    /// Returns all stated roles, from the left or in the order of their statement.
+    /// Returns all given roles, from the left or in the order of their statement.
     pub fn roles(&self) -> Vec<ColumnRole> {
         match self {
             Self::InOrder(roles) => roles.clone(),

@@ -1,4 +1,4 @@
-//! Dialect of delimited text. The campaign states it; it is never guessed in silence.
+//! Dialect of delimited text. The campaign contains it; it is never guessed in silence.
 
 use super::columns::{ColumnRole, Columns};
 use super::coordinates::{AngleUnit, CoordinateType};
@@ -27,7 +27,7 @@ pub struct Dialect {
     pub types: BTreeMap<String, Vec<ColumnRole>>,
     /// Unit of azimuth, zenith and elevation; required with them.
     pub angle_unit: Option<AngleUnit>,
-    /// Coordinate type of `columns`, stated as a confirmation if the values look like another type.
+    /// Coordinate type of `columns`, given as a confirmation if the values look like another type.
     pub coordinates: Option<CoordinateType>,
     /// Coverage factor of `u95x`, `u95y` and `u95z`, and of `u1`, `u2` and `u3` if these are
     /// expanded uncertainties.
@@ -397,7 +397,7 @@ mod tests {
     fn a_printed_dialect_reads_as_itself() {
         for preset in ["xyz", "xyzijk", "name-xyz-csv", "tracker-semicolon", "leica-emscon", "sdss-plate"] {
             let dialect = *crate::Format::named(preset).unwrap().dialect;
-            // a decimal point is printed where none is stated
+            // a decimal point is printed where none is given
             let text = dialect.to_string();
             assert_eq!(read(&text).to_string(), text);
             assert!(dialect.check().is_empty(), "{preset}: {:?}", dialect.check());

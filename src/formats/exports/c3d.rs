@@ -1,5 +1,5 @@
 //! C3D of motion capture: the markers of each frame are points with the marker as label, the number
-//! of the frame as pose, and its time. The parameter POINT:UNITS states the unit.
+//! of the frame as pose, and its time. The parameter POINT:UNITS gives the unit.
 //!
 //! Blocks of 512 bytes: a header, parameters in groups, and frames of four numbers a marker: x, y,
 //! z, and a fourth one that is negative for a marker that was not seen. Source: c3d.org, "The C3D
@@ -96,7 +96,7 @@ impl Header {
         let of_number = if stated < 0.0 { 4 } else { 2 };
         let found = Parameters::new(bytes, parameters);
         let (rate_hz, scale) = (real(20)?, found.real("POINT", "SCALE").unwrap_or(stated));
-        // more than 65,535 frames are stated as a parameter
+        // more than 65,535 frames are given as a parameter
         let last =
             found.real("POINT", "LONG_FRAMES").map_or(word(8)?, |count| word(6).unwrap_or(1) + count as usize - 1);
         let labels: Vec<String> = (1..)
@@ -121,7 +121,7 @@ impl Header {
         Ok(header)
     }
 
-    /// Unit of the coordinates, if the file states it.
+    /// Unit of the coordinates, if the file contains it.
     fn unit(&self) -> Option<Unit> {
         Unit::named(match self.units.to_lowercase().as_str() {
             "millimeter" | "millimeters" | "millimetre" | "millimetres" => "mm",

@@ -1,4 +1,4 @@
-//! Delimited text: rows of columns in a dialect, which the campaign states or names.
+//! Delimited text: rows of columns in a dialect, which the campaign contains or names.
 
 use super::stamps;
 use super::{About, ExportFormat, ExportRow, Plain, Recognised, Text, WriteError, Writing};
@@ -17,7 +17,7 @@ use etalon_tables::{ColumnSource, Decimal, Delimiter, Expression, Form, Header, 
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
-/// Delimited text in a stated dialect.
+/// Delimited text in a given dialect.
 pub(super) struct Delimited;
 
 impl ExportFormat for Delimited {
@@ -99,7 +99,7 @@ impl ExportFormat for NamedDialect {
 }
 
 impl NamedDialect {
-    /// Columns that only the name of the dialect states.
+    /// Columns that only the name of the dialect gives.
     const fn simple(name: &'static str, dialect: fn() -> Dialect) -> Self {
         Self { name, recognise: |_| None, dialect }
     }
@@ -278,7 +278,7 @@ fn is_length(role: &ColumnRole) -> bool {
     role.is_coordinate() && !role.is_angle()
 }
 
-/// Error if the file states another unit of lengths than the campaign: in a heading of a length, in
+/// Error if the file contains another unit of lengths than the campaign: in a heading of a length, in
 /// a row of units, or in words above the data.
 fn other_unit(above: &Above, dialect: &Dialect, unit: Unit) -> Option<Message> {
     let differs = |stated: &StatedLength| stated.unit != unit.name();
@@ -293,7 +293,7 @@ fn other_unit(above: &Above, dialect: &Dialect, unit: Unit) -> Option<Message> {
     })
 }
 
-/// Unit of lengths that a text states: in the headings of lengths, or else above the data; `None`
+/// Unit of lengths that a text contains: in the headings of lengths, or else above the data; `None`
 /// for different statements.
 fn stated_unit(text: &str, dialect: &Dialect) -> Option<Unit> {
     if !dialect.check().is_empty() {
@@ -312,7 +312,7 @@ fn stated_unit(text: &str, dialect: &Dialect) -> Option<Unit> {
     stated.iter().all(|of| of.unit == unit).then(|| Unit::named(unit)).flatten()
 }
 
-/// Error if the last row of a header of a stated number of rows has numbers in all columns of
+/// Error if the last row of a header of a given number of rows has numbers in all columns of
 /// coordinates, one of them with a decimal mark.
 fn header_with_data(file: &str, header: &Row, dialect: &Dialect, roles: &[ColumnRole]) -> Option<Message> {
     let Header::Rows(rows) = dialect.header() else { return None };
@@ -449,7 +449,7 @@ impl Reader<'_> {
     }
 
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
-    /// with other columns than the stated ones is reported and gives no point.
+    /// with other columns than the given ones is reported and gives no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());
@@ -599,7 +599,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Roles of the columns in this row, if rows state their coordinate type; otherwise an error
+    /// Roles of the columns in this row, if rows contain their coordinate type; otherwise an error
     /// with the index of its cell.
     fn row_roles(&self, row: &Row) -> Result<Cow<'_, [ColumnRole]>, (Message, usize)> {
         let Some(at) = self.roles.iter().position(|r| *r == ColumnRole::Type) else {
@@ -639,7 +639,7 @@ impl Reader<'_> {
         cells.into_iter().find_map(|(role, cell)| self.dialect.form.missing.reason(role.name(), cell))
     }
 
-    /// Returns an error if points that are stated as Cartesian look like angles and distances.
+    /// Returns an error if points that are given as Cartesian look like angles and distances.
     fn looks_spherical(&self, points: &[Point]) -> Option<Message> {
         let roles: Vec<ColumnRole> = self.roles.iter().copied().filter(|r| r.is_coordinate()).collect();
         if self.dialect.coordinates.is_some() || coordinate_type(&roles) != Some(CoordinateType::Cartesian) {

@@ -1,7 +1,7 @@
 //! DMIS output (ISO 22093): measured features `FA(label) = FEAT/kind, ...`; sizes are diameters.
 //!
 //! The dialect of Mitutoyo GEOPAK writes the three angles (deg) of a direction instead of a unit
-//! vector. Their cosines are the vector, so that a file shows its notation; the campaign must state
+//! vector. Their cosines are the vector, so that a file shows its notation; the campaign must contain
 //! the same notation.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, unit_agrees};
@@ -236,7 +236,7 @@ fn feature(
     })
 }
 
-/// Direction in the stated notation; `None` for three zeros.
+/// Direction in the given notation; `None` for three zeros.
 fn direction(written: Vector, directions: DirectionNotation) -> std::result::Result<Option<Vector>, Message> {
     if written == [0.0; 3] {
         return Ok(None);

@@ -1,5 +1,5 @@
 //! FANUC TP programs as text (`.ls`): the positions of the section `/POS` in millimetres, in the
-//! user frame that each position states. They are taught or computed, not measured.
+//! user frame that each position gives. They are taught or computed, not measured.
 //!
 //! W, P and R are angles about the fixed axes x, y and z in this order. A position in joint values
 //! has no coordinates. Source: FANUC, "R-30iB operator's manual", position data.

@@ -3,7 +3,7 @@
 //!
 //! Measured points have the name of the feature; a location or centre that the machine computed has
 //! the name with the property: `Circle OD: Center`. A real file has single values without a label:
-//! they are refused.
+//! they are rejected.
 
 use super::pivot::{Pivot, Said};
 use super::{About, ExportFormat, ExportRow, Text, WriteError, Writing};

@@ -1,6 +1,6 @@
 //! Formats of exports, one file each: name, signature, reader and writer.
 //!
-//! A file that states its unit must state the unit of the campaign; a file without a unit is read
+//! A file that gives its unit must give the unit of the campaign; a file without a unit is read
 //! in the unit of the campaign.
 
 mod abb_rapid;
@@ -93,7 +93,7 @@ pub(crate) trait ExportFormat: Sync {
         None
     }
 
-    /// Unit of lengths that a text states.
+    /// Unit of lengths that a text contains.
     fn unit(&self, text: &str, _dialect: &Dialect) -> Option<Unit> {
         self.recognise(text).and_then(|found| Unit::named(found.unit?))
     }
@@ -119,7 +119,7 @@ pub(crate) trait ExportFormat: Sync {
         None
     }
 
-    /// Frame to which the points refer, as stated by the file.
+    /// Frame to which the points refer, as given by the file.
     fn frame<'t>(&self, _text: &'t str) -> Option<&'t str> {
         None
     }
@@ -145,7 +145,7 @@ pub(crate) struct About {
     pub name: &'static str,
     /// Name in words; empty for delimited text, which its dialect describes.
     pub title: &'static str,
-    /// `true` if a campaign may state `NAME, decimal comma`.
+    /// `true` if a campaign may contain `NAME, decimal comma`.
     pub decimal_comma: bool,
     /// `true` if files may be binary: a character of the text is then a byte.
     pub binary: bool,
@@ -160,7 +160,7 @@ pub(crate) struct Recognised {
     pub score: f64,
     /// Kind of file, and the feature by which it is recognised.
     pub what: Phrase,
-    /// The unit that the file states.
+    /// The unit that the file contains.
     pub unit: Option<&'static str>,
 }
 
@@ -181,7 +181,7 @@ pub(crate) fn binary_format(bytes: &[u8]) -> Option<&'static str> {
     binary.filter(|format| format.recognise(&start).is_some()).map(|format| format.about().name).next()
 }
 
-/// First characters of a text, where a document states its kind.
+/// First characters of a text, where a document contains its kind.
 pub(crate) fn head(text: &str) -> &str {
     let end = text.char_indices().nth(4000).map_or(text.len(), |(i, _)| i);
     &text[..end]
@@ -236,7 +236,7 @@ impl Format {
         (decimal == Decimal::Point || kind.about().decimal_comma).then(|| Self { kind, dialect: Box::new(dialect) })
     }
 
-    /// Unit of lengths that a text in this format states.
+    /// Unit of lengths that a text in this format gives.
     pub fn stated_unit(&self, text: &str) -> Option<Unit> {
         self.kind.unit(text, &self.dialect)
     }
@@ -251,7 +251,7 @@ impl Format {
         FORMATS.iter().map(|format| format.about().name)
     }
 
-    /// Name of the format, or the dialect as a campaign states it.
+    /// Name of the format, or the dialect as a campaign gives it.
     pub fn title(&self) -> Argument {
         match (self.about().title, self.dialect.form.decimal()) {
             ("", _) => self.dialect.to_string().argument(),
@@ -508,7 +508,7 @@ impl<'a> Text<'a> {
 }
 
 /// Error if the unit of the file differs from that of the campaign; `how` is the record of the
-/// file that states it.
+/// file that gives it.
 fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Place) -> Result<(), Message> {
     if stated == of_file {
         return Ok(());
@@ -516,7 +516,7 @@ fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Plac
     Err(error!("unit-differs", of_file = of_file.name(), how, stated = stated.name()).at(place))
 }
 
-/// Error for a file that is not in its stated format; `signature` is the beginning of files of the
+/// Error for a file that is not in its given format; `signature` is the beginning of files of the
 /// format.
 fn not_this_format(format: &str, signature: &impl IntoArgument) -> Message {
     error!("format-differs", format, signature)

@@ -1,5 +1,5 @@
 //! PCD of the Point Cloud Library, text or binary: the fields x, y and z of its points, without
-//! labels. NaN is a direction without an echo. The file does not state their unit.
+//! labels. NaN is a direction without an echo. The file does not contain their unit.
 //!
 //! Source: pointclouds.org, "The PCD (Point Cloud Data) file format", version 0.7.
 

@@ -54,7 +54,7 @@ fn is_heading(line: &str) -> bool {
     words.next() == Some("AX") && words.any(|word| word == "MEAS")
 }
 
-/// Unit that the first line of a dimension states: `UNITS=MM`, or `MM` as its first word.
+/// Unit that the first line of a dimension gives: `UNITS=MM`, or `MM` as its first word.
 fn stated_unit(line: &str) -> Option<Unit> {
     let word = match line.split_once("UNITS=") {
         Some((_, rest)) => rest.split([',', ' ', '\t', '$']).next()?,

@@ -51,7 +51,7 @@ impl Pivot {
         }
     }
 
-    /// The points; a point without all coordinates is refused.
+    /// The points; a point without all coordinates is rejected.
     pub fn rows(self, text: &Text, unit: Unit) -> Vec<Point> {
         let row = |point: Pivoted| match point.xyz {
             [Some(x), Some(y), Some(z)] => text.point(point.line, &point.label, [x, y, z], unit),

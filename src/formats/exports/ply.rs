@@ -1,4 +1,4 @@
-//! PLY, text or binary: its vertices are points without labels. The file does not state their unit.
+//! PLY, text or binary: its vertices are points without labels. The file does not contain their unit.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, not_this_format};
 use crate::Point;
@@ -270,7 +270,7 @@ struct Element {
     pub name: String,
     pub count: u64,
     pub properties: Vec<Property>,
-    /// The line that states it.
+    /// The line that gives it.
     pub line: usize,
 }
 

@@ -49,7 +49,7 @@ impl ExportFormat for SpatialAnalyzer {
 
 const COMMENT: &str = "//";
 
-/// Points of the text, with their problems. If the file states its unit, the unit of the campaign
+/// Points of the text, with their problems. If the file contains its unit, the unit of the campaign
 /// must be the same.
 fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut problems = Problems::default();
@@ -92,7 +92,7 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
 }
 
 /// Adds the times of day of stamps at the ends of the rows, if all are of one day. Their date, in
-/// which day and month may be exchanged, is not read.
+/// which day and month may be swapped, is not read.
 fn add_times(points: &mut [Point]) {
     let stamp = |point: &Point| {
         let (date, time) = point.text.rsplit(',').next()?.trim().split_once(' ')?;
@@ -116,7 +116,7 @@ fn not_cartesian(axes: &str) -> Option<Message> {
     })
 }
 
-/// Unit that a comment states, and how: `AXES = CARTESIAN: X,  Y,  Z (mm)`, `Units: mm`.
+/// Unit that a comment gives, and how: `AXES = CARTESIAN: X,  Y,  Z (mm)`, `Units: mm`.
 fn stated_unit(comment: &str) -> Option<(&'static str, &str)> {
     if let Some(axes) = comment.trim().strip_prefix("AXES =") {
         let (_, rest) = axes.split_once('(')?;

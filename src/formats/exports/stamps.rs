@@ -31,7 +31,7 @@ pub(crate) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
 }
 
 /// Days since the beginning of 1970; `None` for a text that is not a date, or if day and month
-/// could be exchanged.
+/// could be swapped.
 fn days(date: &str) -> Option<i64> {
     let numbers: Vec<i64> = date.split(['.', '-', '/']).map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
     let (year, month, day) = match numbers[..] {

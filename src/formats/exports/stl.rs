@@ -1,5 +1,5 @@
 //! STL, text or binary: the vertices of its triangles are points without labels, each once. They
-//! are the points of a mesh. The file does not state their unit.
+//! are the points of a mesh. The file does not contain their unit.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing};
 use crate::Point;

@@ -1,4 +1,4 @@
-//! Arrays of a file of NumPy or MATLAB as a table: a cell for each number, a column for each stated
+//! Arrays of a file of NumPy or MATLAB as a table: a cell for each number, a column for each given
 //! part of an array.
 
 use etalon_base::error;
@@ -161,7 +161,7 @@ impl Array {
     }
 }
 
-/// Returns the stated parts of arrays as a table with these texts as header.
+/// Returns the given parts of arrays as a table with these texts as header.
 ///
 /// # Errors
 /// Fails if an array is missing, a part is not one column or row, or two parts have different

@@ -72,7 +72,7 @@ pub struct JointLog {
     pub file: String,
     /// Files of the exports with these joints, if there are several.
     pub files: Vec<String>,
-    /// Columns of the table in order: `row line pose cycle time_s label` if stated, and the joints.
+    /// Columns of the table in order: `row line pose cycle time_s label` if given, and the joints.
     pub columns: Vec<String>,
     /// Columns of joints (mm or deg) and of directions of joints.
     pub joints: Vec<String>,

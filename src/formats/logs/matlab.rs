@@ -1,7 +1,7 @@
 //! Variables of MATLAB: `.mat` of level 5, uncompressed (`-v6`) or compressed (`-v7`, the default
 //! of `save`).
 //!
-//! A column is stated as in MATLAB: `t` of a vector, `q(:,1)` of a matrix, `data.q(:,1)` of a
+//! A column is given as in MATLAB: `t` of a vector, `q(:,1)` of a matrix, `data.q(:,1)` of a
 //! structure. Source: MathWorks, "MAT-File Format", chapter 1 (level 5).
 
 use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};

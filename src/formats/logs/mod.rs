@@ -75,7 +75,7 @@ pub struct Log {
     pub standstill: Option<StandstillCriterion>,
 }
 
-/// A standstill: no joint moves by more than the stated difference for at least the stated time.
+/// A standstill: no joint moves by more than the given difference for at least the given time.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StandstillCriterion {
@@ -202,7 +202,7 @@ pub(crate) trait LogFormat: Sync {
         false
     }
 
-    /// `true` if files hold arrays in place of text: `table` reads them.
+    /// `true` if files hold arrays instead of text: `table` reads them.
     fn has_arrays(&self) -> bool {
         false
     }
@@ -392,7 +392,7 @@ impl Wanted<'_> {
     }
 }
 
-/// Reads a log, with its warnings. If the campaign states `standstill`, each standstill is one
+/// Reads a log, with its warnings. If the campaign contains `standstill`, each standstill is one
 /// row.
 pub fn read(stated: SourceText, log: &Log, text: &str, source: &mut Source) -> Result<(JointLog, Vec<Message>)> {
     let Columns { rows, lines, columns, said } = columns(stated, log, text, source)?;
@@ -562,7 +562,7 @@ fn wanted<'a>(stated: SourceText, log: &'a Log, problems: &mut Problems) -> Vec<
     wanted
 }
 
-/// Checks that each constant is a known column, and stated once.
+/// Checks that each constant is a known column, and given once.
 fn check_constants(stated: SourceText, log: &Log, wanted: &[Wanted], problems: &mut Problems) {
     let mut names: Vec<String> = wanted.iter().map(|wanted| wanted.name.clone()).collect();
     names.extend(log.period_s.map(|_| "time_s".to_owned()));
@@ -584,13 +584,13 @@ fn inapplicable(key: &str) -> Message {
     error!("log-key-inapplicable", key, column = "none")
 }
 
-/// Checks that the key states the unit that the column has in files of this format.
+/// Checks that the key gives the unit that the column has in files of this format.
 fn unit_agrees(format: LogKind, wanted: &Wanted, column: &str) -> std::result::Result<(), Message> {
     let (Some(stated), Some(known)) = (wanted.unit(), format.0.column_unit(column)) else { return Ok(()) };
     other_unit(wanted, column, stated, known).map_or(Ok(()), Err)
 }
 
-/// Returns the error that a column has another unit than its key states, if it has.
+/// Returns the error that a column has another unit than its key gives, if it has.
 fn other_unit(wanted: &Wanted, column: &str, stated: &str, known: &str) -> Option<Message> {
     if stated == known {
         return None;

@@ -1,6 +1,6 @@
 //! Arrays of NumPy: `.npy` (NEP 1), and `.npz`, a zip archive of `.npy` files.
 //!
-//! A column is stated as in Python: `t` of one axis, `q[:,0]` of two. The array of an `.npy` file
+//! A column is given as in Python: `t` of one axis, `q[:,0]` of two. The array of an `.npy` file
 //! has no name: `[:,0]`.
 
 use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};

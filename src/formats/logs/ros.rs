@@ -82,7 +82,7 @@ fn remove_messages_of_other_joints(sheet: &mut Sheet, wanted: &[(usize, &Wanted)
 }
 
 /// Returns the unit of a column (REP 103: rad and m; times of `rostopic echo` in ns). Positions may
-/// be in rad or m: the campaign states which.
+/// be in rad or m: the campaign shows which.
 fn column_unit(column: &str) -> Option<&'static str> {
     match column {
         "%time" | "field.header.stamp" => Some("ns"),

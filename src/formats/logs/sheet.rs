@@ -10,7 +10,7 @@ use etalon_tables::lexer::{Row, pose_name};
 use etalon_tables::sheet::{LeftOut, Sheet, column};
 use etalon_tables::{ColumnSource, Expression};
 
-/// Plain delimited text: the campaign states everything.
+/// Plain delimited text: the campaign contains everything.
 pub(super) struct Delimited;
 
 impl LogFormat for Delimited {
@@ -132,7 +132,7 @@ fn column_source(log: &Log, wanted: &Wanted, sheet: &Sheet) -> std::result::Resu
     Ok(from)
 }
 
-/// Returns the stated one of several columns with the heading of a key; `None` if the header does
+/// Returns the given one of several columns with the heading of a key; `None` if the header does
 /// not have the heading.
 fn occurrence(wanted: &Wanted, sheet: &Sheet) -> std::result::Result<Option<usize>, Message> {
     let ColumnSource::Heading(name) = &wanted.column.at else { return Ok(None) };
@@ -141,7 +141,7 @@ fn occurrence(wanted: &Wanted, sheet: &Sheet) -> std::result::Result<Option<usiz
     select_occurrence(name, &places, wanted.column.occurrence)
 }
 
-/// Returns the stated one of several columns with a name; `None` if there is no such column.
+/// Returns the given one of several columns with a name; `None` if there is no such column.
 pub(super) fn select_occurrence<T: Copy>(
     name: &str,
     columns: &[T],

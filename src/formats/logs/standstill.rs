@@ -1,6 +1,6 @@
 //! Standstills in a log that was recorded during motion.
 //!
-//! A sample belongs to a standstill if it lies in a stretch of at least the stated duration within
+//! A sample belongs to a standstill if it lies in a stretch of at least the given duration within
 //! which no joint moves by more than the limit of its kind. The rule is symmetric in time and uses
 //! no filter. Stretches with a common sample form one standstill. Angles that a controller wraps
 //! are compared and averaged modulo a turn.

@@ -3,7 +3,7 @@
 //!
 //! Units (RTDE guide of Universal Robots): rad, m, s. A recording may name a column twice (a real
 //! one has `target_current_0` to `_5` before and after `target_q`). Such a name is rejected unless
-//! the campaign states its occurrence.
+//! the campaign contains its occurrence.
 
 use super::{About, LogFormat};
 use crate::exports::Recognised;

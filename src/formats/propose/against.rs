@@ -102,7 +102,7 @@ fn outcome(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Option<(
         let Some(sample) = sample(table, trial) else { continue };
         let mut outcome = test(robot, &sample, true);
         if !supported(&outcome) && sample.stated.iter().any(Option::is_some) {
-            // headings may state units that the values do not have
+            // headings may give units that the values do not have
             let free = Sample { stated: vec![None; sample.stated.len()], ..sample };
             outcome = test(robot, &free, true);
         }
@@ -302,7 +302,7 @@ pub(super) fn name_joints(
     let plain = columns.windows(2).all(|pair| pair[0] < pair[1]) || tried.starts_with(&columns);
     for taken in &mut found.taken {
         if matches!(taken.meaning, Meaning::Joint(_)) {
-            // a joint of another axis, or no joint: nothing states that it is commanded
+            // a joint of another axis, or no joint: nothing says that it is commanded
             taken.meaning = Meaning::Unknown;
             taken.why = Some(phrase!("why-fits-without"));
         }
@@ -337,7 +337,7 @@ pub(super) fn name_joints(
     remarks
 }
 
-/// Describes how well the robot reproduces points, and states their unit.
+/// Describes how well the robot reproduces points, and gives their unit.
 pub(super) fn described(
     table: &mut Table,
     points: [usize; 3],

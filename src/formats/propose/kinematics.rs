@@ -40,7 +40,7 @@ const LENGTHS: [(&str, f64); 4] = [("mm", 1.0), ("m", 1000.0), ("inch", 25.4), (
 pub(super) struct Sample {
     /// Columns of joint values in the unit of the file; at least as many as the robot has joints.
     pub joints: Vec<Vec<f64>>,
-    /// Units that the headings of these columns state.
+    /// Units that the headings of these columns give.
     pub stated: Vec<Option<&'static str>>,
     /// Columns x, y, z in the unit of the file.
     pub points: [Vec<f64>; 3],
@@ -262,7 +262,7 @@ fn as_they_are(robot: &dyn Robot, sample: &Sample) -> Vec<Hypothesis> {
 }
 
 /// Returns the hypotheses that are tried: the order of the columns with all directions, every pair
-/// exchanged with all directions, and every order with the directions of the columns.
+/// swapped with all directions, and every order with the directions of the columns.
 fn hypotheses(robot: &dyn Robot, sample: &Sample) -> Vec<Hypothesis> {
     let count = robot.joints().len();
     let plain: Vec<usize> = (0..count).collect();
@@ -284,7 +284,7 @@ fn hypotheses(robot: &dyn Robot, sample: &Sample) -> Vec<Hypothesis> {
         if count <= 6 {
             let mut all = Vec::new();
             permutations(&mut window.clone(), 0, &mut all);
-            // the window and its exchanged pairs are among the others
+            // the window and its swapped pairs are among the others
             let moved = |order: &Vec<usize>| order.iter().zip(&window).filter(|(a, b)| a != b).count() > 2;
             tried.extend(all.into_iter().filter(moved).map(|order| (order, vec![false; count])));
         }

@@ -304,7 +304,7 @@ impl Proposal<'_> {
                 _ => out.push_str("target = \"?\"               # which target the rows are of\n"),
             }
         }
-        // a column or the label may state the pose; the times of several targets tell their poses
+        // a column or the label may give the pose; the times of several targets tell their poses
         let several = has(ColumnRole::Timestamp) && has(ColumnRole::Target) && self.has_several_targets();
         let stated = [ColumnRole::Label, ColumnRole::Pose];
         let timed = [ColumnRole::TimeS, ColumnRole::TimeMs, ColumnRole::TimeUs, ColumnRole::TimeNs];
@@ -334,7 +334,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// Returns a doubt about columns of numbers that are not read, though nothing states what they
+    /// Returns a doubt about columns of numbers that are not read, though nothing gives what they
     /// are.
     fn not_read(&self) -> Option<Phrase> {
         let named = self.table.columns.iter().any(|column| column.name.is_some());

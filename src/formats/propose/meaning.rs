@@ -223,7 +223,7 @@ impl Interpretation {
     }
 
     /// Gives coordinates without a unit in their heading the unit of lengths that the head of the
-    /// file states; two different statements are a doubt.
+    /// file contains; two different statements are a doubt.
     pub fn unit_of_head(&mut self, table: &mut Table, guess: &Guess) {
         let Some(first) = guess.stated_units.first() else { return };
         if let Some(other) = guess.stated_units.iter().find(|stated| stated.unit != first.unit) {
@@ -499,7 +499,7 @@ const UNUSED: f64 = 1e-3;
 /// Returns the component (w, x, y, z) that each of four headings names.
 ///
 /// Three axes beside any fourth heading make it the scalar; numbers from 0 to 3 begin with the
-/// scalar. Numbers from 1 to 4 do not state which is the scalar.
+/// scalar. Numbers from 1 to 4 do not give which is the scalar.
 fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
     let number = |column: &Column| column.heading.words.last()?.parse::<usize>().ok();
     let numbers = columns.map(number);

@@ -180,7 +180,7 @@ fn propose_workbook(
     Err(error!("no-rows-of-numbers", file = "workbook"))
 }
 
-/// Returns the text, and the encoding that the campaign has to state.
+/// Returns the text, and the encoding that the campaign has to give.
 fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Message> {
     let first = match decode(bytes.clone(), None) {
         Ok(text) => return Ok((text, None)),
@@ -199,7 +199,7 @@ pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None, None)
 }
 
-/// Returns the proposal for a text that states its format.
+/// Returns the proposal for a text that gives its format.
 fn propose_known_format(
     empty: &FormatsDocument,
     file: &str,
@@ -243,7 +243,7 @@ fn propose_known_format(
     Some(document)
 }
 
-/// Table of points that a format of its own states, in their unit.
+/// Table of points that a format of its own gives, in their unit.
 fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpretation) {
     let points = &points[..points.len().min(table::MOST_ROWS)];
     let heading = Heading { unit, ..Heading::default() };

@@ -218,7 +218,7 @@ fn leave_stationary(parts: &mut [Part], found: &mut [(usize, Keys, Option<Join>)
     Ok(())
 }
 
-/// Settles the unit of a clock that no heading states by the duration of another file whose times
+/// Settles the unit of a clock that no heading gives by the duration of another file whose times
 /// have a unit.
 fn compare_clocks(parts: &mut [Part]) {
     let open = |part: &Part| part.read.as_ref().is_some_and(|(_, found)| found.time_unit_open);
@@ -316,7 +316,7 @@ fn meeting(parts: &[Part], exports: &[usize], log: usize, targets: usize) -> Opt
     let long = || exports.iter().all(|at| stands(&parts[*at], &parts[log]));
     match motion.meeting(&times, targets) {
         _ if times.is_empty() => None,
-        // the campaign states how many standstills are missing
+        // the campaign shows how many standstills are missing
         Meeting::Open { standstills } if long() => Some(Meeting::Standstills { count: standstills, at_least_s: 1.0 }),
         found => Some(found),
     }
@@ -332,7 +332,7 @@ fn rows_in_time([offset_s, spread_s]: [f64; 2], targets: &[String]) -> String {
 }
 
 /// Returns the lines of the join and of the world; `meeting` is the relation of the times, where
-/// the files state them.
+/// the files contain them.
 fn tail(
     parts: &mut [Part],
     log: usize,
@@ -579,7 +579,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
         *toml = toml.replacen(TARGET_LINE, &line, 1);
         add(&name);
     }
-    // a format of its own states no form of its labels
+    // a format of its own gives no form of its labels
     if part.document.format.is_some() && keys.labels.is_some() && join.is_some() {
         *toml += LABEL_LINE;
     }
@@ -804,7 +804,7 @@ impl Keys {
             labels.as_ref()?.iter().map(key).collect()
         };
         let is_log = part.document.kind == "log";
-        // a log states poses in a column
+        // a log contains poses in a column
         let of_labels = |of: &dyn Fn(crate::export::LabelNames) -> Option<String>| of_labels(of).filter(|_| !is_log);
         let mut poses = column(Meaning::Pose).or_else(|| of_labels(&|named| Some(named.pose?.to_string())));
         let by_row = poses.is_none() && labels.is_none() && part.document.kind == "export";

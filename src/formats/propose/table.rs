@@ -5,10 +5,10 @@ use etalon_robots::Robot;
 use etalon_tables::guess::{Guess, is_time, names};
 use etalon_tables::lexer::{Row, each_row, marked};
 
-/// Maximum number of rows that are read; the proposal states if the file has more.
+/// Maximum number of rows that are read; the proposal shows if the file has more.
 pub(super) const MOST_ROWS: usize = 200_000;
 
-/// Maximum number of columns that are interpreted; the proposal states if the file has more.
+/// Maximum number of columns that are interpreted; the proposal shows if the file has more.
 const MOST_COLUMNS: usize = 4096;
 
 /// Table of one reading.

@@ -16,7 +16,7 @@ const COLDEST_C: f64 = -273.15;
 /// Suffix of columns of torques.
 const TORQUE: &str = "_nm";
 
-/// Column of a value that each reading states.
+/// Column of a value that each reading gives.
 fn stated_column(robot: &dyn Robot, value: Circumstance) -> String {
     match value {
         Circumstance::PayloadMass => PAYLOAD[0].to_owned(),
@@ -26,7 +26,7 @@ fn stated_column(robot: &dyn Robot, value: Circumstance) -> String {
     }
 }
 
-/// Columns of the values that each reading states beside joints and directions.
+/// Columns of the values that each reading gives beside joints and directions.
 pub fn stated_columns(robot: &dyn Robot) -> Vec<String> {
     robot.circumstances().iter().map(|value| stated_column(robot, *value)).collect()
 }
@@ -37,7 +37,7 @@ pub fn is_stated_column(column: &str) -> bool {
 }
 
 /// Returns the joint values of each row (mm or rad), followed by the directions of joints with
-/// backlash, and by the other values that each reading states.
+/// backlash, and by the other values that each reading gives.
 ///
 /// # Errors
 /// Reports all missing columns of joints and of `needed`, and values that are not directions,
@@ -69,7 +69,7 @@ pub fn joint_values(robot: &dyn Robot, table: &Table, needed: &[&str]) -> Result
     Ok(rows)
 }
 
-/// Adds the values that each reading states.
+/// Adds the values that each reading gives.
 fn add_stated(robot: &dyn Robot, table: &Table, rows: &mut [Vec<f64>]) -> Result<()> {
     for (&stated, column) in robot.circumstances().iter().zip(&stated_columns(robot)) {
         if !table.has(column) {
@@ -87,7 +87,7 @@ fn add_stated(robot: &dyn Robot, table: &Table, rows: &mut [Vec<f64>]) -> Result
     Ok(())
 }
 
-/// Returns the error that a table lacks the column of a value that each reading states.
+/// Returns the error that a table lacks the column of a value that each reading gives.
 pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
     let column = stated_column(robot, stated);
     match stated {
@@ -99,7 +99,7 @@ pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
     }
 }
 
-/// Returns the error that a value is not what the reading has to state.
+/// Returns the error that a value is not what the reading has to give.
 pub fn wrong_value(robot: &dyn Robot, stated: Circumstance, value: f64) -> Option<Message> {
     let least = match stated {
         Circumstance::PayloadMass => 0.0,

@@ -25,7 +25,7 @@ struct Rows {
 /// Columns of attained poses: `pose,cycle,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, optionally
 /// `approach`, `robot` and `reading`; commanded poses have no cycle. Rows of one visit with a
 /// `reading` are averaged. Without commanded poses only repeatability is evaluated. The order of
-/// the rotations a, b, c is `None` if it is not stated.
+/// the rotations a, b, c is `None` if it is not given.
 pub fn pose_test(
     attained: &Table,
     commanded: Option<&Table>,

@@ -14,7 +14,7 @@ const MOST_LEFT_OUT: f64 = 0.01;
 /// Largest difference of the duration by the rate from that of the time stamps, as a share.
 const RATE: f64 = 0.05;
 
-/// Error if time stamps span another time than the samples take at the stated rate. The resolution
+/// Error if time stamps span another time than the samples take at the given rate. The resolution
 /// of the stamps is their smallest step.
 fn rate_contradicts(table: &Table, rate_hz: f64) -> Option<Message> {
     let stamps: Vec<f64> = table.numbers(TIME).ok()?.into_iter().filter(|time| time.is_finite()).collect();
@@ -29,7 +29,7 @@ fn rate_contradicts(table: &Table, rate_hz: f64) -> Option<Message> {
     })
 }
 
-/// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a stated
+/// Builds a recording from a table `time_s,x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`. With a given
 /// rate, times follow from the sample numbers; `time_s` may not contradict them.
 pub fn recording(table: &Table, rate_hz: Option<f64>) -> Result<Recording> {
     let Coordinates { positions_mm, angles_rad, spatial, angles } = table.coordinates()?;

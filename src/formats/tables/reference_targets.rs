@@ -23,7 +23,7 @@ pub struct SetupDrift {
 /// `cycle,target,x_mm,y_mm[,z_mm]`. Targets measured in a cycle apply from this cycle until they
 /// are measured again.
 ///
-/// Orientations are compensated if the test states the order of all angles a, b, c, or for c of a
+/// Orientations are compensated if the test gives the order of all angles a, b, c, or for c of a
 /// planar robot. Otherwise angles are unchanged, with a warning.
 pub fn compensate_setup_drift(test: &mut PoseTest, table: &Table) -> Result<SetupDrift> {
     let (cycles, epochs) = read(table)?;

@@ -1,4 +1,4 @@
-//! Slips that sweeps reveal: joints that move together, units, moved targets, exchanged joints.
+//! Slips that sweeps reveal: joints that move together, units, moved targets, swapped joints.
 
 use super::{AxesModel, JointAxis, Sweep, SweepFit, SweepReading, motion, smooth};
 use crate::MeasuredRatio;
@@ -182,7 +182,7 @@ fn target_moved(sweep: &Sweep, fit: &SweepFit) -> Option<Slip> {
 /// Change of the order or the signs of joints that brings readings into agreement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// Two joints are exchanged.
+    /// Two joints are swapped.
     Exchanged([usize; 2]),
     /// A joint was swept in negative direction.
     Reversed(usize),

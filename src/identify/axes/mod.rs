@@ -84,7 +84,7 @@ pub struct JointAxis {
     pub fit: SweepFit,
     /// Standard uncertainty of a coordinate (mm).
     pub standard_uncertainty_mm: f64,
-    /// Degrees of freedom of the standard deviation; infinite if it is stated.
+    /// Degrees of freedom of the standard deviation; infinite if it is given.
     pub degrees_of_freedom: f64,
     /// Angle (rad) or position (mm) of each path at joint value zero; without joint values, at the
     /// first reading.
@@ -148,7 +148,7 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
     if motion::is_reversed(sweep, &fit) != (backwards && sweep.readings.iter().all(|r| r.joints.is_empty())) {
         fit.reverse();
     }
-    // the stated uncertainty where chi-square agrees, otherwise that of the residuals
+    // the given uncertainty where chi-square agrees, otherwise that of the residuals
     let own = (fit.deviation_mm, fit.degrees_of_freedom as f64);
     let (u, mut degrees_of_freedom) = match settings.standard_uncertainty_mm {
         None => own,

@@ -376,7 +376,7 @@ const CONVERGED: f64 = 1e-3;
 
 /// Generalised least squares of a sweep whose deviations are smooth; `None` if they are noise.
 ///
-/// `stated_mm` is the stated noise of a coordinate, which is its least.
+/// `stated_mm` is the given noise of a coordinate, which is its least.
 pub(super) fn smooth_fit(sweep: &Sweep, fit: &SweepFit, stated_mm: Option<f64>) -> Option<SmoothFit> {
     let mut fit = fit.clone();
     let mut deviations = Deviations::new(sweep, &fit).filter(Deviations::are_smooth)?;

@@ -113,7 +113,7 @@ impl DerivedParameters {
         }
     }
 
-    /// Standard uncertainties (mm, rad) as which the parameters may be stated without their
+    /// Standard uncertainties (mm, rad) as which the parameters may be given without their
     /// correlations: independent parameters with these are nowhere better known than by the
     /// covariance. Each is that of the parameter, times the root of the largest eigenvalue of the
     /// correlations.

@@ -270,9 +270,9 @@ fn start<'a>(readings: &'a [AxisReading], own: &[&AxisReading], count: usize) ->
     best.map(|b| b.1)
 }
 
-/// Ratios of starts: values in their unit, and degrees and radians exchanged.
+/// Ratios of starts: values in their unit, and degrees and radians swapped.
 const RATIOS: [f64; 3] = [1.0, 180.0 / std::f64::consts::PI, std::f64::consts::PI / 180.0];
-/// Nothing is stated.
+/// Nothing is given.
 const NOTHING: &Stated = &Stated { position_mm: None, rotation_rad: None, measured_mm: Vec::new() };
 
 /// Places of the targets by readings that are turned back to axis value zero, about the z axis of

@@ -2,7 +2,7 @@
 //! external axes, hand and eye.
 //!
 //! Each kind is a weighted least-squares problem of a few frames. Its noise has one standard
-//! deviation for positions and one for orientations, each stated or from the residuals.
+//! deviation for positions and one for orientations, each given or from the residuals.
 
 mod chain;
 mod external;
@@ -43,7 +43,7 @@ fn measure_index(measure: Measure) -> usize {
     usize::from(measure == Measure::Orientation)
 }
 
-/// Stated uncertainties.
+/// Given uncertainties.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stated {
     /// Standard uncertainty of a coordinate of a reading (mm), robot and measurement together.
@@ -51,23 +51,23 @@ pub struct Stated {
     /// Standard uncertainty of an orientation about any axis (rad).
     pub rotation_rad: Option<f64>,
     /// Standard uncertainties of the measured coordinates of each reading (mm), in addition to
-    /// [`Self::position_mm`]; empty if they are not stated.
+    /// [`Self::position_mm`]; empty if they are not given.
     pub measured_mm: Vec<Vector>,
 }
 
 impl Stated {
-    /// `true` if the uncertainty of positions (0) or orientations (1) is stated.
+    /// `true` if the uncertainty of positions (0) or orientations (1) is given.
     fn is_stated(&self, k: usize) -> bool {
         if k == 0 { self.position_mm.is_some() || !self.measured_mm.is_empty() } else { self.rotation_rad.is_some() }
     }
 
-    /// Largest stated standard uncertainty of positions (0, mm) or orientations (1, rad).
+    /// Largest given standard uncertainty of positions (0, mm) or orientations (1, rad).
     fn largest(&self, k: usize) -> f64 {
         let own = self.measured_mm.iter().flatten().fold(0.0, |largest: f64, u| largest.max(*u));
         if k == 0 { self.position_mm.unwrap_or_default().hypot(own) } else { self.rotation_rad.unwrap_or_default() }
     }
 
-    /// Covariance of the position of a reading (mm²), the identity if it is not stated.
+    /// Covariance of the position of a reading (mm²), the identity if it is not given.
     fn position(&self, reading: usize) -> [[f64; 3]; 3] {
         let common = self.position_mm.map_or(0.0, |u| u * u);
         let own = self.measured_mm.get(reading).copied().unwrap_or_default();
@@ -75,7 +75,7 @@ impl Stated {
         std::array::from_fn(|i| std::array::from_fn(|j| if i == j { variance(i) } else { 0.0 }))
     }
 
-    /// Covariance of an orientation (rad²), the identity if it is not stated.
+    /// Covariance of an orientation (rad²), the identity if it is not given.
     fn rotation(&self) -> [[f64; 3]; 3] {
         let variance = self.rotation_rad.map_or(1.0, |u| u * u);
         std::array::from_fn(|i| std::array::from_fn(|j| if i == j { variance } else { 0.0 }))
@@ -93,7 +93,7 @@ pub struct Component {
     pub redundancy: f64,
     /// Standard deviation of the residuals (mm or rad); 0 without redundancy.
     pub deviation: f64,
-    /// `true` if the stated uncertainty agrees with the residuals, and is used.
+    /// `true` if the given uncertainty agrees with the residuals, and is used.
     pub agrees: bool,
 }
 
@@ -139,7 +139,7 @@ impl Quality {
         self
     }
 
-    /// Standard uncertainty of a measured coordinate (mm) or orientation (rad): the stated one
+    /// Standard uncertainty of a measured coordinate (mm) or orientation (rad): the given one
     /// where it agrees with the residuals, otherwise theirs; `None` without equations or
     /// redundancy.
     pub fn standard_uncertainty(&self, measure: Measure, stated: &Stated) -> Option<f64> {

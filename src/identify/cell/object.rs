@@ -22,7 +22,7 @@ pub enum ObjectSlip {
     Unit(f64),
     /// One coordinate (0, 1, 2) of the known points has the other sign.
     Mirrored(usize),
-    /// Two points are exchanged.
+    /// Two points are swapped.
     Exchanged([usize; 2]),
 }
 

@@ -5,7 +5,7 @@ use crate::chi_square_exceeds;
 use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
 
 /// Plausible standard uncertainties (mm, rad) of an uncalibrated robot and of its readings: they
-/// are granted in addition to a stated uncertainty.
+/// are granted in addition to a given uncertainty.
 const PLAUSIBLE: [f64; 2] = [2.0, 2.0 * std::f64::consts::PI / 180.0];
 /// Share of the size of tool and motion from which residuals are of the order of the data.
 const SHARE: f64 = 0.1;
@@ -46,7 +46,7 @@ fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
 impl Quality {
     /// Measures whose residuals refute the answer.
     ///
-    /// With a stated uncertainty: chi-square exceeds the stated and the plausible uncertainty
+    /// With a given uncertainty: chi-square exceeds the given and the plausible uncertainty
     /// together. In any case: residuals exceed the plausible uncertainty, and a tenth of the size
     /// of tool and motion.
     pub fn refuted<'a>(&'a self, stated: &'a Stated, size: Size) -> impl Iterator<Item = &'a Component> {

@@ -37,7 +37,7 @@ fn ratio(stated: &Quality, other: &Quality) -> (f64, f64) {
     if redundancy > 0.0 { ((sum / redundancy).exp(), redundancy) } else { (1.0, 0.0) }
 }
 
-/// Changes that explain data which cannot be explained as they are, best first; none if stated
+/// Changes that explain data which cannot be explained as they are, best first; none if given
 /// uncertainties agree with the data as they are, or if noise alone could leave such a ratio.
 pub fn explained<T>(stated: &Quality, changes: Vec<AlternativeFit<T>>) -> Vec<AlternativeFit<T>> {
     if stated.components.iter().all(|c| c.agrees) {
@@ -47,7 +47,7 @@ pub fn explained<T>(stated: &Quality, changes: Vec<AlternativeFit<T>>) -> Vec<Al
     let mut all: Vec<(f64, AlternativeFit<T>)> = Vec::new();
     for change in changes {
         let (ratio, redundancy) = ratio(stated, &change.quality);
-        // stated uncertainties that the change contradicts are no explanation
+        // given uncertainties that the change contradicts are no explanation
         let stays = |i: usize| stated.components[i].agrees && !change.quality.components[i].agrees;
         let clear = FisherSnedecor::new(redundancy, redundancy)
             .is_ok_and(|f| ratio > CLEAR && f.sf(ratio * ratio) * count < CHANCE);

@@ -22,7 +22,7 @@ const SHORT: f64 = 1e-11;
 const MOST_DAMPING: f64 = 1e6;
 /// Smallest standard deviations (mm, rad): residuals of exact data are rounding errors.
 const ROUNDING: [f64; 2] = [1e-9, 1e-12];
-/// Starting values of standard deviations (mm, rad) that are not stated.
+/// Starting values of standard deviations (mm, rad) that are not given.
 const FIRST: [f64; 2] = [0.1, 1e-3];
 /// Standard deviations (mm, rad) that are assumed where nothing shows them.
 const ASSUMED: [f64; 2] = [ASSUMED_MM, ASSUMED_RAD];
@@ -39,7 +39,7 @@ pub(super) struct Equation {
     pub residual: Vector,
     /// Derivatives of the prediction by parameters, by index.
     pub columns: Vec<(usize, Vector)>,
-    /// Covariance, or its shape if no uncertainty is stated.
+    /// Covariance, or its shape if no uncertainty is given.
     pub covariance: [[f64; 3]; 3],
 }
 
@@ -50,7 +50,7 @@ pub(super) trait CellModel: Clone {
     /// Equations at the current values.
     fn equations(&self) -> Vec<Equation>;
     /// The model after a small step: translations add, rotations turn about the axes of the frame
-    /// in which the pose is stated.
+    /// in which the pose is given.
     fn moved(&self, step: &[f64]) -> Self;
 }
 
@@ -202,7 +202,7 @@ fn first(stated: &Stated) -> [f64; 2] {
     [0, 1].map(|k| if stated.is_stated(k) { 1.0 } else { FIRST[k] * FIRST[k] })
 }
 
-/// Minimum from a start, with the standard deviations of the measures where they are not stated or
+/// Minimum from a start, with the standard deviations of the measures where they are not given or
 /// contradict the residuals. `None` if the equations do not determine all parameters.
 pub(super) fn solve<M: CellModel>(start: M, stated: &Stated) -> Option<Solved<M>> {
     let mut variances = first(stated);
@@ -277,7 +277,7 @@ fn quality(at: &Whitened, covariance: &DMatrix<f64>, estimated: [bool; 2], state
 
 /// Probability of a residual at least as large if its reading belongs to the others: F with the
 /// variance of all others (externally studentized: Cook & Weisberg 1982, 2.2.2), or χ² with the
-/// stated variance. `None` without redundancy.
+/// given variance. `None` without redundancy.
 fn probability(
     rows: &DMatrix<f64>,
     residual: Vector3<f64>,

@@ -1,4 +1,4 @@
-//! Exact data give the truth back; data that do not determine an answer are refused with the
+//! Exact data give the truth back; data that do not determine an answer are rejected with the
 //! reason.
 
 use super::*;

@@ -104,7 +104,7 @@ pub enum FieldRefusal {
 /// Result of the search for a field.
 #[derive(Clone, Debug)]
 pub struct FieldTrial {
-    /// The field; `None` if refused.
+    /// The field; `None` if rejected.
     pub field: Option<JointField>,
     /// Errors at held-out poses; `None` if no field was tried there.
     pub held_out: Option<HeldOut>,

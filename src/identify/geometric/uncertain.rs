@@ -126,10 +126,10 @@ pub struct Scatter {
     pub max_mm: f64,
     /// Root of the sum of squares, as in the thesis (2.6.1).
     pub norm_mm: f64,
-    /// Standard deviation expected from the stated uncertainty.
+    /// Standard deviation expected from the given uncertainty.
     pub expected_mm: f64,
     /// Inflation factor of the uncertainties of the points, if the residuals scatter more than
-    /// stated; otherwise 1.
+    /// given; otherwise 1.
     pub inflation_factor: f64,
 }
 
@@ -156,7 +156,7 @@ impl Readings {
         &self.standard_uncertainties_mm
     }
 
-    /// Judges residuals whose uncertainties are those of `moves`: if chi-square rejects the stated
+    /// Judges residuals whose uncertainties are those of `moves`: if chi-square rejects the given
     /// uncertainty, the uncertainty of `points` is inflated to the scatter of the residuals.
     pub fn judge(
         &mut self,

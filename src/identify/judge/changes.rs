@@ -20,12 +20,12 @@ const FEWEST_READINGS: usize = 4;
 /// Maximum number of targets, or groups of targets, whose unit or exchange is questioned.
 const MOST_GROUPS: usize = 12;
 
-/// Other orientations that the rows of a table may state.
+/// Other orientations that the rows of a table may contain.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// The way of reading them: "angles in the order `zyx`".
     pub what: Phrase,
-    /// Orientation of each condition; `None` where it states none.
+    /// Orientation of each condition; `None` where it gives none.
     pub bodies: Vec<Option<Pose>>,
 }
 
@@ -239,7 +239,7 @@ impl Table<'_> {
         }
     }
 
-    /// Other ways of reading the stated orientations.
+    /// Other ways of reading the given orientations.
     fn orientations(&mut self, readings: &[Reading]) {
         for reading in readings {
             self.add(reading.what.clone(), |data| {

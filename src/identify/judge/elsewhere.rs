@@ -12,7 +12,7 @@ const EXACT: f64 = 1e-6;
 /// Poses around the measured ones, at which robots are compared.
 pub(super) struct Elsewhere<'a> {
     pub robot: &'a dyn Robot,
-    /// The data as stated.
+    /// The data as given.
     pub data: &'a Data,
     /// Joint values of the poses.
     pub joints: Vec<Vec<f64>>,
@@ -29,7 +29,7 @@ impl Elsewhere<'_> {
         (0..branches).filter_map(|branch| targets.clone().find(|k| self.robot.target_branch(*k) == branch)).collect()
     }
 
-    /// Flange of each branch at each pose, as stated and as changed, with the parameters of each;
+    /// Flange of each branch at each pose, as given and as changed, with the parameters of each;
     /// `None` for robots without a flange.
     fn flanges(&self, slip: &Slip, [stated, changed]: [&[f64]; 2]) -> Option<Vec<Vec<[Pose; 2]>>> {
         let (arm, other) = (self.robot.free_base()?, slip.robot(self.robot).free_base()?);
@@ -42,7 +42,7 @@ impl Elsewhere<'_> {
         Some(self.targets().into_iter().map(pairs).collect())
     }
 
-    /// Largest difference (mm, rad) of a flange, as stated and as changed, beyond a motion common
+    /// Largest difference (mm, rad) of a flange, as given and as changed, beyond a motion common
     /// to all poses; `None` for robots without a flange.
     pub fn flange_difference(&self, slip: &Slip, values: [&[f64]; 2]) -> Option<(f64, f64)> {
         let branches = self.flanges(slip, values)?;
@@ -73,7 +73,7 @@ impl Elsewhere<'_> {
     }
 }
 
-/// Motion of the flange, in its own frame as stated.
+/// Motion of the flange, in its own frame as given.
 fn at_targets([stated, changed]: &[Pose; 2]) -> Pose {
     stated.inverse().then(changed)
 }

@@ -1,4 +1,4 @@
-//! Poses whose joint values were exchanged: two rows of a log, or two names of poses.
+//! Poses whose joint values were swapped: two rows of a log, or two names of poses.
 
 use crate::Observation;
 use crate::judgement::diagnosis::{OUTLIER, RobustFit};

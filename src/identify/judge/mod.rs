@@ -1,8 +1,8 @@
-//! Judge of a set-up. It compares the set-up as stated with the mistakes that people make.
+//! Judge of a set-up. It compares the set-up as given with the mistakes that people make.
 //!
 //! [`changes`] lists the mistakes. Each is a hypothesis: the data without it, with base, targets
 //! and fixtures located again by most of the readings, and with all parameters fitted. All
-//! hypotheses, and the set-up as stated, compete by one measure: what they leave of poses that the
+//! hypotheses, and the set-up as given, compete by one measure: what they leave of poses that the
 //! fit leaves out, relative to the size of the robot and with a misfit of their own ([`fit`]).
 
 mod changes;
@@ -48,10 +48,10 @@ const FITS: usize = 24;
 /// Maximum number of changes that are fitted if more bring the nominal robot as near as it is.
 const MOST_FITS: usize = 40;
 /// Ratio of standard deviations by which a change must explain the data better than the set-up as
-/// stated.
+/// given.
 const CLEAR: f64 = 2.0;
 /// Ratio of standard deviations by which a change explains the data worse than the set-up as
-/// stated, so that they exclude it.
+/// given, so that they exclude it.
 const WORSE: f64 = 1.5;
 /// Minimum decrease of the cost, so that few poses name nothing by chance.
 const FALLS_BY: f64 = 10.0;
@@ -94,7 +94,7 @@ fn hinted(message: Message, found: Option<SetUpError>) -> Warning {
 /// tolerances, taken as half-widths of rectangular distributions (GUM 4.3.7), allow; base and
 /// targets, at `values`, absorb as much as they can.
 ///
-/// `noise_mm` is the stated standard uncertainty of a coordinate; the noise that the observations
+/// `noise_mm` is the given standard uncertainty of a coordinate; the noise that the observations
 /// show counts if it is larger. What is allowed is never more than a
 /// tenth of the spread of the measurements: with nominal values that are wrong themselves the
 /// Jacobian allows anything.
@@ -156,7 +156,7 @@ fn is_explained(robot: &dyn Robot, observations: &[Observation], settings: &Sett
     is_noise && found.free.iter().filter(|&&i| parameters[i].tolerance.is_finite()).all(is_near)
 }
 
-/// Error that a change of the set-up explains the measurements, and the set-up as stated does not.
+/// Error that a change of the set-up explains the measurements, and the set-up as given does not.
 pub fn set_up_contradicted(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<Warning> {
     contradicted(&judge(robot, observations, settings, &[]))
 }
@@ -230,13 +230,13 @@ pub fn set_up_error(robot: &dyn Robot, observations: &[Observation], settings: &
 /// Judgement of a set-up.
 #[derive(Clone, Debug, Default)]
 pub struct Judgement {
-    /// The change that explains the data clearly better than the set-up as stated, and those that
+    /// The change that explains the data clearly better than the set-up as given, and those that
     /// explain them as well.
     pub named: Option<SetUpError>,
     /// Mistakes that these data do not show: with each of these changes a robot within its
     /// tolerances explains them, or nearly so.
     pub untested: Vec<Untested>,
-    /// `true` if a robot within its tolerances can leave what the set-up as stated leaves.
+    /// `true` if a robot within its tolerances can leave what the set-up as given leaves.
     pub is_possible: bool,
 }
 
@@ -245,7 +245,7 @@ pub struct Judgement {
 pub struct Untested {
     /// The change.
     pub change: Phrase,
-    /// Standard deviation (mm) of the residuals of a length as stated, and with the change.
+    /// Standard deviation (mm) of the residuals of a length as given, and with the change.
     pub residuals_mm: [f64; 2],
     /// Largest difference of the flange between both at poses around the measured ones: its
     /// position (mm) and its orientation (rad), beyond what is common to all poses.
@@ -281,7 +281,7 @@ fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mis
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
     let probes = subset.elsewhere(robot);
     let table = Table { robot, data, tried: [&subset, &probes], readings };
-    // what brings the nominal robot as near as the set-up as stated may be what the data do not
+    // what brings the nominal robot as near as the set-up as given may be what the data do not
     // show
     let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
     let mut tried = match mistakes {
@@ -304,7 +304,7 @@ fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64) -> Vec<(Slip, Fit
     all.into_par_iter().filter_map(fitted).collect()
 }
 
-/// Comparison with the set-up as stated.
+/// Comparison with the set-up as given.
 struct Verdict<'a> {
     as_stated: Option<&'a Fitted>,
     elsewhere: Option<Elsewhere<'a>>,
@@ -339,7 +339,7 @@ impl Verdict<'_> {
         Judgement { named, untested, is_possible: self.as_stated.is_some_and(is_possible) }
     }
 
-    /// The change, if the set-up as stated is possible and not clearly better, and the flange is
+    /// The change, if the set-up as given is possible and not clearly better, and the flange is
     /// elsewhere with the change.
     fn untested(&self, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
         let stated = self.as_stated.filter(|stated| is_possible(stated))?;
@@ -355,8 +355,8 @@ impl Verdict<'_> {
         })
     }
 
-    /// `true` if a hypothesis explains the data and the set-up as stated does not: its residuals
-    /// are those of a robot, and each of its mistakes makes them clearly smaller, or the stated
+    /// `true` if a hypothesis explains the data and the set-up as given does not: its residuals
+    /// are those of a robot, and each of its mistakes makes them clearly smaller, or the given
     /// set-up needs parameters that no robot has.
     fn is_named(&self, fitted: &Fitted, mistakes: u8) -> bool {
         let Some(stated) = self.as_stated else { return is_possible(fitted) };

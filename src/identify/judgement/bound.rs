@@ -1,16 +1,16 @@
 //! Bound of the uncertainty of an answer that may be loaded.
 //!
 //! An answer may be loaded if the expanded uncertainty U (k = 2, GUM 6.2.1) of each component is
-//! at most a bound. The user states it, or it is a share of the measured extent L:
+//! at most a bound. The user gives it, or it is a share of the measured extent L:
 //!
 //! share = 10 u / L, for lengths and ratios at least 2 % and for angles at least 0.5 %, at most 5
 //! %, with the standard uncertainty u of a measured coordinate.
 //!
 //! A length is bounded by share · L, an angle by share in radians, a ratio by share. A
-//! well-conditioned set-up has U near 2 u, so that ten times u refuses bad geometry only. The lower
+//! well-conditioned set-up has U near 2 u, so that ten times u rejects bad geometry only. The lower
 //! ends admit bad geometry of a precise instrument (a short arc, a tool point by small turns),
 //! whose answer is good enough all the same; an angle acts beyond the measured region, so its end
-//! is lower. The upper end refuses what is no larger than the noise, however coarse the instrument.
+//! is lower. The upper end rejects what is no larger than the noise, however coarse the instrument.
 
 use crate::cell::upright;
 use crate::{Identification, Observation, Settings};
@@ -32,7 +32,7 @@ const LEAST_OF_ANGLES: f64 = 0.005;
 const MOST: f64 = 0.05;
 /// Standard uncertainty (mm) of a coordinate that is assumed if nothing shows it: the order of
 /// coordinate measuring systems. Touches by a robot are coarser, so an answer that this
-/// uncertainty refuses is refused by the true one too.
+/// uncertainty rejects is rejected by the true one too.
 pub const ASSUMED_MM: f64 = 0.01;
 /// Standard uncertainty (rad) of an orientation that is assumed if nothing shows it.
 pub const ASSUMED_RAD: f64 = 1e-4;
@@ -75,7 +75,7 @@ impl Extent {
     }
 }
 
-/// Stated bounds of the expanded uncertainty; a quantity without a statement has the default.
+/// Given bounds of the expanded uncertainty; a quantity without a statement has the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UncertaintyBound {
     /// Bound of lengths (mm).
@@ -121,7 +121,7 @@ pub struct Excess {
     pub expanded: f64,
     /// Bound (mm, rad, 1).
     pub bound: f64,
-    /// `true` if the bound is stated.
+    /// `true` if the bound is given.
     pub is_stated: bool,
     /// Change of all components (mm, rad, 1) along the eigenvector of the largest uncertainty
     /// relative to the bounds: the combination that stays open. Its largest component is positive.
@@ -131,7 +131,7 @@ pub struct Excess {
 }
 
 impl UncertaintyBound {
-    /// Bound of a component (mm, rad, 1), and `true` if it is stated.
+    /// Bound of a component (mm, rad, 1), and `true` if it is given.
     pub fn bound(&self, quantity: Quantity, extent: &Extent) -> (f64, bool) {
         let (stated, default) = match quantity {
             Quantity::Length => (self.length_mm, extent.share() * extent.length_mm),

@@ -20,13 +20,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A source of uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum UncertaintySource {
-    /// The instrument: its stated uncertainty, or the uncertainties stated for single readings.
+    /// The instrument: its given uncertainty, or the uncertainties given for single readings.
     Instrument,
-    /// Stated repeatability of the robot at a measured point.
+    /// Given repeatability of the robot at a measured point.
     Contact,
-    /// Stated shapes of rigid parts.
+    /// Given shapes of rigid parts.
     RigidParts,
-    /// Stated positions and lengths of sockets and other fixed points.
+    /// Given positions and lengths of sockets and other fixed points.
     KnownPoints,
     /// Nominal values, by their tolerances.
     NominalValues,
@@ -35,7 +35,7 @@ pub enum UncertaintySource {
     /// Excess of the residuals over all other sources: errors of the robot that the model does not
     /// describe.
     Model,
-    /// Residuals, if no uncertainty is stated.
+    /// Residuals, if no uncertainty is given.
     Residuals,
     /// The world frame, common to all poses.
     Frame,
@@ -64,12 +64,12 @@ pub struct Systematic {
     /// Relative standard uncertainty of all measured lengths from the temperature.
     pub expansion: f64,
     /// Standard uncertainties of the joint values set by homing (mm or rad), in the order of the
-    /// joints; empty if none is stated.
+    /// joints; empty if none is given.
     pub homing: Vec<f64>,
 }
 
 impl Systematic {
-    /// `true` if an error common to all readings is stated, in addition to those of frames.
+    /// `true` if an error common to all readings is given, in addition to those of frames.
     pub fn is_stated(&self) -> bool {
         self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
     }
@@ -79,7 +79,7 @@ impl Systematic {
 #[derive(Clone, Debug, Default)]
 pub struct Budget {
     /// Covariances of the identified parameters by source of the uncertainties of single readings;
-    /// empty if none is stated.
+    /// empty if none is given.
     stated: Vec<(Source, Vec<f64>)>,
     /// Covariance of the parameters from all evidence of single readings and poses.
     readings: Vec<f64>,
@@ -173,7 +173,7 @@ impl<'a> Observed<'a> {
 
 impl Budget {
     /// Budget of readings with the covariance `readings`; `instrument` is the covariance from the
-    /// stated uncertainty. `None` if nothing is stated.
+    /// given uncertainty. `None` if nothing is given.
     pub(crate) fn new(
         solved: Solved,
         instrument: Option<&[f64]>,
@@ -232,7 +232,7 @@ impl Budget {
         self.contributions(|covariance| covariance[k * n + k], |e| self.common[e].1[k])
     }
 
-    /// Root L of the covariance of the parameters beyond the stated uncertainties of readings, row
+    /// Root L of the covariance of the parameters beyond the given uncertainties of readings, row
     /// by row: the model error, and the scatter of repeats. `None` without such a part.
     pub fn model_root(&self) -> Option<Vec<f64>> {
         let n = Some(self.readings.len().isqrt()).filter(|n| *n > 0)?;
@@ -289,7 +289,7 @@ impl Budget {
     }
 }
 
-/// The stated covariance, split into the contributions of the rows of each source.
+/// The given covariance, split into the contributions of the rows of each source.
 fn by_rows(solved: Solved, all: &[f64]) -> Vec<(Source, Vec<f64>)> {
     let Solved { problem, solution, jacobian } = solved;
     let whole = || vec![(Source::Instrument, all.to_vec())];

@@ -16,7 +16,7 @@ pub fn agrees(chi_square: f64, dof: usize) -> bool {
     !exceeds(chi_square, dof) && !falls_short(chi_square, dof)
 }
 
-/// `true` if chi-square is too small for the degrees of freedom: the stated uncertainty falls below
+/// `true` if chi-square is too small for the degrees of freedom: the given uncertainty falls below
 /// the limit once in a thousand times.
 pub(crate) fn falls_short(chi_square: f64, dof: usize) -> bool {
     ChiSquared::new(dof as f64).is_ok_and(|d| d.cdf(chi_square) < REJECT)

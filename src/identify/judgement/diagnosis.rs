@@ -137,7 +137,7 @@ const LEAST_MM: f64 = 1e-6;
 pub struct RobustFit {
     /// The largest first.
     pub readings: Vec<Reading>,
-    /// Standard deviation (mm) of a coordinate: by the majority of the residuals, or the stated one
+    /// Standard deviation (mm) of a coordinate: by the majority of the residuals, or the given one
     /// if that is larger.
     pub scale_mm: f64,
     /// All parameters of the robust fit.
@@ -157,7 +157,7 @@ pub struct Reading {
     pub cycle: i64,
     /// Distance, mm.
     pub left_mm: f64,
-    /// Standard uncertainty (mm) of a coordinate that the reading itself states; 0 without.
+    /// Standard uncertainty (mm) of a coordinate that the reading itself gives; 0 without.
     own_mm: f64,
 }
 

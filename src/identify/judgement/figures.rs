@@ -161,7 +161,7 @@ struct SetUp {
 
 impl JudgedErrors<'_> {
     /// Variances of the mean, root mean square and maximum of each kind of error, and of the
-    /// largest error along each axis; empty if no uncertainty is stated.
+    /// largest error along each axis; empty if no uncertainty is given.
     ///
     /// # Errors
     /// Fails if residuals cannot be evaluated.

@@ -1,7 +1,7 @@
-//! Slips of stated loads: exchanged coordinates of the centre of mass, a sign, a unit.
+//! Slips of given loads: swapped coordinates of the centre of mass, a sign, a unit.
 //!
-//! A change c of the stated loads makes a family of models, whose loads are the stated ones plus λ
-//! times the change: λ = 0 as stated, λ = 1 changed. To first order λ has the least-squares
+//! A change c of the given loads makes a family of models, whose loads are the given ones plus λ
+//! times the change: λ = 0 as given, λ = 1 changed. To first order λ has the least-squares
 //! estimate of one more parameter. A change is named if the data reject λ = 0 and agree with λ = 1,
 //! and if the changed model leaves no more than the uncertainty of the readings.
 //!
@@ -14,7 +14,7 @@ use etalon_base::pose::Vector;
 use etalon_math::{Problem, linearised_at};
 use etalon_robots::{Circumstance, Effect, Robot};
 
-/// Estimate of λ in its standard uncertainties beyond which the stated loads are rejected: two in
+/// Estimate of λ in its standard uncertainties beyond which the given loads are rejected: two in
 /// 30,000 sound campaigns for one change.
 const REJECTED: f64 = 4.0;
 /// Distance of the estimate of λ from one, in its standard uncertainties, up to which a change
@@ -32,10 +32,10 @@ const UNITS: [f64; 2] = [1000.0, 25.4];
 /// Steps of the fit of a changed model.
 const STEPS: usize = 2;
 
-/// Change of the stated centres of mass.
+/// Change of the given centres of mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoadSlip {
-    /// Two coordinates are exchanged.
+    /// Two coordinates are swapped.
     Exchanged([usize; 2]),
     /// A coordinate has the other sign.
     Sign(usize),
@@ -69,17 +69,17 @@ impl LoadSlip {
     }
 }
 
-/// Stated centres of mass that the data reject, with the changes that explain the data.
+/// Given centres of mass that the data reject, with the changes that explain the data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadContradiction {
-    /// Deviation of the stated loads from the best ones, in standard uncertainties.
+    /// Deviation of the given loads from the best ones, in standard uncertainties.
     pub over_u: f64,
     /// Changes, the best one first.
     pub slips: Vec<LoadSlip>,
 }
 
-/// Returns the changes of the stated loads that the data demand; `None` if the data agree with the
-/// stated loads, if no single change explains them, or if joints do not bend.
+/// Returns the changes of the given loads that the data demand; `None` if the data agree with the
+/// given loads, if no single change explains them, or if joints do not bend.
 ///
 /// # Errors
 /// Fails if settings and observations do not match.
@@ -162,7 +162,7 @@ impl Fit<'_> {
         Ok(Some(left).filter(|left| left.iter().all(|r| r.is_finite())))
     }
 
-    /// Returns the judgement of a change if it explains what the stated loads do not.
+    /// Returns the judgement of a change if it explains what the given loads do not.
     fn judged(&self, before: &[f64], after: &[f64]) -> Option<Judged> {
         let effect: Vec<f64> = before.iter().zip(after).map(|(before, after)| after - before).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -170,7 +170,7 @@ impl Fit<'_> {
         let lambda = -dot(before, &effect) / size;
         let dof = (self.found.residuals.degrees_of_freedom as f64 - 1.0).max(1.0);
         let estimated = (dot(before, before) - lambda.powi(2) * size) / dof;
-        // rows have the standard deviation 1 if the uncertainty of the readings is stated
+        // rows have the standard deviation 1 if the uncertainty of the readings is given
         let is_stated = self.settings.standard_uncertainty_mm.is_some();
         let variance = if is_stated { estimated.max(1.0) } else { estimated };
         if is_stated && exceeds(left, self.found.residuals.degrees_of_freedom) {

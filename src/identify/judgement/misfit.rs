@@ -1,7 +1,7 @@
 //! Errors of a model that its readings at one pose share.
 //!
 //! What a model lacks acts alike each time a pose is measured, and similarly on all targets of the
-//! pose. A calibration states its size. The whitened readings of a pose then have the covariance
+//! pose. A calibration gives its size. The whitened readings of a pose then have the covariance
 //! I + V Vᵀ, with a column of V for each shared error. I + (1 / √(1 + v²) − 1) v vᵀ / v² whitens
 //! one column; the others follow one by one.
 

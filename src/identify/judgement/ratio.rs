@@ -12,7 +12,7 @@ pub struct MeasuredRatio {
     pub value: f64,
     /// Standard uncertainty.
     pub standard_uncertainty: f64,
-    /// Degrees of freedom of the uncertainty; infinite if it is stated.
+    /// Degrees of freedom of the uncertainty; infinite if it is given.
     pub degrees_of_freedom: f64,
 }
 

@@ -42,7 +42,7 @@ pub struct DistanceErrors {
     /// Sizes (mm) of the errors before and after.
     pub sizes_mm: [SizeStatistics; 2],
     /// Standard uncertainties (mm) of root mean square, 95th percentile and maximum after; absent
-    /// if no uncertainty is stated.
+    /// if no uncertainty is given.
     pub standard_uncertainties_mm: Option<[f64; 3]>,
 }
 
@@ -213,7 +213,7 @@ struct Group<'a> {
     /// Sums of the sizes (mm) before and after.
     sums: [SizeSums; 2],
     /// Derivatives of half the sum of the squared errors after with respect to the residuals;
-    /// empty if no uncertainty is stated.
+    /// empty if no uncertainty is given.
     gradient: Vec<f64>,
 }
 

@@ -63,7 +63,7 @@ pub struct Reliability {
     /// Cook's distance beyond which a pose is influential: the median of F with n and m - n degrees
     /// of freedom (Cook 1977).
     pub influential: f64,
-    /// Standard deviation (mm) of a coordinate: the stated one if it explains the residuals,
+    /// Standard deviation (mm) of a coordinate: the given one if it explains the residuals,
     /// otherwise that of the residuals.
     pub sigma_mm: f64,
 }

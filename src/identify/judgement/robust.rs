@@ -70,7 +70,7 @@ pub struct RobustComparison {
     /// Limit of a residual over σ. With a correct model no residual exceeds this limit, with a
     /// probability of 99 %.
     pub critical_residual: f64,
-    /// Standard deviation σ (mm) of a coordinate from most residuals, or the stated one if that is
+    /// Standard deviation σ (mm) of a coordinate from most residuals, or the given one if that is
     /// larger.
     pub sigma_mm: f64,
 }

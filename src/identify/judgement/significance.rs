@@ -7,7 +7,7 @@ use statrs::function::{beta::beta_reg, gamma::gamma_lr};
 /// Source of the variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Variance {
-    /// Stated: sums of squares follow chi-square.
+    /// Given: sums of squares follow chi-square.
     Stated,
     /// Estimated with these degrees of freedom: ratios of sums of squares follow F.
     Estimated(f64),

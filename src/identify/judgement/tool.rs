@@ -14,7 +14,7 @@ use etalon_math::{covariance, factor_at};
 use etalon_robots::{Robot, Role};
 use nalgebra::{Matrix3, Vector3};
 
-/// The part in whose frame a tool point is stated.
+/// The part in whose frame a tool point is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ToolFrame {
     /// The flange of an arm.
@@ -31,7 +31,7 @@ pub enum ToolFrame {
 pub struct ToolPoint {
     /// Position (mm) in `frame`.
     pub point_mm: Vector,
-    /// Part in whose frame the point is stated.
+    /// Part in whose frame the point is given.
     pub frame: ToolFrame,
     /// Standard uncertainty of one of its coordinates, mm.
     pub standard_uncertainty_mm: f64,
@@ -123,7 +123,7 @@ impl ToolPoint {
             std::array::from_fn(|i| if i < d { full[(target * d + i) * n + parameter] } else { 0.0 })
         };
         if let (ToolFrame::Flange, Some(arm)) = (self.frame, robot.free_base()) {
-            // the point in place of the first target
+            // the point instead of the first target
             values[arm.target_place(0)..][..3].copy_from_slice(&self.point_mm);
             robot.jacobian(&values, joints, &mut full);
             columns.iter_mut().enumerate().for_each(|(i, column)| *column = of_target(&full, 0, i));

@@ -33,7 +33,7 @@ use std::collections::BTreeMap;
 /// Source of the standard uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UncertaintyFrom {
-    /// Stated uncertainty of the instrument; chi-square does not reject the model.
+    /// Given uncertainty of the instrument; chi-square does not reject the model.
     Instrument,
     /// Residuals, taken as independent.
     Residuals,
@@ -44,7 +44,7 @@ pub enum UncertaintyFrom {
     /// neighbouring poses: uncertainty of effective parameters (delete-a-group jackknife, Bell &
     /// McCaffrey 2002).
     ResidualsByRegion,
-    /// No source: there are as many equations as parameters, and no uncertainty is stated.
+    /// No source: there are as many equations as parameters, and no uncertainty is given.
     Nothing,
 }
 
@@ -284,7 +284,7 @@ impl Found {
     }
 }
 
-/// Covariance and chi-square from the stated uncertainty of the instrument, and of the frames of
+/// Covariance and chi-square from the given uncertainty of the instrument, and of the frames of
 /// single poses.
 fn from_instrument(
     solved: Solved,
@@ -294,7 +294,7 @@ fn from_instrument(
     let Solved { problem, solution, .. } = solved;
     let u = settings.standard_uncertainty_mm?;
     if settings.kind == ResidualKind::Targets && (placed.is_empty() || problem.is_whitened()) {
-        // rows of stated shapes count with their own uncertainty
+        // rows of given shapes count with their own uncertainty
         let more = |(row, shape): (usize, &Shape)| -> f64 {
             let squares = solution.residuals[row..][..shape.rows()].iter().map(|r| r * r).sum::<f64>();
             squares * (1.0 - 1.0 / shape.variance())
@@ -305,7 +305,7 @@ fn from_instrument(
 }
 
 /// Covariance from residuals that the instrument's uncertainty does not explain, or without a
-/// stated uncertainty.
+/// given uncertainty.
 fn from_residuals(
     solved: Solved,
     series: &[Vec<PoseName>],
@@ -391,7 +391,7 @@ fn completed(
     let factor = solution.factor.as_ref()?;
     let (common, all) = (factor.common(), factor.columns());
     let n = common.len();
-    // a stated shape or place is one reading: its rows have the variance that is stated, not the
+    // a given shape or place is one reading: its rows have the variance that is given, not the
     // scatter of one
     let shapes = problem.shapes().map(|(row, shape)| (row, shape.rows(), shape.variance()));
     let known = problem.known().map(|(row, known)| (row, known.rows(), 1.0));
@@ -416,7 +416,7 @@ fn completed(
     Some((covariance, degrees))
 }
 
-/// Messages about stated shapes that contradict the measurements.
+/// Messages about given shapes that contradict the measurements.
 fn contradictions(
     problem: &Residuals,
     solution: &Solution,

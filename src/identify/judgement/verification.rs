@@ -21,9 +21,9 @@ use statrs::function::erf::erfc;
 
 /// Significance level: share of unchanged robots that are called changed.
 pub const SIGNIFICANCE: f64 = 0.05;
-/// Power for which the smallest detectable change is stated.
+/// Power for which the smallest detectable change is given.
 pub const POWER: f64 = 0.95;
-/// Probability of naming the right joint for which the smallest change is stated.
+/// Probability of naming the right joint for which the smallest change is given.
 pub const NAMING: f64 = 0.9;
 /// Minimum probability of the remaining residuals with which a change explains them.
 pub const EXPLAINED: f64 = 0.01;
@@ -156,7 +156,7 @@ pub struct Comparison<'a> {
     pub robot: &'a dyn Robot,
     /// Observations.
     pub observations: &'a [Observation],
-    /// Settings, which must state the standard uncertainty of a coordinate.
+    /// Settings, which must give the standard uncertainty of a coordinate.
     pub settings: &'a Settings,
     /// The parameters.
     pub given: &'a IdentifiedParameters,

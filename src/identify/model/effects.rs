@@ -16,7 +16,7 @@ pub enum Effects {
     All,
     /// All effects except the transmission ratios of revolute joints of arms, whose encoders count
     /// whole turns and therefore have no unknown ratio, and except effects that follow from what
-    /// each reading states, which the data have to prove.
+    /// each reading gives, which the data have to prove.
     Usual,
     /// These effects.
     These(Vec<Effect>),

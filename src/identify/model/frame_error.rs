@@ -4,7 +4,7 @@ use crate::model::solved::Solved;
 use etalon_base::pose_name::PoseName;
 use etalon_math::Rows;
 
-/// The uncertainty of the frame in which observations are stated.
+/// The uncertainty of the frame in which observations are given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameError {
     /// Pose and cycle of the frame; `None`: all.

@@ -36,7 +36,7 @@ pub struct Observation {
     /// Measured positions in the world in mm, in the order of the robot's targets; `None` if not
     /// measured.
     pub targets: Vec<Option<Vector>>,
-    /// Covariances of these positions in the world, if the measurement states them; otherwise
+    /// Covariances of these positions in the world, if the measurement gives them; otherwise
     /// empty.
     pub covariances_mm2: Vec<Option<Covariance>>,
 }
@@ -52,12 +52,12 @@ pub struct Measured {
     pub target: usize,
     /// Position in the world (mm); z is 0 for planar robots.
     pub at_mm: Vector,
-    /// Covariance of the position, if the measurement states one.
+    /// Covariance of the position, if the measurement gives one.
     pub covariance_mm2: Option<Covariance>,
     /// Joint values (mm or rad) in the robot's order, then the directions of [`Robot::approached`]
     /// joints.
     pub joints: Vec<f64>,
-    /// Assembly mode, if stated.
+    /// Assembly mode, if given.
     pub assembly: Option<f64>,
     /// Time of the measurement (s).
     pub time_s: Option<f64>,
@@ -109,7 +109,7 @@ pub struct AssumedModes {
 
 impl Observation {
     /// Groups measured positions by pose and cycle, in their order, and determines assembly modes
-    /// that are not stated.
+    /// that are not given.
     ///
     /// Robots with assembly modes may bring several working modes to one pose and cycle: each set
     /// of joint values is then an observation.
@@ -226,7 +226,7 @@ fn assign_modes(
     Ok(assumed)
 }
 
-/// Observations that are far from their measured positions in the stated assembly mode and near in
+/// Observations that are far from their measured positions in the given assembly mode and near in
 /// the other, with the parameters `values`; the distances in both (mm). Empty if this holds for
 /// most observations: the base is then elsewhere.
 pub(crate) fn misplaced<'o>(

@@ -14,17 +14,17 @@ pub enum Prior {
     /// One row for each free parameter: its deviation from nominal over its standard uncertainty by
     /// its tolerance.
     Tolerances {
-        /// Standard deviation of a residual, by which the rows are multiplied to have the stated
-        /// weight; 1 if the stated uncertainty of the instrument explains the residuals.
+        /// Standard deviation of a residual, by which the rows are multiplied to have the given
+        /// weight; 1 if the given uncertainty of the instrument explains the residuals.
         weight: f64,
         /// Standard uncertainties of parts of the robot relative to those of default tolerances, if
-        /// none are stated: the data may show a more accurately built robot.
+        /// none are given: the data may show a more accurately built robot.
         scale: f64,
     },
 }
 
 impl Prior {
-    /// Tolerances beside residuals with the stated uncertainty.
+    /// Tolerances beside residuals with the given uncertainty.
     pub const TOLERANCES: Self = Self::Tolerances { weight: 1.0, scale: 1.0 };
 
     /// Factor of the rows of nominal values.

@@ -1,4 +1,4 @@
-//! Rigid parts that carry targets: a stated shape is one more reading of all its targets, from an
+//! Rigid parts that carry targets: a given shape is one more reading of all its targets, from an
 //! unknown position. Six unknowns are eliminated, and the remaining rows constrain the relative
 //! positions of the targets.
 
@@ -21,17 +21,17 @@ pub struct RigidPart {
     pub places_mm: Vec<Vector>,
     /// Standard uncertainty of one of these coordinates, mm.
     pub standard_uncertainty_mm: f64,
-    /// Maximum difference (mm) of a distance from the stated one; beyond it, the distance is that
+    /// Maximum difference (mm) of a distance from the given one; beyond it, the distance is that
     /// of another part.
     pub tolerance_mm: f64,
     /// Factor of the rows: the standard deviation of a residual, so that the rigidity of a part
-    /// relative to the errors of the robot follows its stated uncertainty; 1 if unknown.
+    /// relative to the errors of the robot follows its given uncertainty; 1 if unknown.
     pub weight: f64,
 }
 
-/// The stated shape of a part of a robot.
+/// The given shape of a part of a robot.
 ///
-/// With e the places of the model minus the stated ones after the best fit of one onto the other,
+/// With e the places of the model minus the given ones after the best fit of one onto the other,
 /// the rows are Q e / u, Q an orthonormal basis of the deformations, without rigid motions: 3 n − 6
 /// rows for n targets in space. At the best fit e has no other component (variable projection,
 /// Golub & Pereyra 1973).
@@ -99,7 +99,7 @@ impl Shape {
         self.deforming.nrows()
     }
 
-    /// Positions by the model about their centre, rotated onto the stated ones, and this rotation.
+    /// Positions by the model about their centre, rotated onto the given ones, and this rotation.
     fn turned(&self, at: &At) -> (Vec<Vector>, Pose) {
         let places: Vec<Vector> = self.targets.iter().map(|&k| at.robot.position(at.values, at.joints, k)).collect();
         let centre = centroid(&places).unwrap_or_default();
@@ -155,7 +155,7 @@ impl Shape {
         }
     }
 
-    /// Returns a message if the measurements alone contradict the stated shape beyond the
+    /// Returns a message if the measurements alone contradict the given shape beyond the
     /// uncertainty of both: a test of the rows as one group of observations (Baarda 1968), at the
     /// solution with `covariance` of the free parameters and `inverse` of the residuals, (JᵀJ)⁻¹.
     pub fn contradiction(&self, at: &At, inverse: &[f64], covariance: &[f64]) -> Option<Contradicted> {
@@ -166,7 +166,7 @@ impl Shape {
         self.residuals(at, &mut left);
         let rows = DMatrix::from_row_slice(m, n, &rows);
         let square = |c: &[f64]| &rows * DMatrix::from_row_slice(n, n, c) * rows.transpose();
-        // share that the stated shape has in itself; residuals are that much too small
+        // share that the given shape has in itself; residuals are that much too small
         let own = square(inverse);
         let inflation = (square(covariance).trace() / (own.trace() * self.variance())).max(1.0);
         let eigen = SymmetricEigen::new(DMatrix::identity(m, m) - own);
@@ -175,7 +175,7 @@ impl Shape {
         for k in (0..m).filter(|&k| eigen.eigenvalues[k] > UNDECIDED) {
             let share = eigen.eigenvalues[k];
             alone[k] = left[k] / share;
-            // variance of the stated shape, and of the one that the measurements give without it
+            // variance of the given shape, and of the one that the measurements give without it
             let variance = self.variance() * (1.0 + inflation * (1.0 - share) / share);
             chi_square += alone[k] * alone[k] / variance;
             decided += 1;
@@ -234,7 +234,7 @@ impl RigidPart {
         (0..self.targets.len()).flat_map(|second| (0..second).map(move |first| TargetPair { first, second }))
     }
 
-    /// Compares the distance of two targets, as found `by` a measurement, with the stated
+    /// Compares the distance of two targets, as found `by` a measurement, with the given
     /// positions.
     pub fn contradicted(&self, pair: TargetPair, found_mm: f64, by: &'static str) -> Contradicted {
         let stated_mm = pair.distance_mm(&self.places_mm);
@@ -249,7 +249,7 @@ impl RigidPart {
     }
 }
 
-/// A distance of two targets that contradicts the stated positions of their part.
+/// A distance of two targets that contradicts the given positions of their part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contradicted {
     /// Targets of the part.
@@ -260,14 +260,14 @@ pub struct Contradicted {
     pub by: &'static str,
     /// The distance, mm.
     pub found_mm: f64,
-    /// Distance of the stated positions (mm).
+    /// Distance of the given positions (mm).
     pub stated_mm: f64,
     /// `false` if the distance is that of another part.
     pub is_near: bool,
 }
 
 impl Contradicted {
-    /// Message with a name for the stated positions; an error if the distance is that of another
+    /// Message with a name for the given positions; an error if the distance is that of another
     /// part.
     pub fn message(&self, places: &(impl IntoArgument + ?Sized)) -> Message {
         let Self { targets, by, found_mm, stated_mm, pair: [first, second], is_near } = self;

@@ -39,7 +39,7 @@ pub(crate) struct Weights {
 
 impl Weights {
     /// Weights of observations with `dimension` rows per measured target, which are first divided
-    /// by `unit`; `None` if no reading states a covariance.
+    /// by `unit`; `None` if no reading gives a covariance.
     pub fn new(observations: &[Observation], dimension: usize, unit: f64) -> Option<Self> {
         let mut readings = Vec::new();
         let mut row = 0;
@@ -66,7 +66,7 @@ impl Weights {
 }
 
 /// Completes missing uncertainties of readings from `settings` or, without one there, by the root
-/// mean square of the stated uncertainties. Reports the weights of readings.
+/// mean square of the given uncertainties. Reports the weights of readings.
 ///
 /// # Errors
 /// Fails if readings have no uncertainty, or if the settings do not permit a weighted comparison.

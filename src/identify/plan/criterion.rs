@@ -32,7 +32,7 @@ pub enum Criterion {
     I,
 }
 
-/// Exponent of the power mean in place of the smallest or largest eigenvalue where a derivative is
+/// Exponent of the power mean instead of the smallest or largest eigenvalue where a derivative is
 /// needed.
 const SHARP: f64 = 24.0;
 

@@ -1,4 +1,4 @@
-//! Effort of a search: as much as stated, or as much as the problem deserves.
+//! Effort of a search: as much as given, or as much as the problem deserves.
 //!
 //! Small problems are searched from many starts, and proved. A large problem ends as soon as its
 //! choice is within one per cent of the bound.
@@ -9,16 +9,16 @@ use super::criterion::Pool;
 use super::search::{Choice, exchange_from_many};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Number of random starts, unless stated.
+/// Number of random starts, unless given.
 const STARTS: u64 = 10;
-/// Largest number of nodes of branch and bound, unless stated.
+/// Largest number of nodes of branch and bound, unless given.
 const NODES: usize = 4000;
 /// Share of the index below the bound that is enough for a large problem.
 const ENOUGH: f64 = 0.01;
 /// Number of products in a step of the relaxation of the largest problem that is not large: a
 /// hundred candidates with thirty parameters.
 const LARGE: usize = 150_000;
-/// Number of products that branch and bound of a large problem may take, unless stated otherwise.
+/// Number of products that branch and bound of a large problem may take, unless given otherwise.
 const BUDGET: usize = 4_000_000_000;
 
 /// The best choice found, with its proof if a bound is known.

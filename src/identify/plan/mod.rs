@@ -88,7 +88,7 @@ pub struct Plan {
     /// Predicted result of an identification from the chosen poses.
     pub prediction: Prediction,
     /// Standard uncertainty of position from the parameters over all candidates: root mean square
-    /// and largest, in units of the stated uncertainty (or of 1 mm).
+    /// and largest, in units of the given uncertainty (or of 1 mm).
     pub workspace: (f64, f64),
 }
 
@@ -224,7 +224,7 @@ pub fn candidate_pool(known: &Sensitivity, members: &[Vec<usize>], criterion: Cr
     Pool::new(&members.iter().map(block).collect::<Vec<_>>(), scale, criterion)
 }
 
-/// Start of the thesis' procedure: the stated poses, or the two farthest apart of the poses with
+/// Start of the thesis' procedure: the given poses, or the two farthest apart of the poses with
 /// most solutions.
 fn begin(
     robot: &dyn Robot,

@@ -22,7 +22,7 @@ pub struct Order {
     pub length: f64,
 }
 
-/// Orders points by the nearest neighbour from several starts, then by exchanges of two legs
+/// Orders points by the nearest neighbour from several starts, then by swaps of two legs
 /// (2-opt; Croes 1958).
 ///
 /// The path is open. A point is its joint values at arrival and at departure; joints without a span

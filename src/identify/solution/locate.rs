@@ -21,7 +21,7 @@ pub struct Placement {
     /// All parameters (mm, rad, 1).
     pub values: Vec<f64>,
     /// Standard uncertainty (mm, rad) of each parameter that the readings determine, for residuals
-    /// of 1 mm, or of the stated standard uncertainty of a coordinate if there is one.
+    /// of 1 mm, or of the given standard uncertainty of a coordinate if there is one.
     pub uncertainties: BTreeMap<usize, f64>,
     /// Redundancy number of each measured target of each observation: the share of its error that
     /// the residual shows, 1 - h.

@@ -51,7 +51,7 @@ pub(crate) struct Identifiable {
     pub iterations: usize,
     /// Weight of nominal values.
     pub prior: Prior,
-    /// Factor of the rows of stated shapes.
+    /// Factor of the rows of given shapes.
     pub weight: f64,
 }
 
@@ -178,7 +178,7 @@ impl Estimation<'_> {
 
     /// Solves with nominal values as readings: parameters that are redundant in the data alone are
     /// held, everything else is well posed. Nominal values are weighted relative to the noise of
-    /// the residuals, if it exceeds the stated one. Returns the solution after at most `most`
+    /// the residuals, if it exceeds the given one. Returns the solution after at most `most`
     /// rounds, and the most probable prior there.
     fn with_prior(&self, start: &[f64], near: Option<Near>, most: usize) -> Result<(Identifiable, Prior)> {
         let Self { robot, observations, settings, wanted } = *self;

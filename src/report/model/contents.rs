@@ -39,7 +39,7 @@ pub(crate) struct Dates {
     pub date: Option<String>,
     /// Date of issue.
     pub issued: Option<String>,
-    /// Date of files without a stated date, from `SOURCE_DATE_EPOCH`.
+    /// Date of files without a given date, from `SOURCE_DATE_EPOCH`.
     #[serde(skip)]
     pub built: Option<Date>,
 }

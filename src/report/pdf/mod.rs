@@ -23,8 +23,8 @@ use serde_json::{Value, json};
 use typst::foundations::Bytes;
 use world::Desk;
 
-/// Date in the metadata of a PDF if neither the campaign nor `SOURCE_DATE_EPOCH` states one: PDF/A
-/// requires a date, and each page says that none is stated. The earliest date of a ZIP file.
+/// Date in the metadata of a PDF if neither the campaign nor `SOURCE_DATE_EPOCH` gives one: PDF/A
+/// requires a date, and each page says that none is given. The earliest date of a ZIP file.
 const UNDATED: Date = Date { year: 1980, month: 1, day: 1 };
 /// Maximum number of warnings before the results; further warnings are in an annex.
 const NOTICES: usize = 6;

@@ -1,4 +1,4 @@
-//! Error vectors before and after calibration, enlarged by a stated factor.
+//! Error vectors before and after calibration, enlarged by a given factor.
 
 use super::layer::*;
 use crate::number::round_down_125;

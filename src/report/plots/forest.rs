@@ -1,5 +1,5 @@
 //! Effect of each parameter at the point that it moves most: change with its interval, and the
-//! stated tolerance (forest plot).
+//! given tolerance (forest plot).
 
 use super::intervals::shortened_to;
 use super::layer::*;

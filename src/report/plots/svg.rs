@@ -216,14 +216,14 @@ impl Svg {
         }
     }
 
-    /// Writes a text; the class states its anchor.
+    /// Writes a text; the class gives its anchor.
     pub fn text(&mut self, class: &str, spot: impl Into<Spot>, text: &str) {
         let spot = spot.into();
         let (x, y, at) = (px(spot.at.0), px(spot.at.1), in_space(&[spot]));
         let _ = writeln!(self.out, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{at}>{}</text>", escape(text));
     }
 
-    /// Writes a number with the decimal mark of the language; the class states its anchor.
+    /// Writes a number with the decimal mark of the language; the class gives its anchor.
     pub fn number(&mut self, class: &str, spot: impl Into<Spot>, number: &str) {
         let number = self.words.decimal(number.to_owned());
         self.text(class, spot, &number);

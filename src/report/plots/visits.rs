@@ -10,7 +10,7 @@ const UNKNOWN: Look<'static> = Look { shape: Shape::Circle, class: "map", fill: 
 /// Largest distance from the mean that is drawn (µm); larger ones are blunders.
 const DRAWABLE_UM: f64 = 1e9;
 
-/// Names of approaches in the language of a report; names that a table states are kept.
+/// Names of approaches in the language of a report; names that a table contains are kept.
 #[derive(Clone, Copy)]
 pub(crate) struct Approaches<'a> {
     phrases: &'a BTreeMap<String, Phrase>,

@@ -13,7 +13,7 @@ use etalon_base::phrase;
 use etalon_base::pose::Vector;
 use etalon_documents::{CellAxisEntry, CellDocument, CellResidualEntry};
 
-/// Coverage factor of stated uncertainties.
+/// Coverage factor of given uncertainties.
 const COVERAGE: f64 = 2.0;
 
 /// A frame or a point.

@@ -1,5 +1,5 @@
 //! Certificate: results for the customer (ISO/IEC 17025:2017, 7.8.4), from the facts, the verdict
-//! and the results of the report. Until all fields are stated it is a draft; results of synthetic
+//! and the results of the report. Until all fields are given it is a draft; results of synthetic
 //! data cannot be certified.
 
 use super::{
@@ -54,7 +54,7 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         draft,
         sections,
         statement: format!("{} {}", whole.statement, tr!(words, "certificate-reproduction")),
-        // the table contains the headlines; next steps are opinions that a laboratory states by
+        // the table contains the headlines; next steps are opinions that a laboratory gives by
         // itself (ISO/IEC 17025:2017, 7.8.7), and the checklist follows
         verdict: Verdict {
             about: String::new(),

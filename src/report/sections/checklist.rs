@@ -6,7 +6,7 @@ use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::Results;
 
-/// A field that is not stated.
+/// A field that is not given.
 pub(super) struct Missing {
     pub field: String,
     /// Key in campaign.toml.
@@ -14,7 +14,7 @@ pub(super) struct Missing {
     clause: &'static str,
 }
 
-/// A field with its key and its clause, and `true` if it is stated.
+/// A field with its key and its clause, and `true` if it is given.
 type Field = (String, &'static str, &'static str, bool);
 
 const REPORT: &str = "ISO/IEC 17025:2017, 7.8.2.1";
@@ -26,7 +26,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section_from_missing(&missing(results, words), words)
 }
 
-/// Section of missing fields; `None` if all are stated.
+/// Section of missing fields; `None` if all are given.
 pub(super) fn section_from_missing(missing: &[Missing], words: &Words) -> Option<Section> {
     let columns = Columns::<Missing>::new()
         .page(phrase!("checklist-field"), "", |m| Text::from(m.field.clone()))
@@ -37,7 +37,7 @@ pub(super) fn section_from_missing(missing: &[Missing], words: &Words) -> Option
     section.whole()
 }
 
-/// Fields that are not stated, in the order of the clauses.
+/// Fields that are not given, in the order of the clauses.
 pub(super) fn missing(results: &Results, words: &Words) -> Vec<Missing> {
     let mut all = general(results, words);
     if !results.tested.is_empty() {

@@ -100,7 +100,7 @@ fn method(results: &Results, words: &Words) -> String {
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
 
-/// Stated temperature, and the range that the exports state.
+/// Given temperature, and the range that the exports contain.
 fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
     let stated = campaign.temperature.stated_c.map(|value| format!("{} °C", words.unrounded(value)));
     let measured = campaign.temperature.range_c.map(|[lowest, highest]| {
@@ -156,7 +156,7 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     facts
 }
 
-/// Stated uncertainty of the instrument: of a coordinate, or of a reading if no position was
+/// Given uncertainty of the instrument: of a coordinate, or of a reading if no position was
 /// measured.
 fn uncertainty(results: &Results, words: &Words) -> Option<String> {
     let c = &results.campaign;

@@ -76,7 +76,7 @@ fn change_over_u(p: &ParameterEntry) -> Option<f64> {
     Some((p.value - nominal?) / p.standard_uncertainty?).filter(|ratio| ratio.is_finite())
 }
 
-/// `true` if nominal values of a group are stated: base and targets without nominal values start at
+/// `true` if nominal values of a group are given: base and targets without nominal values start at
 /// zero.
 fn has_nominal(parameters: &[&ParameterEntry]) -> bool {
     parameters.iter().any(|p| p.role == Role::Robot || p.tolerance.is_some() || p.nominal != 0.0)

@@ -69,7 +69,7 @@ pub(super) fn interval(of: Option<Iso9283Interval>, words: &Words) -> Cell {
     numbers(of.map(|i| tr!(words, "range", from = um(i.low_mm), to = um(i.high_mm))))
 }
 
-/// Conformity with a stated limit, by the interval.
+/// Conformity with a given limit, by the interval.
 pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     of.map_or(Cell::Missing, |c| match c {
         Conformity::Conforming => term(words, phrase!("conforming")),

@@ -48,7 +48,7 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
         }
         None => tr!(words, "errors-before-after", set = words.tr(&s.name.phrase())),
     });
-    // a platform without a stated point has its centre, which nobody measured
+    // a platform without a given point has its centre, which nobody measured
     let is_stated = |tool: &&ToolAccuracy| tool.frame != ToolFrame::Platform || tool.point_mm != [0.0; 3];
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).filter(is_stated);
     let tool = tool.map(|tool| at_tool(tool, words));
@@ -435,7 +435,7 @@ fn within(within: bool, allowed: &str, words: &Words) -> String {
     }
 }
 
-/// Conformity of the poses by guarded acceptance, if a limit is stated.
+/// Conformity of the poses by guarded acceptance, if a limit is given.
 fn conformity(document: &Iso9283Document, of: PoseCharacteristic, words: &Words) -> Option<String> {
     let poses = |what| -> Vec<String> {
         document.poses.iter().filter(|p| (of.conformity)(p) == Some(what)).map(|p| p.pose.to_string()).collect()
@@ -535,7 +535,7 @@ mod tests {
         assert!(sentence(&documents).contains(" at 5 validation poses: "), "{}", sentence(&documents));
         position(&mut documents, 5, 7);
         assert!(sentence(&documents).contains(" at 5 validation poses (7 readings): "), "{}", sentence(&documents));
-        // earlier documents state no poses of a quantity
+        // earlier documents contain no poses of a quantity
         position(&mut documents, 0, 51);
         assert!(sentence(&documents).contains(" at 51 validation poses: "), "{}", sentence(&documents));
     }

@@ -27,7 +27,7 @@ fn demo() -> CompareDocument {
     compare(&[first, compared("autumn", later, demo_streams::streams())]).unwrap()
 }
 
-/// The demo with one text in place of every name.
+/// The demo with one text instead of every name.
 fn named(text: &str) -> CompareDocument {
     let streams = |path: usize| {
         let mut streams = demo_streams::streams();

@@ -88,7 +88,7 @@ fn drawn(seed: u64, trial: u64, [noise_mm, stated_mm]: [f64; 2]) -> Option<Drawn
     }
     let settings = Settings { standard_uncertainty_mm: Some(stated_mm), prior: Prior::None, ..Settings::default() };
     let found = identify(&robot, &observations, &settings).ok()?;
-    // the stated uncertainty alone: chi-square may not enlarge it
+    // the given uncertainty alone: chi-square may not enlarge it
     let stated = |i: usize| Some(found.standard_uncertainty(i)? / found.uncertainty.inflation_factor);
     let held = found.free.iter().map(|&i| Some((found.values[i] - truth[i]).abs() <= NORMAL_95 * stated(i)?));
     Some(Drawn {

@@ -8,7 +8,7 @@ use etalon_base::{error, phrase};
 use etalon_documents::ReferenceFile;
 use serde_json::{Map, Value};
 
-/// Hashes of the embedded files beside those that the program states.
+/// Hashes of the embedded files beside those that the program gives.
 pub(super) fn files() -> Vec<ReferenceFile> {
     let expected = |name: &str| {
         let line = SHA256.lines().find_map(|line| line.strip_suffix(name)?.strip_suffix("  "));
@@ -122,7 +122,7 @@ fn flatten(value: &Value, into: &mut Vec<f64>) {
 pub(super) enum Slip {
     /// A wrong digit: this significant digit of a number, from 1.
     Digit(&'static str, usize),
-    /// Two exchanged values.
+    /// Two swapped values.
     Swap(&'static str, &'static str),
     /// Another unit: all numbers below a pointer by this factor.
     Unit(&'static str, f64),
@@ -202,7 +202,7 @@ mod tests {
         let expected = etalon_base::files::sha256(text.as_bytes());
         assert!(reference_file(name, text, &expected).pass);
         assert!(!reference_file(name, &text.replacen('1', "2", 1), &expected).pass);
-        // a file without a stated hash
+        // a file without a given hash
         assert!(!reference_file(name, text, "").pass);
     }
 

@@ -70,7 +70,7 @@ fn written(name: &str, unit: Unit, rows: &mut Rows) {
         Err(WriteError::Unsupported(_)) => return,
         Err(WriteError::Row(message)) => return rows.failed(not_made(name, &message)),
     };
-    // a file whose headings state another unit is rejected, as it must be
+    // a file whose headings give another unit is rejected, as it must be
     if format.heading_unit().is_some_and(|stated| stated != unit) {
         return;
     }

@@ -99,7 +99,7 @@ fn circle(fit: &Fit, answer: &[f64]) -> f64 {
     centre.max((2.0 * radius - answer[6]).abs()).max(angle(normal, vector(&answer[3..])))
 }
 
-/// NIST states the orthogonal distance from a point of the axis to the surface, and the full apex
+/// NIST gives the orthogonal distance from a point of the axis to the surface, and the full apex
 /// angle in degrees.
 fn cone(fit: &Fit, answer: &[f64]) -> f64 {
     let (Some(axis), Some(apex), Some(opening), true) =

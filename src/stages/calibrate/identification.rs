@@ -227,7 +227,7 @@ fn exclude_outliers(robot: &dyn Robot, rule: OutlierRule, solution: Solution) ->
     if rule == OutlierRule::Exclude { solution.without_outliers(robot) } else { Ok((solution, Vec::new())) }
 }
 
-/// Error about commanded positions in place of measured ones; simulated positions are commanded.
+/// Error about commanded positions instead of measured ones; simulated positions are commanded.
 fn commanded_positions(campaign: &Campaign, robot: &dyn Robot, solution: &Solution) -> Option<Message> {
     let is_measured = campaign.file.synthetic.is_none();
     is_measured.then(|| commanded(robot, &solution.before, &solution.basis.sets.calibration)).flatten()

@@ -117,7 +117,7 @@ impl<'a> Input<'a> {
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
-            // each table states its own
+            // each table contains its own
             order: None,
         };
         let place = |problems: Problems| {

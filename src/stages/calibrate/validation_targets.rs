@@ -154,7 +154,7 @@ impl ExtendAt for Vec<Vec<f64>> {
 }
 
 /// Returns the parameters of each target and fixture with validation readings only: no calibration
-/// reading, no stated position, no tolerance, and no rigid part with a located target.
+/// reading, no given position, no tolerance, and no rigid part with a located target.
 fn unplaced(robot: &dyn Robot, arm: &dyn FreeBase, sets: &Sets, settings: &Settings) -> Vec<Vec<usize>> {
     let of = |observations: &[Observation], conditions: &[Condition]| -> Vec<Vec<usize>> {
         let conditions = conditions.iter().flat_map(|c| c.shows(arm));

@@ -59,7 +59,7 @@ pub(super) fn unit_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, V
     UNITS.iter().map(|(factor, unit)| (phrase!("cell-change-unit", side, unit = *unit), scaled(*factor))).collect()
 }
 
-/// Poses with two coordinates of the positions exchanged, or one with the other sign.
+/// Poses with two coordinates of the positions swapped, or one with the other sign.
 pub(super) fn axis_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
     const NAMES: [&str; 3] = ["x", "y", "z"];
     let poses = written.poses();

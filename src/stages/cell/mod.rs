@@ -90,9 +90,9 @@ pub(crate) struct CellStated {
     pub position_mm: Option<f64>,
     /// Standard uncertainty of an orientation about any axis (rad).
     pub rotation_rad: Option<f64>,
-    /// Columns whose source is stated.
+    /// Columns whose source is given.
     pub columns: Vec<String>,
-    /// Stated bound of the uncertainties of the answer.
+    /// Given bound of the uncertainties of the answer.
     pub bound: UncertaintyBound,
 }
 
@@ -137,7 +137,7 @@ pub(crate) fn cell(file: &TableFile, stated: &CellStated) -> Result<CellDocument
     solve(file, stated).map_err(|problems| file.place(problems))
 }
 
-/// Warning of stated columns without an effect on the problem.
+/// Warning of given columns without an effect on the problem.
 fn unused(stated: &CellStated) -> Option<Message> {
     let unused = stated.columns.iter().filter(|column| !readings::is_read(stated.solve, column));
     let columns: Vec<String> = unused.map(|column| format!("`{column}`")).collect();
@@ -271,7 +271,7 @@ impl Task<'_> {
         .into()
     }
 
-    /// Refuses data that a change explains, and which cannot be explained as they are.
+    /// Rejects data that a change explains, and which cannot be explained as they are.
     fn refuse_slips(&self, found: &Quality, changes: Vec<AlternativeFit<Phrase>>) -> Result<()> {
         let explaining = explained(found, changes);
         let Some(best) = explaining.first() else { return Ok(()) };
@@ -333,7 +333,7 @@ impl Task<'_> {
                 all.push(AlternativeFit { change, quality: quality.in_unit(factor) });
             }
         }
-        // all exchanges and signs of measured coordinates are equal up to a rotation
+        // all swaps and signs of measured coordinates are equal up to a rotation
         let mirrored: Vec<Vector> = points.iter().map(|p| [p[0], p[1], -p[2]]).collect();
         let mirrored = solved(&poses, &mirrored);
         let change = || phrase!("cell-change-measured-mirrored");

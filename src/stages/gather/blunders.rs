@@ -46,7 +46,7 @@ pub(super) fn check(campaign: &Campaign) -> Problems {
     Problems(rules.filter_map(|(i, rigid)| stated(campaign, rigid, i).err()).collect())
 }
 
-/// Refuses points whose distances to the other targets of their rigid part differ from the median
+/// Rejects points whose distances to the other targets of their rigid part differ from the median
 /// by more than the tolerance.
 pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &mut [Source]) -> Result<Vec<Message>> {
     let mut problems = Problems::default();
@@ -78,7 +78,7 @@ pub(super) fn refuse(campaign: &Campaign, columns: &mut PointColumns, sources: &
                 source.refused.push(Refused::new(point.line as usize, &point.text, reason));
             }
         }
-        // sorted once: the rows of many poses may be refused
+        // sorted once: the rows of many poses may be rejected
         sources.iter_mut().for_each(|source| source.refused.sort_by_key(|r| r.line));
         for (target, message) in wholly_refused(campaign, rigid, &columns.points, &refused) {
             columns.refused_targets.push(target);
@@ -225,7 +225,7 @@ fn contradicted(campaign: &Campaign, rigid: &Rigid, points: &[Point], groups: &G
     chi_square_exceeds(square, pairs).then(|| message().at(place(campaign, rigid)))
 }
 
-/// Indices of the points to refuse, with reasons.
+/// Indices of the points to reject, with reasons.
 fn violations(rigid: &Rigid, points: &[Point], groups: &Groups) -> BTreeMap<usize, Phrase> {
     let names: Vec<&str> = rigid.targets.iter().map(|t| t.get_ref().as_str()).collect();
     let distance = |seen: &[Option<usize>], (a, b): (usize, usize)| {
@@ -320,7 +320,7 @@ impl Exchange<'_> {
             |k: usize| (0..seen.len()).filter(move |other| *other != k).map(move |other| (k.min(other), k.max(other)));
         let candidates: BTreeSet<(usize, usize)> = with(first).chain(with(second)).collect();
         let mut found = candidates.into_iter().filter(fits);
-        // several exchanges, or a distance alone, name nobody
+        // several swaps, or a distance alone, name nobody
         found.next().filter(|_| measured > 2 && found.next().is_none())
     }
 }

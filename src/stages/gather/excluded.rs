@@ -7,7 +7,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{Refused, Source, SourceKind};
 
-/// Excludes the rows that `[[identify.exclude]]` names: they are listed among the refused rows,
+/// Excludes the rows that `[[identify.exclude]]` names: they are listed among the rejected rows,
 /// with their reasons.
 pub(super) fn leave_out(
     campaign: &Campaign,

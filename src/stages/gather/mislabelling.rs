@@ -189,7 +189,7 @@ pub(super) fn check(campaign: &Campaign) -> Problems {
 }
 
 /// Returns warnings about fixed targets that drift: the medians of two tenths of their rows are
-/// farther apart than stated.
+/// farther apart than given.
 pub(super) fn drifting(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let mut warnings = Vec::new();
     for fixed in &campaign.file.fixed {

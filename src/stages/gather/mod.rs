@@ -1,7 +1,7 @@
 //! Gather: the exports and logs of a campaign become points and joint values.
 //!
-//! No input is repaired in silence: a row that means "not measured" is refused by rule and listed,
-//! anything else that does not read as stated is an error with its place, and one run reports all
+//! No input is repaired in silence: a row that means "not measured" is rejected by rule and listed,
+//! anything else that does not read as given is an error with its place, and one run reports all
 //! of them.
 
 mod blunders;
@@ -40,9 +40,9 @@ pub struct Gathered {
     pub(crate) observations: Option<TableFile>,
     /// `true` if rows of a target are left out because they have no pose.
     pub(crate) has_rows_without_pose: bool,
-    /// Targets of rigid parts whose rows are all refused.
+    /// Targets of rigid parts whose rows are all rejected.
     pub(crate) refused_targets: Vec<String>,
-    /// Files that were read, and rows that were refused.
+    /// Files that were read, and rows that were rejected.
     pub document: ImportDocument,
 }
 

@@ -30,7 +30,7 @@ pub(super) struct PointColumns {
     pub remarks: Vec<Message>,
     /// `true` if rows of a target are left out because they have no pose.
     pub has_rows_without_pose: bool,
-    /// Targets of rigid parts whose rows are all refused.
+    /// Targets of rigid parts whose rows are all rejected.
     pub refused_targets: Vec<String>,
 }
 
@@ -50,7 +50,7 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the rows of an export; rows that were not measured are added to the refused rows of
+    /// Adds the rows of an export; rows that were not measured are added to the rejected rows of
     /// the source. Returns the errors of the other rows.
     fn add(&mut self, campaign: &Campaign, export: &Export, rows: Vec<Point>, source: &mut Source) -> Problems {
         let mut problems = Problems::default();

@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
 /// Determines the robot by geometry alone, and compares it with the parameters identified from the
-/// same campaign, if any; steps that are not stated are omitted. `None` if the campaign has no
+/// same campaign, if any; steps that are not given are omitted. `None` if the campaign has no
 /// `[geometric]`.
 pub fn calibrate(
     campaign: &Campaign,
@@ -233,7 +233,7 @@ fn step(name: Phrase, scatter: &Scatter, coverage_deg: Option<f64>) -> Geometric
     }
 }
 
-/// Returns a warning if residuals exceed the stated uncertainty of the instrument.
+/// Returns a warning if residuals exceed the given uncertainty of the instrument.
 fn scatter_message(step: &GeometricStep) -> Option<Message> {
     let (found_mm, stated_mm) = (step.standard_deviation_mm, step.expected_mm);
     (step.enlarged_by > 1.0).then(|| warning!("step-scatters", step = step.name, found_mm, stated_mm))

@@ -217,7 +217,7 @@ fn in_order(
     for &cycle in &cycles {
         for (i, pose) in trajectory.iter().enumerate() {
             let before = trajectory[(i + trajectory.len() - 1) % trajectory.len()];
-            // where the robot came from at first is not stated
+            // where the robot came from at first is not given
             let approach = (i > 0 || Some(cycle) != first).then(|| from_pose(before));
             if let Some(p) = measured.get_mut(&(*pose, cycle)).and_then(Iterator::next) {
                 all.push(visit(*pose, cycle, approach, world_T_export.apply(p)));

@@ -24,7 +24,7 @@ pub struct TestStatement<'a> {
     pub near_mm: f64,
     /// Limit band.
     pub band_mm: Option<f64>,
-    /// `true` if a commanded path is stated.
+    /// `true` if a commanded path is given.
     pub path: bool,
     /// Number of command points on it.
     pub path_points: usize,
@@ -36,7 +36,7 @@ pub struct TestStatement<'a> {
     pub weave_stroke_mm: Option<f64>,
     /// Frequency of the weave in full swings.
     pub weave_hz: Option<f64>,
-    /// Direction of the weave: x, y and z; empty if not stated.
+    /// Direction of the weave: x, y and z; empty if not given.
     pub weave_across: &'a [f64],
 }
 

@@ -1,4 +1,4 @@
-//! Join by label: the log states the measured point that the robot touches. A plate is measured
+//! Join by label: the log contains the measured point that the robot touches. A plate is measured
 //! once; after that, only encoders are read.
 
 use super::unmatched::At;

@@ -192,7 +192,7 @@ struct Recorded<'a> {
     robot: &'a dyn Robot,
 }
 
-/// Joins targets in the world with one log, by the key that the campaign states.
+/// Joins targets in the world with one log, by the key that the campaign contains.
 fn with_log(
     campaign: &Campaign,
     join: &Join,
@@ -237,7 +237,7 @@ fn with_log(
     Ok(joined)
 }
 
-/// The clocks: as stated, or from the standstills of the log, with a remark.
+/// The clocks: as given, or from the standstills of the log, with a remark.
 fn clock(campaign: &Campaign, join: &Join, targets: &[Target], log: &JointLog, remarks: &mut Remarks) -> Result<Clock> {
     if join.clock_offset_s != Some(ClockOffset::Standstills) {
         return Ok(Clock::with_offset(join.stated_offset_s().unwrap_or(0.0)));
@@ -436,7 +436,7 @@ fn check_stations(campaign: &Campaign, imported: &Gathered) -> Result<()> {
     problems.check().map(|_| ())
 }
 
-/// The covariance of a point along the axes of its export, if its row states one or the instrument
+/// The covariance of a point along the axes of its export, if its row contains one or the instrument
 /// measures range and angles.
 fn export_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     let Some(u) = point.standard_uncertainty_mm.as_ref() else {
@@ -496,7 +496,7 @@ fn equal_counts<'a>(
 /// Largest motion (mm or deg) of the encoder of a stationary joint.
 const STILL: f64 = 0.01;
 
-/// A log with the directions of approach of the joints with backlash: stated ones, or those from
+/// A log with the directions of approach of the joints with backlash: given ones, or those from
 /// the order of its times.
 fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, JointLog>> {
     let mut log = Cow::Borrowed(log);
@@ -519,7 +519,7 @@ fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, J
     Ok(log)
 }
 
-/// Checks the payload and other values that each row of a log states.
+/// Checks the payload and other values that each row of a log contains.
 fn check_stated(log: &JointLog, robot: &dyn Robot) -> Result<()> {
     for (&stated, column) in robot.circumstances().iter().zip(&stated_columns(robot)) {
         let found = log.joints.iter().position(|name| name == column);

@@ -90,7 +90,7 @@ impl Observations {
         }
     }
 
-    /// Times of the observations; empty if not stated.
+    /// Times of the observations; empty if not given.
     pub fn times(&self) -> Result<Vec<ObservationTime>> {
         match self {
             Self::Table(table) if !table.has(TIME) => Ok(Vec::new()),

@@ -1,5 +1,5 @@
-//! Values that each reading states: torques and temperatures that do not vary, implausible
-//! temperatures, torques of other signs, exchanged columns.
+//! Values that each reading gives: torques and temperatures that do not vary, implausible
+//! temperatures, torques of other signs, swapped columns.
 
 use crate::stages::evaluate::sets::Sets;
 use etalon_base::message::Message;
@@ -14,7 +14,7 @@ const WORKSHOP_C: [f64; 2] = [0.0, 55.0];
 /// Standard uncertainties by which a compliance differs from zero.
 const SIGNIFICANCE: f64 = 3.0;
 
-/// Position of each value that a reading states behind its joint values.
+/// Position of each value that a reading gives behind its joint values.
 fn positions(robot: &dyn Robot) -> impl Iterator<Item = (usize, Circumstance)> + '_ {
     (robot.joints().len() + robot.approached().len()..).zip(robot.circumstances().iter().copied())
 }
@@ -93,8 +93,8 @@ pub(crate) fn torque_signs(robot: &dyn Robot, found: &Identification) -> Option<
         .then(|| warning!("torque-signs-differ", positive, negative).to_decide())
 }
 
-/// Returns a warning if the readings as stated are not explained, and are explained with the
-/// torques of two joints exchanged.
+/// Returns a warning if the readings as given are not explained, and are explained with the
+/// torques of two joints swapped.
 pub(crate) fn exchanged_torques(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -1,4 +1,4 @@
-//! Commanded coordinates in place of measured ones: the nominal robot computes them from the joint
+//! Commanded coordinates instead of measured ones: the nominal robot computes them from the joint
 //! values.
 
 use etalon_base::message::Message;

@@ -35,7 +35,7 @@ pub(crate) fn ambiguity(robot_file: &RobotFile, robot: &dyn Robot, solution: &So
     settings.hold.extend(other.parameters().iter().filter(is_held).map(|p| p.name.clone()));
     let with = identify_from(other.as_ref(), &sets.calibration, &settings, &start).ok()?;
     let (chi_square, of_other) = (found.residuals.chi_square?, with.residuals.chi_square?);
-    // residuals beyond the stated uncertainty tell less
+    // residuals beyond the given uncertainty tell less
     let scale = (chi_square / found.residuals.degrees_of_freedom.max(1) as f64).max(1.0);
     let stated = if of_base { "pedestal" } else { "lateral" };
     let message = warning!("tilt-of-base-or-joint", stated, joint, chi_square, of_other);

@@ -17,7 +17,7 @@ const STEPS: usize = 300;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
 /// Largest distance (mm) and rotation (rad) of a base from its nominal position in robot.toml, if
-/// robot.toml states no tolerance.
+/// robot.toml gives no tolerance.
 const BASE: (f64, f64) = (100.0, 0.2);
 
 /// A point with a nominal position.
@@ -29,7 +29,7 @@ struct Nominal<'a> {
     expanded_mm: f64,
 }
 
-/// Rejects points farther from their nominal positions than their stated tolerance and uncertainty
+/// Rejects points farther from their nominal positions than their given tolerance and uncertainty
 /// allow.
 ///
 /// # Errors
@@ -219,7 +219,7 @@ fn once_measured(world: &WorldDefinition, features: &FeaturesDocument) -> Vec<St
     names
 }
 
-/// Returns a warning if the identified base is far from its position in robot.toml, which states no
+/// Returns a warning if the identified base is far from its position in robot.toml, which gives no
 /// tolerance.
 pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) -> Option<Message> {
     let stated = base(robot).all(|name| campaign.robot.states_nominal(name)) && robot.free_base().is_some();
@@ -241,7 +241,7 @@ pub fn base_elsewhere(campaign: &Campaign, robot: &dyn Robot, values: &[f64]) ->
     if off_mm <= BASE.0 && off_rad <= BASE.1 {
         return None;
     }
-    // axes of the world that are exchanged carry the nominal base to the identified one
+    // axes of the world that are swapped carry the nominal base to the identified one
     let exchanged = cube().into_iter().find(|turn| {
         let carried = turn.then(&nominal);
         let left = carried.inverse().then(&found);

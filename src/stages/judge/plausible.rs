@@ -34,7 +34,7 @@ const FAR: f64 = 4.0;
 /// it.
 const FAR_ALONG: f64 = 6.0;
 /// Residuals beyond this multiple of the root mean square are examined as outliers if no
-/// uncertainty is stated.
+/// uncertainty is given.
 const SPIKE: f64 = 5.0;
 /// Minimum number of parameters with a common factor.
 const FEWEST_SCALED: usize = 4;
@@ -54,7 +54,7 @@ const CHANCE: f64 = 1e-3;
 /// Maximum ratio of errors after to errors before that noise of an already good robot can cause.
 const WORSE: f64 = 1.1;
 
-/// Judgement of the set-up of a solution; of exchanged balls nothing else is judged.
+/// Judgement of the set-up of a solution; of swapped balls nothing else is judged.
 pub(crate) fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     match exchanged(robot, &found.values) {
@@ -262,7 +262,7 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
     Some(warning!("compliance-negative", parameter, value, unit).to_decide())
 }
 
-/// Returns a warning if the data reject the stated centres of mass, and a change of their columns
+/// Returns a warning if the data reject the given centres of mass, and a change of their columns
 /// explains the data.
 fn wrong_loads(
     robot: &dyn Robot,
@@ -321,7 +321,7 @@ fn is_no_error(message: &Message) -> bool {
     message.severity != Severity::Error
 }
 
-/// Returns a warning about poses whose joint values are exchanged.
+/// Returns a warning about poses whose joint values are swapped.
 fn poses_exchanged(robot: &dyn Robot, observations: &[Observation], robust: &RobustFit) -> Option<Message> {
     let pairs = exchanged_poses(robot, observations, robust);
     let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);

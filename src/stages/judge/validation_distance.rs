@@ -1,4 +1,4 @@
-//! Distances of the validation poses from the calibration poses: stated errors apply at such
+//! Distances of the validation poses from the calibration poses: given errors apply at such
 //! distances.
 
 use crate::stages::evaluate::sets::Sets;

@@ -37,7 +37,7 @@ pub fn text<'a>(cells: &'a ByColumn, column: &str) -> Option<&'a str> {
     }
 }
 
-/// Schema of the cells stated by a truth, by column.
+/// Schema of the cells given by a truth, by column.
 pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
     let texts = names().map(|name| (name, generator.subschema_for::<Option<String>>()));
     let mut properties: Map<String, _> = texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();

@@ -17,7 +17,7 @@ pub struct Facts {
     pub name: &'static str,
     /// Columns of numbers in addition to positions and uncertainties.
     pub numbers: Vec<&'static str>,
-    /// Columns of numbers stated by a truth; the others are simulated.
+    /// Columns of numbers given by a truth; the others are simulated.
     pub stated: &'static [&'static str],
     /// `true` if a row contains the position of its target.
     pub has_position: bool,
@@ -113,7 +113,7 @@ pub struct Measurement<'a> {
     pub noise: &'a mut Noise,
     /// Standard deviation of a length, mm.
     pub sigma_mm: f64,
-    /// Standard deviation of an angle (rad); the error if none is stated.
+    /// Standard deviation of an angle (rad); the error if none is given.
     pub sigma_rad: std::result::Result<f64, Message>,
     /// The order of the three angles of an orientation, if it is written as angles.
     pub order: Option<AngleOrder>,

@@ -34,7 +34,7 @@ pub fn columns<'a>() -> Vec<&'a str> {
 pub struct Row<'t> {
     /// Index of the row in the table.
     pub(super) index: usize,
-    /// References of the row; its kind as stated, or `pose` and `point` with and without an
+    /// References of the row; its kind as given, or `pose` and `point` with and without an
     /// orientation.
     pub(super) cells: Cells<'t>,
     /// Name of the pose; `None` for rows about fixed points and surfaces alone.
@@ -48,7 +48,7 @@ pub struct Row<'t> {
     pub(super) orientation: Written,
     /// The order of three angles of an orientation.
     pub(super) order: Option<AngleOrder>,
-    /// Standard uncertainty of a length (mm): the row's own, or the one stated for all rows.
+    /// Standard uncertainty of a length (mm): the row's own, or the one given for all rows.
     pub(super) u_mm: f64,
     pub(super) u_axes_mm: Vector,
     /// Standard uncertainty of a rotation (rad), likewise.
@@ -211,7 +211,7 @@ fn other_stations(table: &Table) -> Vec<Option<String>> {
     rows.clone().map(|row| station(row).filter(|name| Some(*name) != world).map(str::to_owned)).collect()
 }
 
-/// Numbers of repeats; 1 if none is stated.
+/// Numbers of repeats; 1 if none is given.
 fn row_cycles(table: &Table) -> Result<Vec<i64>> {
     if !table.has("cycle") {
         return Ok(vec![1; table.height()]);

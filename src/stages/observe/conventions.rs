@@ -1,4 +1,4 @@
-//! Conventions of orientations. A table states orientations in a unit, an order, a handedness and a
+//! Conventions of orientations. A table contains orientations in a unit, an order, a handedness and a
 //! direction; each may differ from the columns. The judge of the set-up compares every way of
 //! reading them.
 
@@ -19,7 +19,7 @@ const RIGHT: f64 = 3.0 * DEG;
 const DEG: f64 = std::f64::consts::PI / 180.0;
 
 /// Returns an error that names the change with which observed orientations fit the robot, where
-/// they contradict it as stated. `written` are the orientations of the table that are in the world,
+/// they contradict it as given. `written` are the orientations of the table that are in the world,
 /// in the order of the conditions.
 pub fn wrong(
     robot: &dyn Robot,

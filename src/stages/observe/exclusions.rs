@@ -10,7 +10,7 @@ use etalon_robots::Robot;
 use std::collections::BTreeSet;
 use toml::Spanned;
 
-/// A rule of exclusion, and the place where it is stated.
+/// A rule of exclusion, and the place where it is given.
 #[derive(Clone, Debug)]
 pub struct Exclusion {
     /// The rule.
@@ -38,10 +38,10 @@ impl Exclusion {
         })
     }
 
-    /// The rule stated by an option `POSES: REASON`.
+    /// The rule given by an option `POSES: REASON`.
     ///
     /// # Errors
-    /// Fails if an option states no reason.
+    /// Fails if an option gives no reason.
     pub fn parse_option(option: &str, text: &str) -> Result<(StatedPoses, String)> {
         let (named, reason) = text.split_once(':').unwrap_or((text, ""));
         if reason.trim().is_empty() {

@@ -10,16 +10,16 @@ use etalon_robots::{Joint, JointRange, Quantity, Robot};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Allowance of a joint beyond its stated limits, as a share of their distance: limits are nominal,
+/// Allowance of a joint beyond its given limits, as a share of their distance: limits are nominal,
 /// the zero of the joint is off by what homing leaves, and a drive overshoots.
 const OVERSHOOT: f64 = 0.01;
-/// Largest angle (rad) of a joint without stated limits: joints of arms turn by up to 1.3 turns to
+/// Largest angle (rad) of a joint without given limits: joints of arms turn by up to 1.3 turns to
 /// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
 /// Largest distance of a value from the middle half of its column, in widths of that half, for a
 /// continuous joint.
 const WIDTHS_OF_ANGLES: f64 = 3.0;
-/// Largest distance (mm) of a value of a prismatic joint without stated limits from the middle
+/// Largest distance (mm) of a value of a prismatic joint without given limits from the middle
 /// half: no machine has a longer axis.
 const LARGEST_LENGTH: f64 = 1e5;
 /// Largest distance for such a joint, in widths of the middle half.
@@ -49,9 +49,9 @@ struct Expected {
 /// Use of joint values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Joints {
-    /// Measured values: a joint cannot have been beyond the stated limits.
+    /// Measured values: a joint cannot have been beyond the given limits.
     Measured,
-    /// Candidates, or values for computing poses: the caller reports values beyond the stated
+    /// Candidates, or values for computing poses: the caller reports values beyond the given
     /// limits.
     Proposed,
 }

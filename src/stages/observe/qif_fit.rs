@@ -1,4 +1,4 @@
-//! Fits of measured features of a QIF file, compared with the values stated in the file.
+//! Fits of measured features of a QIF file, compared with the values given in the file.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Problems, Result};
@@ -22,12 +22,12 @@ pub struct ProbeStated {
 /// points are probe centres, and compares it with the values of the file; `None` if it has no
 /// points or is not an element.
 ///
-/// A circle whose stated normal is exactly an axis of coordinates is fitted in that plane: no
+/// A circle whose given normal is exactly an axis of coordinates is fitted in that plane: no
 /// measured normal is.
 ///
 /// # Errors
 /// Fails if the points do not determine the element, or if they are probe centres and neither the
-/// file nor the user states the size and side of the probe.
+/// file nor the user gives the size and side of the probe.
 pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStated) -> Result<Option<FitDocument>> {
     let Some(element) = feature.element().filter(|_| !feature.points_mm.is_empty()) else { return Ok(None) };
     let label = feature.label();
@@ -68,7 +68,7 @@ fn probe_and_source(feature: &MeasuredFeature, centres: &Fit, stated: ProbeState
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
-/// The side of the probe as far as the file states it, and its source.
+/// The side of the probe as far as the file gives it, and its source.
 fn side_and_source(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {
@@ -110,7 +110,7 @@ fn from_axis(p: Vector, axis_point: Vector, d: Vector) -> Vector {
     std::array::from_fn(|k| w[k] - along * d[k])
 }
 
-/// The stated values, and the deviations of the fit from them.
+/// The given values, and the deviations of the fit from them.
 fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
     let stated = &feature.stated;
     let apart = |p: Vector| match (fit.element, fit.geometry.direction) {
@@ -120,7 +120,7 @@ fn against(feature: &MeasuredFeature, fit: &Fit) -> FitStated {
     };
     let angle_deg = |(a, b): (Vector, Vector)| norm(cross(a, b)).atan2(dot(a, b).abs()).to_degrees();
     let less = |fitted: Option<f64>, stated: Option<f64>| Some(fitted? - stated?);
-    // the radius of a cone is stated at a point of the file's choice
+    // the radius of a cone is given at a point of the file's choice
     let radius_mm = fit.geometry.radius_mm.filter(|_| fit.element != Element::Cone);
     FitStated {
         id: feature.id.clone(),

@@ -69,7 +69,7 @@ pub fn replace_table_zeros<'t>(table: &'t Table, messages: &mut Vec<Message>) ->
     }
     let mut are_zero = false;
     for group in [&UNCERTAINTIES[..], &COVARIANCES, &["u_mm"], &["urot_deg"]] {
-        // a row states all numbers of a group or none
+        // a row contains all numbers of a group or none
         let mut unread = vec![false; table.height()];
         for (name, values) in columns.iter_mut().filter(|(name, _)| group.contains(name) && !MIXED.contains(name)) {
             let Some(zeros) = Zeros::new(values) else { continue };

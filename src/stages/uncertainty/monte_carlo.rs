@@ -1,4 +1,4 @@
-//! Distributions of the results of a campaign: by simulated errors of all stated uncertainties of
+//! Distributions of the results of a campaign: by simulated errors of all given uncertainties of
 //! its readings, propagated through frames and identification (JCGM 101:2008, Monte Carlo), and by
 //! resampling of measured poses and cycles (bootstrap).
 
@@ -406,7 +406,7 @@ impl<'a> Trials<'a> {
     }
 }
 
-/// A reading, and its scatter by its own covariance or the stated uncertainty.
+/// A reading, and its scatter by its own covariance or the given uncertainty.
 fn reading(
     o: &Observation,
     settings: &Settings,

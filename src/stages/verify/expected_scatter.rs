@@ -20,12 +20,12 @@ pub struct ExpectedScatter {
 }
 
 impl ExpectedScatter {
-    /// Scatter from the residuals of a calibration. The stated uncertainty of a quantity counts if
+    /// Scatter from the residuals of a calibration. The given uncertainty of a quantity counts if
     /// its residuals agree with it, otherwise the residuals count: a model error enlarges them, and
-    /// an uncertainty may be stated too large.
+    /// an uncertainty may be given too large.
     ///
     /// # Errors
-    /// Fails if the calibration has neither residuals nor a stated uncertainty.
+    /// Fails if the calibration has neither residuals nor a given uncertainty.
     pub fn from_document(robot: &dyn Robot, document: &ParametersDocument) -> Result<Self> {
         let residuals = &document.residuals;
         let position_rms_mm = residuals.position.position_rms_mm.map(|rms| rms / (robot.dimension() as f64).sqrt());
@@ -64,12 +64,12 @@ impl ExpectedScatter {
 struct Shown {
     rms: f64,
     count: usize,
-    /// Stated standard uncertainty.
+    /// Given standard uncertainty.
     stated: Option<f64>,
 }
 
 impl Shown {
-    /// Standard deviation of a new value; `None` without degrees of freedom and a stated
+    /// Standard deviation of a new value; `None` without degrees of freedom and a given
     /// uncertainty.
     fn scatter(&self, all: &ResidualSummary) -> Option<f64> {
         let share = all.degrees_of_freedom as f64 / all.count.max(1) as f64;

@@ -30,7 +30,7 @@ pub struct EarlierCalibration<'r> {
     noise: ExpectedDeviation,
     /// Nominal parameters, with the base and targets that were fitted to them.
     nominal: Vec<f64>,
-    /// Stated bound of the smallest changes that chosen poses have to detect.
+    /// Given bound of the smallest changes that chosen poses have to detect.
     bound: UncertaintyBound,
     messages: Vec<Message>,
 }
@@ -181,7 +181,7 @@ fn by_pose(robot: &dyn Robot, observations: &[Observation], values: [&Vec<f64>; 
 
 /// Chooses `count` of the candidate poses for a calibration and its uncertainty: one by one the
 /// pose with the smallest product of the smallest detectable changes and of those from which a
-/// joint is named; then each is exchanged for a better one (Fedorov 1972).
+/// joint is named; then each is swapped for a better one (Fedorov 1972).
 pub fn plan(
     calibration: EarlierCalibration,
     mut candidates: Vec<Observation>,
@@ -219,7 +219,7 @@ pub fn plan(
     };
     let mut chosen: Vec<PoseName> = Vec::new();
     for k in 0..2 * count {
-        // the first round adds, the second exchanges
+        // the first round adds, the second swaps
         let others: Vec<PoseName> =
             chosen.iter().enumerate().filter(|(i, _)| k < count || *i != k - count).map(|(_, p)| *p).collect();
         let Some((_, pose)) = best(&others) else { break };
@@ -283,7 +283,7 @@ fn undetected(
 /// Assumed size (mm or rad) of a change that the chosen poses do not detect.
 const UNSEEN: f64 = 1e3;
 
-/// Maximum number of targets whose names are permuted; of more, two are exchanged.
+/// Maximum number of targets whose names are permuted; of more, two are swapped.
 const PERMUTED: usize = 5;
 
 /// Returns an error if the targets fit the parameters with other names.
@@ -318,7 +318,7 @@ fn exchanged_targets(
     })
 }
 
-/// Other orders of some targets: all of a few, otherwise those with two exchanged.
+/// Other orders of some targets: all of a few, otherwise those with two swapped.
 fn orders(count: usize) -> Vec<Vec<usize>> {
     let usual: Vec<usize> = (0..count).collect();
     if count > PERMUTED {

@@ -25,7 +25,7 @@ pub struct Compliance {
 /// One reading under load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loaded {
-    /// Force in the stated direction (positive).
+    /// Force in the given direction (positive).
     pub force_n: f64,
     /// Position under load.
     pub position_mm: Vector,

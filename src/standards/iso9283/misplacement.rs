@@ -281,7 +281,7 @@ mod tests {
         let turned = misplaced_poses(&cube_test(|p| [-p[1], p[0], p[2]], same)).unwrap();
         let Misplacement::Frame { turn_rad: Some(turn), left_mm, .. } = turned else { panic!("{turned:?}") };
         assert!((turn.to_degrees() - 90.0).abs() < 0.1 && left_mm < 0.2, "{turn} {left_mm}");
-        // two poses exchanged
+        // two poses swapped
         let exchanged = |p: Vector| {
             if p == CUBE[1] {
                 CUBE[3]

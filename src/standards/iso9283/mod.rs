@@ -39,7 +39,7 @@
 //! passes of a commanded path ([`path::commanded`], [`path::passes`]).
 //!
 //! Planar robots have z = 0 throughout. Angles are rotations a, b, c in an order that the caller
-//! states; each angle is evaluated separately. Angles are unwrapped about their first value, so a
+//! gives; each angle is evaluated separately. Angles are unwrapped about their first value, so a
 //! test may straddle ±180°.
 
 pub mod load;

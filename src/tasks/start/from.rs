@@ -19,7 +19,7 @@ pub(crate) struct RobotFiles {
     pub joints: Vec<String>,
     /// Targets that belong to the robot model or to its branches.
     pub targets: Vec<String>,
-    /// As the campaign states them.
+    /// As the campaign contains them.
     pub controllers: &'static str,
     /// The user's own robot file.
     pub own: Option<RobotFile>,

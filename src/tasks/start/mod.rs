@@ -1,5 +1,5 @@
 //! Start of a campaign from files of measurements: campaign.toml and robot.toml as a proposal, with
-//! questions for what the files do not state.
+//! questions for what the files do not contain.
 
 mod branches;
 mod from;

@@ -38,7 +38,7 @@ pub(crate) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
     }
 }
 
-/// Returns why `check` would refuse lines for campaign.toml with this robot, once their questions
+/// Returns why `check` would reject lines for campaign.toml with this robot, once their questions
 /// are answered. Files are relative to the current folder; others are not tried.
 pub(crate) fn refusal_of_lines(robot: &Path, files: &[PathBuf], lines: &str) -> Option<String> {
     let below = |path: &Path| path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));

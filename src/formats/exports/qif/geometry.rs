@@ -6,7 +6,7 @@ use etalon_base::message::Message;
 use etalon_base::pose::{Vector, unit};
 use etalon_base::{error, warning};
 
-/// Stated values of a feature.
+/// Given values of a feature.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FeatureGeometry {
     /// Location, or the point of the axis.
@@ -44,7 +44,7 @@ impl FeatureGeometry {
                 "Location" => all.point_mm = Some(point(value, units)?),
                 "Direction" | "AxisVector" => all.direction = Some(direction(value)?),
                 "Normal" if kind != "Line" => all.direction = Some(direction(value)?),
-                // the published sample states the direction of lines as their normal
+                // the published sample gives the direction of lines as their normal
                 "Normal" if all.direction.is_none() => all.direction = Some(direction(value)?),
                 "Diameter" | "MajorDiameter" => all.radius_mm = Some(length(value, units)? / 2.0),
                 "MinorDiameter" => all.minor_radius_mm = Some(length(value, units)? / 2.0),

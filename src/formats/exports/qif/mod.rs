@@ -81,17 +81,17 @@ pub struct MeasuredFeature {
     pub id: String,
     /// Kind in the notation of QIF: `Plane`, `Circle`, `Point`...
     pub kind: String,
-    /// Name of the feature, if stated.
+    /// Name of the feature, if given.
     pub name: Option<String>,
     /// Its points, in millimetres.
     pub points_mm: Vec<Vector>,
     /// Kind of the points.
     pub touch: Touch,
-    /// Measured values stated in the file.
+    /// Measured values given in the file.
     pub stated: FeatureGeometry,
     /// Nominal values.
     pub nominal: FeatureGeometry,
-    /// `true` for a bore (`INTERNAL`), `false` for a shaft (`EXTERNAL`), if stated.
+    /// `true` for a bore (`INTERNAL`), `false` for a shaft (`EXTERNAL`), if given.
     pub internal: Option<bool>,
     /// Place in the file.
     pub place: Place,
@@ -105,7 +105,7 @@ pub enum Touch {
     Contact,
     /// The centre of a probe.
     Centre {
-        /// Radius of the probe, if stated.
+        /// Radius of the probe, if given.
         radius_mm: Option<f64>,
     },
 }
@@ -189,7 +189,7 @@ pub fn read(file: &str, text: &str, mm_in_unit: Option<f64>) -> Result<MeasuredF
     Ok(MeasuredFeatures { version, features, points, messages })
 }
 
-/// Keeps the first messages and states how many further ones there were.
+/// Keeps the first messages and shows how many further ones there were.
 fn cut(messages: &mut Vec<Message>, further: impl Fn(usize) -> Message) {
     let count = messages.len();
     if count > MOST_MESSAGES {

@@ -8,11 +8,11 @@ use etalon_base::message::Problems;
 use etalon_base::phrase;
 use etalon_base::pose::Vector;
 
-/// Rows of a QIF file, with their problems; the stated unit must be the unit of the file.
+/// Rows of a QIF file, with their problems; the given unit must be the unit of the file.
 ///
-/// A feature with a centre or a place (point, circle, sphere, torus) is one row with its stated
+/// A feature with a centre or a place (point, circle, sphere, torus) is one row with its given
 /// location; another feature has one row for each point. The label is the name of the feature.
-/// Probe centres are refused: they are not on the feature. Each warning is a refused row.
+/// Probe centres are rejected: they are not on the feature. Each warning is a rejected row.
 pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems) {
     let read = match super::read(file, text, Some(unit.in_mm())) {
         Ok(read) => read,
@@ -47,7 +47,7 @@ pub(super) fn rows(file: &str, text: &str, unit: Unit) -> (Vec<Point>, Problems)
     (rows.chain(said).collect(), Problems::default())
 }
 
-/// The stated location of a feature.
+/// The given location of a feature.
 fn located(feature: &MeasuredFeature) -> Option<Vector> {
     let kinds =
         ["Point", "EdgePoint", "Circle", "CircularArc", "Sphere", "SphericalSegment", "Torus", "ToroidalSegment"];

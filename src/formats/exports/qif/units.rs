@@ -1,4 +1,4 @@
-//! Units of a QIF file: stated once for the file, and by name at single values.
+//! Units of a QIF file: given once for the file, and by name at single values.
 
 use crate::dialect::Unit;
 use crate::xml::Node;
@@ -39,12 +39,12 @@ impl Units {
         Ok(units)
     }
 
-    /// Millimetres in the file's unit of length; `None` if it is not stated.
+    /// Millimetres in the file's unit of length; `None` if it is not given.
     pub fn mm_in_primary(&self) -> Option<f64> {
         self.mm_in_primary
     }
 
-    /// Sets the file's unit of length, if the file does not state one.
+    /// Sets the file's unit of length, if the file does not contain one.
     pub fn or_length(&mut self, mm_in_unit: Option<f64>) {
         self.mm_in_primary = self.mm_in_primary.or(mm_in_unit);
     }
@@ -57,7 +57,7 @@ impl Units {
         named.or(set).or(self.mm_in_primary).ok_or_else(missing)
     }
 
-    /// Millimetres in the unit that a point set itself states; `None` if it states none.
+    /// Millimetres in the unit that a point set itself gives; `None` if it gives none.
     pub fn mm_in_set(&self, set: Node) -> Result<Option<f64>, Message> {
         let own = set.child("Units").and_then(|units| units.child("LinearUnit"));
         own.map(|unit| factor(unit, "meter").map(|f| f * 1000.0)).transpose()
@@ -71,7 +71,7 @@ impl Units {
     }
 }
 
-/// Unit stated at a value itself.
+/// Unit given at a value itself.
 fn named(value: Node, attribute: &str, units: &BTreeMap<String, f64>) -> Result<Option<f64>, Message> {
     let Some(name) = value.attribute(attribute) else { return Ok(None) };
     let known: Vec<&str> = units.keys().map(String::as_str).collect();

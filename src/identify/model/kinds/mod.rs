@@ -132,7 +132,7 @@ pub(crate) trait Equation {
     }
 
     /// Gaps between a target at `p` and its position by the condition, with their directions; empty
-    /// if the condition does not state a position. `left` is the error of the contact.
+    /// if the condition does not give a position. `left` is the error of the contact.
     fn gaps(&self, _values: &[f64], _p: Vector, _left: Vector) -> Vec<(Vector, f64)> {
         Vec::new()
     }
@@ -422,7 +422,7 @@ mod tests {
         }
     }
 
-    /// Measured lengths that are all longer by one part change the residuals as stated.
+    /// Measured lengths that are all longer by one part change the residuals as given.
     #[test]
     fn a_common_scale_of_measured_lengths_changes_the_residuals() {
         let joint =

@@ -43,7 +43,7 @@ pub enum ResidualKind {
 pub const OF_MEDIAN: f64 = 1.4826;
 
 /// Residuals of the observations as a function of the free parameters: rows of coordinates, then of
-/// conditions, then of stated values.
+/// conditions, then of given values.
 pub(crate) struct Residuals<'a> {
     pub robot: &'a dyn Robot,
     pub free: Vec<usize>,
@@ -146,7 +146,7 @@ impl<'a> Residuals<'a> {
         })
     }
 
-    /// Standard deviations of the rows after the coordinates: conditions, stated shapes, known
+    /// Standard deviations of the rows after the coordinates: conditions, given shapes, known
     /// points and nominal values.
     pub fn stated(&self) -> Vec<f64> {
         let first = self.coordinate_count();
@@ -161,7 +161,7 @@ impl<'a> Residuals<'a> {
         self.coordinates.count()
     }
 
-    /// Number of residuals of coordinates and conditions; those of stated shapes and known points
+    /// Number of residuals of coordinates and conditions; those of given shapes and known points
     /// follow.
     pub fn measured_count(&self) -> usize {
         self.coordinate_count() + self.conditions.count()
@@ -176,7 +176,7 @@ impl<'a> Residuals<'a> {
         std::iter::repeat_n(Some(1.0), self.coordinate_count()).chain(self.conditions.items.iter().flat_map(size))
     }
 
-    /// The stated shapes, each with its first row.
+    /// The given shapes, each with its first row.
     pub fn shapes(&self) -> impl Iterator<Item = (usize, &Shape)> {
         self.priors.shapes(self.measured_count())
     }
@@ -200,7 +200,7 @@ impl<'a> Residuals<'a> {
         self.conditions.size(values)
     }
 
-    /// `true` if all residuals except those of stated values are coordinates of targets.
+    /// `true` if all residuals except those of given values are coordinates of targets.
     pub fn is_coordinates(&self) -> bool {
         self.coordinates.platform.is_none() && self.conditions.items.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Rows of stated values after those of the measurements: shapes of rigid parts, fixed points, and
+//! Rows of given values after those of the measurements: shapes of rigid parts, fixed points, and
 //! nominal values.
 
 use super::columns::Columns;
@@ -6,9 +6,9 @@ use crate::model::kinds::Known;
 use crate::model::prior::Nominal;
 use crate::model::rigid_part::{At, Shape};
 
-/// Stated values; their rows come last, in this order.
+/// Given values; their rows come last, in this order.
 pub(super) struct Priors<'a> {
-    /// Stated shapes of rigid parts.
+    /// Given shapes of rigid parts.
     pub shapes: Vec<Shape>,
     /// Knowledge of fixed points.
     pub known: &'a [Known],

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 pub(crate) struct Whitening {
     /// Readings with a common error.
     pub common: Option<Common>,
-    /// Uncertainties stated for single readings.
+    /// Uncertainties given for single readings.
     pub(super) weights: Option<Weights>,
 }
 

@@ -22,7 +22,7 @@ use etalon_base::pose::{Vector, minus, norm};
 use etalon_math::statistics::mean;
 use etalon_math::symmetric_eigen;
 
-/// Simulated tests from a stated seed.
+/// Simulated tests from a given seed.
 #[derive(Clone, Copy, Debug)]
 pub struct PathBootstrap {
     /// Number of draws.

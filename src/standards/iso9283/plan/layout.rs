@@ -1,5 +1,5 @@
 //! Test geometry: cube, test plane, poses P1 to P5 and paths (ISO 9283:1998 6; except for the poses
-//! unverified against a bought copy) in a stated workspace.
+//! unverified against a bought copy) in a given workspace.
 
 use etalon_base::error;
 use etalon_base::message::Result;

@@ -51,7 +51,7 @@ pub struct CommandedPoses {
 pub struct CommandedPose {
     /// Position; z is zero for planar robots.
     pub position_mm: Vector,
-    /// Angles a, b, c; for planar robots c alone; empty if not stated.
+    /// Angles a, b, c; for planar robots c alone; empty if not given.
     pub angles_deg: Vec<f64>,
 }
 
@@ -63,7 +63,7 @@ const CHORDS: usize = 72;
 /// Reason why a test cannot be laid out.
 #[derive(Clone, Debug)]
 pub enum PlanError {
-    /// Angles change along the path, but the orientation is not stated.
+    /// Angles change along the path, but the orientation is not given.
     ReorientationAlone,
     /// The request cannot be met.
     Other(Problems),

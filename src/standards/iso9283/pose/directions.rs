@@ -36,7 +36,7 @@ pub struct PoseVariation {
     pub between: [String; 2],
     /// vAP of each angle of the test; empty if they are not separable.
     pub angles_rad: Vec<f64>,
-    /// vAP of the orientation, if angles are not separable and their order is stated.
+    /// vAP of the orientation, if angles are not separable and their order is given.
     pub rotation_rad: Option<f64>,
     /// Characteristics of each approach.
     pub approaches: Vec<Approach>,

@@ -37,7 +37,7 @@ pub struct PairDistance {
     /// RD of each angle of the test.
     pub rd_angles_rad: Vec<f64>,
     /// AD and RD of the angle between the orientations, if angles of a pose are not separable and
-    /// their order is stated.
+    /// their order is given.
     pub rotation_rad: Option<[f64; 2]>,
     spatial: bool,
 }

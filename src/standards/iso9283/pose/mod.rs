@@ -75,7 +75,7 @@ pub struct PoseCharacteristics {
     pub angles: AngleCharacteristics,
     /// Angles that are not separable; AP and RP of all angles are then absent.
     pub inseparable: Option<Inseparable>,
-    /// Orientation by rotation vectors, where angles are not separable and their order is stated.
+    /// Orientation by rotation vectors, where angles are not separable and their order is given.
     pub rotation: Option<RotationCharacteristics>,
     /// Assessment of AP.
     pub ap: Assessed,
@@ -101,14 +101,14 @@ pub struct AngleCharacteristics {
 /// Assessment of a characteristic of a pose.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Assessed {
-    /// Bootstrap interval, including the instrument's uncertainty if stated; absent with fewer than
+    /// Bootstrap interval, including the instrument's uncertainty if given; absent with fewer than
     /// three visits.
     pub interval: Option<Interval>,
     /// Interval in closed form, from the sampling alone.
     pub interval_analytic: Option<Interval>,
     /// Conformity with the limit, if any.
     pub conformity: Option<Conformity>,
-    /// Ratio of the instrument's uncertainty to the characteristic, if stated.
+    /// Ratio of the instrument's uncertainty to the characteristic, if given.
     pub uncertainty: Option<UncertaintyRatio>,
 }
 
@@ -186,7 +186,7 @@ impl PoseCharacteristics {
     }
 
     /// `true` if the instrument is sufficient for AP and RP; `None` if its uncertainty is not
-    /// stated.
+    /// given.
     pub fn is_verified(&self) -> Option<bool> {
         let judged = || self.ap.uncertainty.iter().chain(&self.rp.uncertainty);
         judged().next().map(|_| judged().all(|q| q.met))

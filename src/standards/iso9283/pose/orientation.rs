@@ -28,7 +28,7 @@ const OTHER_SOLUTION_RAD: f64 = 1e-6;
 pub struct Inseparable {
     /// The two angles: 0, 1, 2 for a, b, c.
     pub angles: [usize; 2],
-    /// `true` if this follows from the stated order of the rotations; `false` if the two angles
+    /// `true` if this follows from the given order of the rotations; `false` if the two angles
     /// are seen to vary together, by far more than their sum or difference.
     pub is_stated: bool,
 }
@@ -96,7 +96,7 @@ pub fn seen_together(attained_rad: &[Vec<f64>], commanded_rad: &[f64]) -> Option
 }
 
 impl PoseTest {
-    /// Order of the rotations, if it is stated and all three angles are measured.
+    /// Order of the rotations, if it is given and all three angles are measured.
     pub fn order(&self) -> Option<RotationOrder> {
         self.rotation_order.filter(|_| self.angles == [0, 1, 2])
     }
@@ -244,7 +244,7 @@ mod tests {
     }
 
     /// Rotation vectors at the singular orientation are those at any other, and the two angles are
-    /// named, with the stated order and without.
+    /// named, with the given order and without.
     #[test]
     fn rotation_vectors_replace_angles_at_the_singular_orientation() {
         let deg = f64::to_radians;

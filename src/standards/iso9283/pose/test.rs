@@ -58,7 +58,7 @@ pub struct PoseTest {
     pub spatial: bool,
     /// Measured angles: 0, 1, 2 for a, b, c.
     pub angles: Vec<usize>,
-    /// Order of the rotations a, b, c, if stated.
+    /// Order of the rotations a, b, c, if given.
     pub rotation_order: Option<RotationOrder>,
     /// Warnings about unusual data.
     pub warnings: Vec<Message>,

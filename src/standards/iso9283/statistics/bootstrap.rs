@@ -1,7 +1,7 @@
 //! Intervals of AP and RP by parametric bootstrap: tests with the same number of cycles are drawn
 //! with the observed scatter.
 //!
-//! The draws come from a stated seed and are shared by all poses of a test, so that equal data give
+//! The draws come from a given seed and are shared by all poses of a test, so that equal data give
 //! equal intervals.
 
 use crate::iso9283::pose::accuracy::PoseAccuracy;
