@@ -123,8 +123,8 @@ impl Phrase {
         self
     }
 
-    /// Text in a language (ISO 639-1); English if the catalogue lacks the language, the id if it
-    /// lacks the text.
+    /// Text in a language (ISO 639-1); English if the catalogue does not have the language, the id
+    /// if it does not have the text.
     pub fn text(&self, language: &str) -> String {
         render(&self.id, None, &self.arguments, language).unwrap_or_else(|| self.id.clone().into_owned())
     }

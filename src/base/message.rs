@@ -229,7 +229,8 @@ impl Message {
         Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
     }
 
-    /// `true` if a caller changed the English sentence: the catalogue then lacks the addition.
+    /// `true` if a caller changed the English sentence: the catalogue then does not have the
+    /// addition.
     fn is_reworded(&self) -> bool {
         !self.what.is_empty() && self.sentence("en").is_some_and(|english| english != self.what)
     }

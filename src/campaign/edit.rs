@@ -13,7 +13,7 @@ use toml::{Spanned, Value};
 pub struct Changes {
     /// Readings to exclude.
     pub exclude: Vec<Exclude>,
-    /// Parameters to hold.
+    /// Parameters to keep at nominal.
     pub hold: Vec<String>,
     /// Parameters that are held by name, to identify.
     pub free: Vec<String>,

@@ -57,7 +57,7 @@ pub struct PosesDefinition {
     /// `cycle,target,x_mm,y_mm[,z_mm]`.
     pub reference: Option<TableDefinition>,
     /// Form and columns of the tables; a table without a given heading is read without the column.
-    /// Filters, constant columns and `pose` are those of the attained poses.
+    /// Filters, constant columns and `pose` are the same as for the attained poses.
     #[serde(flatten)]
     pub layout: TableLayout,
     /// Number of cycles in one set of a drift test; without it drift is not evaluated.

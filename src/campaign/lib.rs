@@ -178,8 +178,8 @@ impl Campaign {
         self.written(&self.file.output)
     }
 
-    /// File that describes the robot beside robot.toml, as a path from the campaign's folder, with
-    /// its stamp.
+    /// File that describes the robot in the folder of robot.toml, as a path from the campaign's
+    /// folder, with its stamp.
     pub fn robot_description(&self) -> Option<(String, &Stamp)> {
         let (file, stamp) = self.robot.description_file()?;
         let robot = self.file.robot.get_ref();

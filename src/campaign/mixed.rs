@@ -1,4 +1,4 @@
-//! Exports with joint values beside the points: each row is joined with itself.
+//! Exports with joint values in addition to the points: each row is joined with itself.
 
 use super::{CampaignFile, Join, JoinBy};
 use etalon_base::error;

@@ -175,7 +175,7 @@ fn read(root: Spanned<DeTable<'_>>) -> std::result::Result<RobotFile, toml::de::
     })
 }
 
-/// Keys of other models that this model lacks.
+/// Keys of other models that this model does not have.
 fn foreign(model: &Model) -> impl Iterator<Item = Vec<String>> {
     let own = robot_keys::paths(&model.keys());
     let all = MODELS.into_iter().rev().flat_map(|other| robot_keys::paths(&other.keys()));
@@ -508,7 +508,7 @@ impl RobotFile {
         self.nominal.contains_key(parameter)
     }
 
-    /// Overwrites nominal values of `robot` with those of the file.
+    /// Overwrites nominal values of `robot` with the values of the file.
     fn nominal(&self, robot: &dyn Robot, geometry_is_stated: bool, values: &mut [f64]) -> Result<()> {
         let mut problems = Problems::default();
         for (name, value) in &self.nominal {

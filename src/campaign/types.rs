@@ -217,7 +217,7 @@ pub struct Expansion {
 }
 
 impl Expansion {
-    /// Relative standard uncertainty of the robot's lengths compared with those of the part.
+    /// Relative standard uncertainty of the robot's lengths compared with the lengths of the part.
     pub fn relative_uncertainty(&self) -> f64 {
         let temperature = self.expanded_temperature_uncertainty_c / self.coverage_factor;
         (self.robot_per_c - self.part_per_c).abs() * temperature
@@ -598,7 +598,7 @@ pub enum NamedEffects {
     Usual,
     /// All effects of the model.
     All,
-    /// Effects that the data prove by poses left out of the identification.
+    /// Effects that the data prove by poses excluded from the identification.
     Proven,
 }
 

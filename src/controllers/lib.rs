@@ -358,7 +358,7 @@ impl<'a> ExportInput<'a> {
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
-    /// it cannot follow, and effects of what a reading gives beside joint values.
+    /// it cannot follow, and effects of what a reading gives in addition to joint values.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
         // without known masses, the payload alone tilts joints and base
         let tilts = self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass));
@@ -371,7 +371,7 @@ impl<'a> ExportInput<'a> {
         self.header_without(&effects, why, units)
     }
 
-    /// Like [`Self::header`], with the robot's parameters of these effects, which are left out.
+    /// Like [`Self::header`], with the robot's parameters of these effects, which are omitted.
     fn header_without(&self, effects: &[Effect], why: &str, units: &str) -> Result<Vec<String>> {
         let effect = |name: &str| self.robot.and_then(|robot| Some(robot.parameters()[robot.index(name)?].effect));
         let is_left_out = |p: &&ParameterEntry| p.value != 0.0 && effect(&p.name).is_some_and(|e| effects.contains(&e));

@@ -1,5 +1,5 @@
 //! Statement of a controller file: parameters that the format leaves out, values that the file
-//! holds instead, position errors with these values, and header lines.
+//! contains instead, position errors with these values, and header lines.
 
 use super::{ExportInput, Exporter};
 use etalon_base::catalogue::Phrase;
@@ -18,7 +18,7 @@ pub struct Statement {
     pub left_out: Vec<String>,
     /// Position errors that decide whether the file is written; `None` if they were not measured.
     pub errors: Option<ControllerErrors>,
-    /// Parameters that the file holds instead of the identified ones.
+    /// Parameters that the file contains instead of the identified ones.
     pub(crate) parameters: Option<ParametersDocument>,
     /// Frame in which the file describes the robot.
     frame: &'static str,

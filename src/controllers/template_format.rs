@@ -1,7 +1,7 @@
 //! A user's own format: a template (minijinja) over the identified parameters.
 //!
-//! The first line of a template gives what its file holds: `{# holds: theta_* #}`. All other
-//! parameters count as left out: the file has the estimate conditioned on their nominal values, as
+//! The first line of a template gives what its file contains: `{# holds: theta_* #}`. All other
+//! parameters count as excluded: the file has the estimate conditioned on their nominal values, as
 //! every format of this crate has.
 
 use super::template::environment;
@@ -29,7 +29,7 @@ pub struct TemplateFormat {
     /// Name of the template without its ending: the file that it writes.
     file_name: String,
     text: String,
-    /// Patterns of the parameters that the file holds.
+    /// Patterns of the parameters that the file contains.
     holds: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ impl TemplateFormat {
     /// # Errors
     ///
     /// Rejects a file name without the ending `.j2`, a template whose first line does not give the
-    /// parameters that its file holds, and a template with a syntax error.
+    /// parameters that its file contains, and a template with a syntax error.
     pub fn new(path: &str, text: String) -> Result<Self> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
         let at = |line: Option<usize>| Place { line, ..Place::file(path) };

@@ -49,11 +49,11 @@ pub struct AccuracyDocument {
     /// at validation poses, with all identified parameters held.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub placed_apart: Vec<SelfLocated>,
-    /// Effects of the robot that are proved by poses left out of the identification: effects chosen
-    /// by `effects = "proven"`, and effects that are not identified.
+    /// Effects of the robot that are proved by poses excluded from the identification: effects
+    /// chosen by `effects = "proven"`, and effects that are not identified.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<EffectProof>,
-    /// Errors at calibration poses that are left out of the identification, with nominal and with
+    /// Errors at calibration poses that are excluded from the identification, with nominal and with
     /// identified parameters; absent with fewer than three poses, or without measured positions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub left_out: Option<LeftOutErrors>,
@@ -131,7 +131,8 @@ pub struct LeftOutErrors {
     pub identified: Statistics,
 }
 
-/// Benefit of an effect of the robot at calibration poses that are left out of the identification.
+/// Benefit of an effect of the robot at calibration poses that are excluded from the
+/// identification.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EffectProof {
@@ -145,9 +146,9 @@ pub struct EffectProof {
     /// Line of robot.toml that describes the effect; absent if robot.toml contains it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robot_key: Option<String>,
-    /// Root-mean-square position error at poses that were left out, without the effect (mm).
+    /// Root-mean-square position error at poses that were excluded, without the effect (mm).
     pub without_mm: f64,
-    /// Root-mean-square position error at poses that were left out, with the effect (mm).
+    /// Root-mean-square position error at poses that were excluded, with the effect (mm).
     pub with_mm: f64,
     /// Decrease of the mean square error over its standard uncertainty.
     pub gain_over_u: Option<f64>,
@@ -224,8 +225,8 @@ pub struct ParameterJudgement {
     /// Origin of base and targets.
     pub frames: FrameOrigin,
     /// Probability of errors at least this large if the given parameters, base and targets are
-    /// right within their uncertainty and that of the measurement. Absent if base and targets were
-    /// fitted.
+    /// right within their uncertainty and the uncertainty of the measurement. Absent if base and
+    /// targets were fitted.
     pub p_value: Option<f64>,
     /// `true` if the parameters must not be used on this robot: errors with them are larger than
     /// with nominal parameters by more than noise, or they were identified with other nominal

@@ -297,7 +297,7 @@ impl Evidence<'_> {
         Some(Action::new(ActionKind::MeasureAgain, what, reason).gain(self.without(&names)))
     }
 
-    /// Decrease of the root mean square error of the calibration if these poses are left out.
+    /// Decrease of the root mean square error of the calibration if these poses are omitted.
     fn without(&self, poses: &[PoseName]) -> Option<f64> {
         let all = self.errors.iter().filter(|e| e.set == PoseSet::Calibration);
         let rms = |sizes: Vec<f64>| (sizes.iter().map(|s| s * s).sum::<f64>() / sizes.len() as f64).sqrt();
@@ -364,11 +364,11 @@ impl Evidence<'_> {
             beyond = in_unit(beyond, limit)
         );
         let action = Action::new(ActionKind::MeetLimit, what, reason);
-        // parameters of effects are chosen at poses that are left out
+        // parameters of effects are chosen at poses that are excluded
         Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
     }
 
-    /// Uncertainty that would decide on a limit, and its largest source; a decision rule, if so
+    /// Uncertainty at which a limit can be decided, and its largest source; a decision rule, if so
     /// small an uncertainty is out of reach.
     fn decide(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, u) = (limit.value?, limit.expanded_uncertainty?);
@@ -435,7 +435,7 @@ fn verify() -> Action {
     Action::new(ActionKind::Verify, phrase!("action-verify"), phrase!("action-verify-reason"))
 }
 
-/// Effect that proves itself at poses that are left out.
+/// Effect that improves the errors at poses that are excluded from the identification.
 fn add_effect(proof: &EffectProof) -> Action {
     let [without, with] = lengths([proof.without_mm, proof.with_mm]);
     let reason = phrase!("action-add-effect-reason", without, with);

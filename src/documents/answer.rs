@@ -19,7 +19,7 @@ pub struct CheckDocument {
     pub campaign: String,
     /// Errors that prevent the campaign from running.
     pub errors: Vec<Finding>,
-    /// Warnings that a report would show.
+    /// Warnings of a report.
     pub warnings: Vec<Finding>,
     /// Files read, and rows rejected by a rule; empty if reading found errors.
     pub sources: Vec<Source>,
@@ -118,7 +118,7 @@ pub struct Explanation {
     pub text: String,
     /// Expected value or state; null if the text contains it.
     pub expected: Option<String>,
-    /// Hint of the message; null without a hint of its own.
+    /// Hint of the message; null if the message has no hint.
     pub hint: Option<String>,
     /// Meaning of the message.
     pub meaning: String,
@@ -316,7 +316,7 @@ pub struct WrittenDocument {
 pub struct WrittenController {
     /// Name of the format.
     pub format: String,
-    /// Identified parameters that the format does not hold.
+    /// Identified parameters that the format cannot contain.
     pub left_out: Vec<String>,
     /// Errors at validation poses, or at calibration poses in a campaign without validation; null
     /// if they were not measured.

@@ -13,7 +13,7 @@ use std::hash::{Hash, Hasher};
 pub struct BatchDocument {
     /// Schema and version: `etalon/batch/1`.
     pub schema: String,
-    /// Number of campaigns that meet all limits or state none.
+    /// Number of campaigns that meet all limits or have none.
     pub done: usize,
     /// Number of campaigns that fail a limit, or whose result is implausible.
     pub not_met: usize,

@@ -10,8 +10,8 @@ impl ParametersDocument {
     /// Conditions the estimate on nominal values of the named parameters B, one after the other.
     ///
     /// Values of the others are p_A − C_AB C_BB⁻¹ (p_B − p_B0); their covariance is C_AA − C_AB
-    /// C_BB⁻¹ C_BA (Mardia, Kent & Bibby 1979, 3.2.4). Returns `None` if the covariance lacks a
-    /// parameter of B, unless all of B are at their nominal values.
+    /// C_BB⁻¹ C_BA (Mardia, Kent & Bibby 1979, 3.2.4). Returns `None` if the covariance does not
+    /// have a parameter of B, unless all of B are at their nominal values.
     pub fn conditioned(&self, left_out: &[&str]) -> Option<Self> {
         let names: Vec<String> = self.identified().map(|p| p.name.clone()).collect();
         let place = |name: &&str| names.iter().position(|n| n == name).filter(|_| self.covariance.len() == names.len());

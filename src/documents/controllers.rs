@@ -26,7 +26,7 @@ pub struct ControllersDocument {
 pub struct ControllerFiles {
     /// Names of the formats.
     pub formats: Vec<String>,
-    /// Identified parameters that the formats do not hold. They were at nominal when the others
+    /// Identified parameters that the formats cannot contain. They were at nominal when the others
     /// were identified again.
     pub left_out: Vec<String>,
     /// All parameters with their values in the files.
@@ -123,7 +123,7 @@ impl From<&Statistics> for PositionErrors {
 }
 
 impl ControllerErrors {
-    /// Errors at a set of poses; `written` is `None` if the file holds the identified values.
+    /// Errors at a set of poses; `written` is `None` if the file contains the identified values.
     pub fn new(set: &AccuracySet, written: Option<&Statistics>) -> Option<Self> {
         let ErrorStatistics { before, after, .. } = set.leading()?;
         let written = written.unwrap_or(after).into();

@@ -28,8 +28,9 @@ pub struct FieldDocument {
     pub joints: Vec<String>,
     /// Components; the errors of a joint add up.
     pub components: Vec<FieldComponent>,
-    /// Parameters that go with the field: those of `parameters.json`, estimated again with the
-    /// field. Beyond the measured poses they fade to those of `parameters.json` as δq fades to 0.
+    /// Parameters that belong to the field: the parameters of `parameters.json`, estimated again
+    /// with the field. Beyond the measured poses they fade to the values of `parameters.json`, as
+    /// δq fades to 0.
     pub parameters: Vec<FieldParameter>,
     /// Covariance of the parameters in `covariance_of`, followed by the weights of the components,
     /// in their units.
@@ -97,7 +98,8 @@ pub struct FieldParameter {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
-    /// Owner of the parameter. Programs without the measured targets leave those of targets out.
+    /// Owner of the parameter. Programs without the measured targets omit the parameters of
+    /// targets.
     pub role: Role,
     /// Value with the field.
     pub value: f64,

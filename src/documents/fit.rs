@@ -47,7 +47,7 @@ pub struct FitDocument {
     pub messages: Vec<Message>,
 }
 
-/// Position, direction and size of an element; values that its kind lacks are absent.
+/// Position, direction and size of an element; values that its kind does not have are absent.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FitGeometry {
     /// Centre of a circle, sphere or torus.

@@ -56,12 +56,13 @@ pub struct FramesDocument {
     /// World frame. If the frame is measured again at each pose, `export_T_world` is given for
     /// every pose.
     pub world: WorldFrame,
-    /// Errors that no reading of the campaign can show, with the keys that would control them.
+    /// Errors that no reading of the campaign can show, with the keys of measurements that can show
+    /// them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub not_controlled: Vec<Uncontrolled>,
 }
 
-/// An error that no reading would show.
+/// An error that no reading can show.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Uncontrolled {
@@ -70,7 +71,7 @@ pub struct Uncontrolled {
     pub what: Worded,
     /// Labels, features or targets with the error; empty if it concerns all readings.
     pub points: Vec<String>,
-    /// Keys that would control the error.
+    /// Keys of measurements that can show the error.
     pub keys: Vec<String>,
 }
 

@@ -181,12 +181,12 @@ pub fn warning_message(warning: &Warning) -> Message {
     }
 }
 
-/// English hint at the change of the set-up, with the keys that state it.
+/// English hint at the change of the set-up, with its keys.
 pub fn set_up_hint(found: &SetUpError) -> String {
     set_up_phrase(found).to_string()
 }
 
-/// Hint at the change of the set-up, with the keys that state it.
+/// Hint at the change of the set-up, with its keys.
 pub fn set_up_phrase(found: &SetUpError) -> Phrase {
     found.to_check(|origin| match origin {
         Origin::Unit => Some(phrase!("set-up-origin", origin = "unit")),

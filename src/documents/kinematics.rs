@@ -36,7 +36,7 @@ pub struct KinematicsEntry {
     /// Orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
     /// Joints that can move without moving the tool, at a singular pose; the joint values are then
-    /// those of the family that are nearest to the start.
+    /// of the family, the values that are nearest to the start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_joints: Vec<String>,
 }

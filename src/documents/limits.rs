@@ -131,8 +131,8 @@ impl LimitQuantity {
         }
     }
 
-    /// Error that the limit holds for one by one; `None` if it limits a statistic of several errors
-    /// or a characteristic of ISO 9283.
+    /// Error to which the limit applies one by one; `None` if it limits a statistic of several
+    /// errors or a characteristic of ISO 9283.
     pub fn individually_limited_error(self) -> Option<ErrorQuantity> {
         self.limited_error().filter(|(_, figure)| *figure == Figure::Max).map(|(quantity, _)| quantity)
     }

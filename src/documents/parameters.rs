@@ -32,7 +32,7 @@ pub struct ParametersDocument {
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
     /// Positions of the flange by the nominal geometry, with which a robot file is compared that is
-    /// given beside these parameters; absent in documents of earlier versions.
+    /// given together with these parameters; absent in documents of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reference_poses: Vec<ReferencePose>,
     /// Drawings of the model with its parameters; absent if the model provides none.
@@ -54,8 +54,9 @@ pub struct ParametersDocument {
     /// unknown points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reliability: Option<ReliabilitySummary>,
-    /// Robust fit beside the least-squares fit. Absent if readings have common errors, if readings
-    /// are poses instead of positions, if there are many unknown points, or without redundancy.
+    /// Robust fit in addition to the least-squares fit. Absent if readings have common errors, if
+    /// readings are poses instead of positions, if there are many unknown points, or without
+    /// redundancy.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robust: Option<RobustSummary>,
     /// Observability; absent if not finite.
@@ -328,7 +329,7 @@ pub struct ResidualTest {
     /// otherwise of the instrument.
     pub stated_standard_uncertainty_mm: Option<f64>,
     /// Standard uncertainty common to all observations of the same coordinates (mm): of the
-    /// instrument, if that of the contact is given separately.
+    /// instrument, if the uncertainty of the contact is given separately.
     pub common_standard_uncertainty_mm: Option<f64>,
     /// Chi-square with both given uncertainties.
     pub chi_square: Option<f64>,
@@ -423,7 +424,7 @@ pub struct ReliabilitySummary {
     pub beyond: usize,
     /// Cook's distance beyond which a pose is influential: the median of the F distribution.
     pub influential: f64,
-    /// Poses whose omission would change the parameters most.
+    /// Poses whose omission changes the parameters most.
     pub poses: Vec<InfluenceEntry>,
 }
 
@@ -442,8 +443,8 @@ pub struct InfluenceEntry {
     pub change_over_u: f64,
 }
 
-/// Robust fit beside the least-squares fit: an M-estimator with Cauchy loss that starts at the
-/// least-squares optimum.
+/// Robust fit in addition to the least-squares fit: an M-estimator with Cauchy loss that starts at
+/// the least-squares optimum.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RobustSummary {

@@ -105,7 +105,7 @@ pub struct PlanPrediction {
 }
 
 impl PlanDocument {
-    /// Poses in the order of measurement; in that of `chosen` if none is given.
+    /// Poses in the order of measurement; in the order of `chosen` if none is given.
     pub fn in_order(&self) -> Vec<&PlannedPose> {
         let PlanChoice { order, chosen, .. } = &self.choice;
         match order.as_ref().filter(|order| order.indices.len() == chosen.len()) {
@@ -197,7 +197,7 @@ pub struct PlannedProgram {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlannedObstacle {
-    /// Name; that of its joint for a link.
+    /// Name; for a link, the name of its joint.
     pub name: String,
     /// `true` if the body is a link of the arm, which moves with the joint of this name.
     pub is_link: bool,

@@ -34,10 +34,10 @@ pub struct RecommendationDocument {
     pub steps: Vec<EffectStep>,
     /// Every identified parameter of the robot itself.
     pub parameters: Vec<ParameterVerdict>,
-    /// Position errors at poses that were left out of the identification (mm).
+    /// Position errors at poses that were excluded from the identification (mm).
     pub held_out: HeldOutErrors,
-    /// Parameters of the answer: those of the run; with further effects, if these are to be
-    /// identified first; or nominal ones.
+    /// Parameters of the answer: the parameters of the run; with further effects, if these are to
+    /// be identified first; or nominal ones.
     pub recommended: ParametersDocument,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
@@ -63,9 +63,9 @@ pub struct EffectStep {
     pub f: Option<f64>,
     /// Probability of the F statistic if residuals were independent.
     pub p_value: Option<f64>,
-    /// Root-mean-square position error at poses that were left out (mm).
+    /// Root-mean-square position error at poses that were excluded (mm).
     pub held_out_rms_mm: f64,
-    /// Decrease of the mean square error at poses that were left out, over its standard
+    /// Decrease of the mean square error at poses that were excluded, over its standard
     /// uncertainty.
     pub gain_over_u: Option<f64>,
     /// `true` if the effect is part of the recommended model.
@@ -104,7 +104,7 @@ pub struct ParameterVerdict {
     /// together; beyond it the parameter is unstable.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub part_change_limit: Option<f64>,
-    /// Verdict: load or hold.
+    /// Verdict: load the parameters, or do not load them.
     pub verdict: LoadVerdict,
 }
 
@@ -118,7 +118,7 @@ pub enum LoadVerdict {
     Hold,
 }
 
-/// Errors at poses that were left out of the identification of parameters.
+/// Errors at poses that were excluded from the identification of parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HeldOutErrors {

@@ -39,9 +39,9 @@ impl ReferencePose {
         reference_poses(robot, &robot.nominal()).into_iter().map(convert).collect()
     }
 
-    /// Largest distance (mm) between these points and those of a robot with the nominal values of
-    /// the document. Infinite if the robot lacks the branch, the joints or the pose; zero for a
-    /// branch without targets.
+    /// Largest distance (mm) between these points and the points of a robot with the nominal values
+    /// of the document. Infinite if the robot does not have the branch, the joints or the pose;
+    /// zero for a branch without targets.
     fn distance_mm(&self, robot: &dyn Robot, nominal: &[f64], with_varied: bool) -> f64 {
         let branch = match &self.branch {
             Some(link) => robot.branches().iter().position(|known| known == link),
@@ -63,9 +63,9 @@ impl ReferencePose {
 }
 
 impl ParametersDocument {
-    /// Largest distance (mm) between the flange of a robot and that of the robot whose parameters
-    /// were identified, both with the nominal values of this document; `None` if it cannot be
-    /// compared.
+    /// Largest distance (mm) between the flange of a robot and the flange of the robot whose
+    /// parameters were identified, both with the nominal values of this document; `None` if it
+    /// cannot be compared.
     ///
     /// Nominal values that differ between the two robots are thus not part of it. Loads follow from
     /// the robot's own nominal values: where these differ and effects of loads are not nominally

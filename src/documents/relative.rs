@@ -14,7 +14,7 @@ pub struct RelativeAccuracy {
     #[schemars(with = "String")]
     pub set: PoseSet,
     /// Number of pairs of readings of one target at different poses. Of more than 100 000 pairs an
-    /// even selection is counted: `all.pairs`; the largest error is that of the selection.
+    /// even selection is counted: `all.pairs`; the largest error is the largest in the selection.
     pub available: usize,
     /// All distances.
     pub all: DistanceStatistics,

@@ -5,7 +5,7 @@ use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Distributions by Monte Carlo (JCGM 101) and bootstrap, beside the linear uncertainties.
+/// Distributions by Monte Carlo (JCGM 101) and bootstrap, in addition to the linear uncertainties.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct UncertaintyDocument {

@@ -40,9 +40,9 @@ pub struct VerdictDocument {
 pub enum Reason {
     /// The solver did not converge.
     NotConverged,
-    /// The identified parameters cannot be those of the robot.
+    /// The identified parameters cannot belong to the robot.
     Implausible,
-    /// The given parameters are worse than nominal ones, or those of another robot.
+    /// The given parameters are worse than nominal ones, or belong to another robot.
     GivenRefused,
     /// A controller file was not written.
     FileRefused,
@@ -109,7 +109,7 @@ pub enum Reason {
         /// Residuals over the standard uncertainty of the instrument.
         times: f64,
     },
-    /// The measurements do not show some mistakes of the set-up, with which the tool would be
+    /// The measurements cannot show some mistakes of the set-up: with one of them, the tool is
     /// beyond a limit.
     SetUpUntested {
         /// Number of mistakes.
@@ -121,7 +121,7 @@ pub enum Reason {
     },
     /// A controller file is hardly better than nominal parameters: its largest error is larger, or
     /// its root mean square less than 5 % or less than its uncertainty smaller, at the deciding
-    /// poses or at calibration poses that were left out.
+    /// poses or at calibration poses that were excluded.
     HardlyBetter {
         /// Formats of the file; empty for files with all identified parameters.
         formats: Vec<String>,
@@ -133,8 +133,8 @@ pub enum Reason {
 }
 
 /// Residuals over the uncertainty of the instrument beyond which the model does not fit. Models of
-/// real robots leave out friction, temperature and the compliance of links, and exceed it beside a
-/// fine instrument: their errors at validation poses are true all the same.
+/// real robots omit friction, temperature and the compliance of links, and exceed it if the
+/// instrument is accurate. Their errors at validation poses are true nevertheless.
 const MISFIT: f64 = 3.0;
 
 /// Documents that are judged together.
@@ -238,8 +238,8 @@ impl Reason {
         (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
     }
 
-    /// Mistakes of the set-up that the measurements do not show, and that would move the tool
-    /// beyond one of the `limits`; without limits, all of them.
+    /// Mistakes of the set-up that the measurements cannot show, and that move the tool beyond one
+    /// of the `limits`; without limits, all of them.
     fn from_untested(parameters: &ParametersDocument, limits: &[&LimitVerdict]) -> Option<Self> {
         let largest = |unit: &str, size: &dyn Fn(&UntestedMistake) -> f64| {
             let least = limits.iter().filter(|l| l.name.unit() == unit).map(|l| l.limit).fold(f64::INFINITY, f64::min);

@@ -16,7 +16,8 @@ pub struct VerificationDocument {
     pub schema: String,
     /// Model of the robot.
     pub robot: String,
-    /// Campaign that identified the parameters; absent if `campaign.json` is not beside them.
+    /// Campaign that identified the parameters; absent if their folder does not contain
+    /// `campaign.json`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CampaignReference>,
     /// Verdict on the parameters.
@@ -182,7 +183,7 @@ pub enum MovementKind {
 }
 
 impl VerificationDocument {
-    /// `true` if an error says that the parameters are not those of the robot.
+    /// `true` if an error says that the parameters belong to another robot.
     pub fn is_refused(&self) -> bool {
         self.messages.iter().any(|message| message.severity == Severity::Error)
     }
@@ -202,7 +203,7 @@ pub struct MovementValue {
     pub standard_uncertainty: Option<f64>,
 }
 
-/// Smallest movements that the observations would have detected.
+/// Smallest movements that the observations can detect.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DetectionPower {

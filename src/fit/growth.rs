@@ -203,14 +203,14 @@ impl<'a> Search<'a> {
     }
 
     /// `true` if one element explains all points: the sum of squares grows by no more than by the
-    /// largest distances among as many points, whichever were left out.
+    /// largest distances among as many points, whichever were omitted.
     fn explains_all(&self, trial: &Trial) -> bool {
         let n = self.points.len();
         let left_out = n - trial.used.len();
         let Some(all) = self.trial((0..n).collect()) else { return false };
         let choices = |n: usize| ln_gamma(n as f64 + 1.0);
         let ways = choices(n) - choices(left_out) - choices(n - left_out);
-        // one of a thousand fits may fail over all numbers of points that are left out
+        // one of a thousand fits may fail over all numbers of points that are omitted
         let shared = (left_out - 1) as f64 * 2f64.ln();
         self.agrees(trial, &all, ways + shared - LOST.ln())
     }

@@ -76,7 +76,7 @@ pub fn labelled_points(file: &str, text: &str, format: &Format, unit: Unit) -> R
 
 /// Returns labels and positions (mm) of a file.
 ///
-/// Rows that were not measured are left out, with a warning that counts them.
+/// Rows that were not measured are omitted, with a warning that counts them.
 pub fn points_and_refused(
     file: &str,
     text: &str,

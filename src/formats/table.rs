@@ -345,8 +345,8 @@ impl Table {
         Self { columns: columns.collect(), sources: self.sources.clone(), files: self.files.clone() }
     }
 
-    /// This table, followed by the rows of another one; cells of columns that a table lacks are
-    /// empty.
+    /// This table, followed by the rows of another one; cells of columns that a table does not
+    /// contain are empty.
     pub fn followed_by(mut self, below: Self) -> Self {
         let [above, other] = [self.height(), below.height()].map(|height| vec![None; height]);
         for (name, values) in &mut self.columns {
@@ -389,7 +389,7 @@ impl Table {
         self.values(name).ok_or_else(|| self.missing(name))
     }
 
-    /// Error about a column that the table lacks, with the column that may be meant.
+    /// Error about a column that the table does not contain, with the column that may be meant.
     fn missing(&self, name: &str) -> Problems {
         // the program adds this column
         let names: Vec<&str> = self.names().filter(|name| *name != "cycle").collect();
@@ -531,7 +531,7 @@ mod tests {
         assert_eq!(places, expected.map(|(file, line)| (file.to_owned(), Some(line))));
         assert_eq!(all.header_above(3), Place { line: Some(1), ..Place::file("b.csv") });
         assert_eq!(all.values("target"), Some(&Values::Texts(vec![None, None, Some("A".into()), Some("B".into())])));
-        // rows that are left out take their places along
+        // rows that are omitted take their places along
         let kept = all.rows(|row| row != 1);
         assert_eq!((kept.height(), kept.place(1).file.as_str(), kept.line(1)), (3, "b.csv", Some(3)));
         let written = String::from_utf8(all.with_lines().to_csv().unwrap()).unwrap();

@@ -85,7 +85,7 @@ impl<'a> Elements<'a> {
                 Event::DocType(_) => {
                     return Err(error!("xml-doctype").at(tree.place(start)).into());
                 }
-                // also within an element that is left out
+                // also within an element that is omitted
                 Event::Eof => break,
                 _ if left_out > 0 => {}
                 Event::Text(piece) => tree.append(&open, piece.into_inner()),

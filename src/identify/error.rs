@@ -48,7 +48,7 @@ pub enum Error {
         /// Model of the robot.
         model: String,
     },
-    /// The robot lacks the part in whose frame the tool point is given.
+    /// The robot does not have the part in whose frame the tool point is given.
     NoSuchPart {
         /// Model of the robot.
         model: String,

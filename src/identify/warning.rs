@@ -61,7 +61,7 @@ const FALLS: f64 = 1.5;
 pub struct SetUpError {
     /// The change, and others that explain the data equally well: "`q7` reversed".
     pub changes: Vec<(Phrase, Origin)>,
-    /// Standard deviation (mm) of a coordinate at poses left out of an identification with the
+    /// Standard deviation (mm) of a coordinate at poses excluded from an identification with the
     /// set-up as given; infinite if a pose is out of reach.
     pub stated_mm: f64,
     /// Standard deviation (mm) with the change.

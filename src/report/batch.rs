@@ -62,7 +62,7 @@ struct Plain<'a> {
     figures: Vec<Figure>,
 }
 
-/// Verdict on a check; empty if the campaign lacks the check.
+/// Verdict on a check; empty if the campaign does not have the check.
 #[derive(Clone, Default, Serialize)]
 struct Checked {
     said: String,

@@ -106,7 +106,7 @@ impl Effect {
         matches!(self, Self::Lateral | Self::Pedestal) || self.follows_readings()
     }
 
-    /// `true` for effects that follow from what each reading gives beside joint values.
+    /// `true` for effects that follow from what each reading gives in addition to joint values.
     pub fn follows_readings(self) -> bool {
         matches!(self, Self::Payload | Self::Torque) || self.is_thermal()
     }

@@ -263,7 +263,7 @@ pub trait Robot: Send + Sync {
         Vec::new()
     }
 
-    /// Origin of the base in the world (mm); zero for coordinates that the model lacks.
+    /// Origin of the base in the world (mm); zero for coordinates that the model does not have.
     fn base_origin(&self, parameters: &[f64]) -> Vector {
         let mut origin = [0.0; 3];
         let base = self.parameters().iter().zip(parameters).filter(|(p, _)| p.role == Role::Base);

@@ -21,7 +21,7 @@ pub struct OutlineLine {
 }
 
 impl Outline {
-    /// Adds a line of a link; a line without length or with non-finite points is left out.
+    /// Adds a line of a link; a line without length or with non-finite points is omitted.
     pub fn link(&mut self, body: &str, points_mm: &[Vector]) {
         self.add(body, false, points_mm);
     }

@@ -223,7 +223,7 @@ impl Tree {
     }
 
     /// Returns a chain from the root for each list of moving joints, to a link without joints of
-    /// its own where there is one. Chains that cannot be a robot are left out.
+    /// its own where there is one. Chains that cannot be a robot are omitted.
     pub fn chains(&self) -> Vec<TreeChain> {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);
         let (inner, ends): (Vec<&Link>, Vec<&Link>) = self.links.iter().partition(is_parent);

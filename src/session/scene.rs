@@ -176,7 +176,7 @@ fn places(base: &Base, pose: usize, observation: &Observation, outliers: &BTreeS
     measured.map(point).collect()
 }
 
-/// Errors (mm) in µm; errors that are not finite are left out.
+/// Errors (mm) in µm; errors that are not finite are omitted.
 fn in_um(before: Vector, after: Vector) -> PointErrors {
     let finite = |v: Vector| v.iter().all(|v| v.is_finite()).then(|| v.map(|mm| mm * UM));
     let (before, after) = (finite(before), finite(after));

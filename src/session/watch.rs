@@ -308,7 +308,7 @@ fn usual_targets(opened: &Opened) -> Vec<Option<Vector>> {
     (0..opened.robot.targets().len()).map(|k| (count(k) as f64 >= least).then_some([0.0; 3])).collect()
 }
 
-/// Warning about a target that the visit lacks.
+/// Warning about a target that the visit does not have.
 fn missing(before: &Opened, observation: &Observation, robot: &dyn Robot, pose: &str) -> Option<Message> {
     let usual = usual_targets(before);
     let lacks = |k: &usize| usual[*k].is_some() && observation.targets.get(*k).is_some_and(Option::is_none);

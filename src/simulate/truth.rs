@@ -136,7 +136,7 @@ fn once() -> usize {
 #[serde(deny_unknown_fields)]
 pub struct Poses {
     /// Labelled point on which the tool stands. The key `joints` then selects the solution, and the
-    /// log holds the encoder values at the point.
+    /// log contains the encoder values at the point.
     pub label: Option<String>,
     /// Joint values (mm or deg).
     #[serde(default)]

@@ -16,7 +16,7 @@ pub fn no_row_selected(file: &str, header: Option<&Row>) -> Message {
     error!("no-row-selected").at(header_place(file, header))
 }
 
-/// Rows that are left out by the cells of their columns.
+/// Rows that are omitted by the cells of their columns.
 pub struct Filter<'a> {
     /// Column, its name, its cells, and whether a row with one of them is read.
     cells: Vec<(usize, &'a str, &'a Cells, bool)>,

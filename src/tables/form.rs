@@ -46,9 +46,9 @@ pub struct Form {
     /// First cell of the row that ends the data.
     pub end: Option<String>,
     /// Filter of the rows: only rows with one of these cells in each of these columns (a heading,
-    /// or `$3`) are read. Other rows are listed as left out.
+    /// or `$3`) are read. Other rows are listed as excluded.
     pub only: BTreeMap<String, Cells>,
-    /// Filter of the rows: rows with one of these cells in one of these columns are left out.
+    /// Filter of the rows: rows with one of these cells in one of these columns are omitted.
     pub without: BTreeMap<String, Cells>,
 }
 
@@ -78,7 +78,7 @@ impl Form {
         self.header.clone().unwrap_or(Header::Rows(1))
     }
 
-    /// `true` if rows are left out by their cells.
+    /// `true` if rows are omitted by their cells.
     pub fn is_filtered(&self) -> bool {
         !(self.only.is_empty() && self.without.is_empty())
     }

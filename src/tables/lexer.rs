@@ -85,7 +85,7 @@ pub fn each_row<'t>(
     lines(text, form).map(|(number, line)| row(file, number, line, form))
 }
 
-/// Lines with their numbers, from 1; empty lines and comments are left out.
+/// Lines with their numbers, from 1; empty lines and comments are omitted.
 pub fn lines<'t>(text: &'t str, form: &Form) -> impl Iterator<Item = (usize, &'t str)> + Clone {
     let is_comment = |line: &str| form.comment.as_ref().is_some_and(|c| line.trim_start().starts_with(c.as_str()));
     let is_blank = |line: &str| match line.as_bytes().first() {

@@ -11,7 +11,7 @@ use etalon_base::{error, phrase};
 use std::borrow::Cow;
 use std::result;
 
-/// Row that is left out, and why.
+/// Row that is omitted, and why.
 #[derive(Clone, Debug)]
 pub struct LeftOut<'t> {
     /// The row.
@@ -96,7 +96,7 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Checks that the row which should name the columns holds no numbers, unless one of them is
+    /// Checks that the row which should name the columns contains no numbers, unless one of them is
     /// given as a heading.
     fn check_header(&self, columns: &[&ColumnSource]) -> Result<()> {
         let Some(header) = &self.header else { return Ok(()) };

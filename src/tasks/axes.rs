@@ -17,7 +17,7 @@ pub struct AxesOptions {
     /// Joints from the base; by default in the order of their numbers (q1, q2 ...).
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub joints: Vec<String>,
-    /// Prismatic joints without a column of joint values, whose unit would show it; all others are
+    /// Prismatic joints without a column of joint values, whose unit shows the type; all others are
     /// revolute.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
     pub prismatic: Vec<String>,

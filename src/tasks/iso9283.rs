@@ -17,14 +17,14 @@ use serde::Deserialize;
 #[serde(default)]
 pub struct PoseOptions {
     /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals and,
-    /// as that of a position, for the 25 % rule.
+    /// as the uncertainty of a position, for the 25 % rule.
     #[arg(long, value_name = "UM")]
     pub expanded_uncertainty_um: Option<f64>,
     /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1
     /// unless conforming.
     #[arg(long, value_name = "MM", requires_all = ["poses", "commanded"])]
     pub ap_limit_mm: Option<f64>,
-    /// Limit of RP, decided like that of AP.
+    /// Limit of RP, decided like the limit of AP.
     #[arg(long, value_name = "MM", requires = "poses")]
     pub rp_limit_mm: Option<f64>,
     /// Decision rule for limits.
@@ -50,7 +50,7 @@ pub struct TestTables<'a> {
     pub reference: Option<Table<'a>>,
 }
 
-/// Evaluates attained poses (ISO 9283); `seed` is that of the bootstrap intervals.
+/// Evaluates attained poses (ISO 9283); `seed` is the seed of the bootstrap intervals.
 ///
 /// # Errors
 /// Fails if the tables do not belong together.

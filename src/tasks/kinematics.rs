@@ -132,8 +132,8 @@ impl Twists {
     }
 }
 
-/// Parameters of a run: those of the robot, and of its base if identified. Targets have their
-/// nominal positions.
+/// Parameters of a run: of the robot, and of its base if identified. Targets have their nominal
+/// positions.
 pub(crate) fn identified(robot: &dyn Robot, document: &ParametersDocument, path: &Path) -> Result<Vec<f64>> {
     let values = robot_values(robot, document, &[Role::Robot, Role::Base]);
     values.map_err(|problems| problems.at(&Place::file(path.display().to_string())))

@@ -112,7 +112,7 @@ pub struct RecordingTables<'a> {
     pub path: Option<Table<'a>>,
 }
 
-/// Evaluates a recorded motion (ISO 9283); `seed` is that of the bootstrap intervals.
+/// Evaluates a recorded motion (ISO 9283); `seed` is the seed of the bootstrap intervals.
 ///
 /// # Errors
 /// Fails if the recording does not contain the commanded motion.
@@ -137,8 +137,8 @@ pub(crate) fn evaluate(
 }
 
 impl StreamOptions {
-    /// Reads a table beside a recording. Columns or a format in the form of another program are
-    /// those of the recording alone.
+    /// Reads a table that belongs to a recording. If columns or a format of another program are
+    /// given, they apply to the recording alone.
     fn beside(&self, table: Table) -> Result<TableFile> {
         match self.format.is_none() && !self.text.in_order() {
             true => self.text.form().read(table),

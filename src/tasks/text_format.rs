@@ -60,7 +60,7 @@ struct RowForm {
     /// Source of a column that has another name in the file; may be repeated.
     ///
     /// A heading (q1_deg=J1), a number (q1_deg=3), or an expression ("x_mm=x_t - x_dif"). Where
-    /// several tables have different headings, state each: the heading that a table has applies.
+    /// several tables have different headings, give each: the heading that a table has applies.
     #[arg(long = "column", value_name = "NAME=HEADING")]
     #[serde(rename = "column", deserialize_with = "pairs")]
     named: Vec<String>,
@@ -153,8 +153,8 @@ impl TextForm {
         self.one_of_several(table, self.reading()?)
     }
 
-    /// Reads one of several tables for which the options are given; columns that it lacks are left
-    /// out.
+    /// Reads one of several tables for which the options are given; columns that it does not have
+    /// are omitted.
     fn one_of_several(&self, table: Table, reading: TableReading) -> Result<TableFile, Problems> {
         let mut reading = TableReading { lenient: true, ..reading };
         reading.layout.columns = self.columns_in_table(table, &reading)?;
@@ -225,7 +225,7 @@ impl TextFormat {
         unit.ok_or_else(|| error!("option-unit-missing").into())
     }
 
-    /// Options of the tables beside a recording.
+    /// Options of the tables that belong to a recording.
     pub(crate) fn form(&self) -> &TextForm {
         &self.form
     }
@@ -304,7 +304,7 @@ impl TableFormat {
         read(table, &self.reading(true)?)
     }
 
-    /// Reads one of several tables of poses; columns that it lacks are left out.
+    /// Reads one of several tables of poses; columns that it does not have are omitted.
     pub(crate) fn read_poses(&self, table: Table) -> Result<TableFile, Problems> {
         self.form.one_of_several(table, self.reading(true)?)
     }

@@ -37,7 +37,7 @@ pub struct VerifyOptions {
     /// the axes of the body), "fixed xyz" ...
     #[arg(long, value_name = "ORDER")]
     pub orientation: Option<String>,
-    /// Campaign whose `[observations]` state how the table is read, instead of the options of
+    /// Campaign whose `[observations]` describe how the table is read, instead of the options of
     /// tables.
     #[arg(long, value_name = "CAMPAIGN", conflicts_with_all = ["CellForm", "RowForm", "constants", "coverage_factor", "target", "pose", "orientation"])]
     pub like: Option<PathBuf>,

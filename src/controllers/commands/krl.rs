@@ -162,7 +162,7 @@ fn frames(text: &[u8], found: &mut Program) -> Vec<Message> {
 
 /// Lines with the values that they assign to `$TOOL` or `$BASE`, or the assignment itself if it is
 /// of one coordinate. A value that the next assignments replace before anything else happens is
-/// left out.
+/// omitted.
 fn assigned<'t>(text: &'t str, name: &str) -> Vec<(usize, &'t str)> {
     let (mut all, mut is_replaced) = (Vec::new(), false);
     for (i, line) in text.lines().map(str::trim).enumerate() {

@@ -60,7 +60,7 @@ pub struct Iso9283StreamDocument {
     pub conventions: Vec<Worded>,
     /// Number of evaluated samples.
     pub samples: usize,
-    /// Lines of samples that are left out because no robot moves there from the previous sample in
+    /// Lines of samples that are omitted because no robot moves there from the previous sample in
     /// time.
     pub left_out: Vec<usize>,
     /// Time from the first to the last sample.
@@ -106,8 +106,8 @@ mirror! {
         /// Means of the measured angles, in the order a, b, c; angles of the middle sample if two
         /// of them are not separable.
         mean_deg: Vec<f64> = degrees(&s.standstill.angles_rad),
-        /// Noise of instrument and hold: mean radius plus three standard deviations of the samples
-        /// of the middle half.
+        /// Noise of the instrument and of the robot at standstill: mean radius plus three standard
+        /// deviations of the samples of the middle half.
         noise_mm: Option<f64>,
         /// Stabilisation time of the arrival (7.4); null without a limit band, and if the position
         /// does not enter or stay within the band.

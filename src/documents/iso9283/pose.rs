@@ -180,7 +180,7 @@ mirror! {
 }
 
 mirror! {
-    /// Accuracy and repeatability of one pose. Coordinates that the robot lacks are absent.
+    /// Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent.
     #[derive(Default)]
     struct Iso9283Pose of PoseCharacteristics as p {
         /// Name of the pose.
@@ -352,7 +352,7 @@ mirror! {
         rd_mm: f64 = d.position.rd_mm,
         /// RD_x, RD_y and, if spatial, RD_z.
         rd_axes_mm: Vec<f64> = d.coordinates(d.position.rd_axis_mm),
-        /// AD of the measured angles, in the order a, b, c; empty if those of a pose are not
+        /// AD of the measured angles, in the order a, b, c; empty if the angles of a pose are not
         /// separable.
         ad_angles_deg: Vec<f64> = degrees(&d.ad_angles_rad),
         /// RD of the measured angles.

@@ -106,7 +106,7 @@ pub enum ColumnRole {
     R33,
     /// Temperature during the measurement (°C).
     TemperatureC,
-    /// Mark of deleted rows: rows with `1`, `true`, `yes` or `x` are left out.
+    /// Mark of deleted rows: rows with `1`, `true`, `yes` or `x` are omitted.
     Deleted,
     /// Date and time of day, such as `11.10.2022 15:06:48.043` or `2022-10-11T15:06:48`.
     Timestamp,

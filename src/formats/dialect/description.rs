@@ -312,8 +312,8 @@ fn columns(columns: &Columns) -> String {
     }
 }
 
-/// Writes the dialect as TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x"] }`.
-/// Keys with their default are left out, except the decimal mark.
+/// Writes the dialect as TOML: `{ delimiter = ";", decimal = ",", columns = ["label", "x"] }`. Keys
+/// with their default are omitted, except the decimal mark.
 impl fmt::Display for Dialect {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let form = &self.form;

@@ -215,7 +215,7 @@ pub(super) mod tests {
     use etalon_base::phrase;
 
     /// Writes drawn arrays and reads them back; a list has `columns` columns (0: one axis). Texts
-    /// are left out when they are read.
+    /// are omitted when they are read.
     pub fn read_back(written: impl Fn(&[NewArray]) -> Vec<Array>, columns: usize) {
         let mut noise = Noise::new(5, 1);
         let mut draw = |count: f64| noise.uniform(count / 2.0) + count / 2.0;

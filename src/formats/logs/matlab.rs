@@ -71,7 +71,7 @@ fn damaged() -> Message {
     error!("arrays-unreadable", format = "matlab")
 }
 
-/// Returns the numeric variables of a file, and of its structures. Others are left out.
+/// Returns the numeric variables of a file, and of its structures. Others are omitted.
 fn variables(bytes: &[u8]) -> Result<Vec<Array>, Message> {
     let is_big_endian = match bytes.get(126..128) {
         Some(b"IM") => false,

@@ -49,7 +49,7 @@ pub struct Log {
     /// Controller that wrote the log.
     #[serde(default)]
     pub format: LogKind,
-    /// Form of its text. Rows without a value of a joint or a time are left out.
+    /// Form of its text. Rows without a value of a joint or a time are omitted.
     #[serde(flatten)]
     pub form: Form,
     /// Columns to read: `pose`, `cycle`, `time_s`, `time_ms`, `time_us`, `time_ns`, `label` (of the
@@ -110,7 +110,8 @@ impl Log {
     }
 }
 
-/// Values in the channels of a TwinCAT Scope export: an option of the export that the file lacks.
+/// Values in the channels of a TwinCAT Scope export: an option of the export that the file does not
+/// contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ChannelValues {
@@ -202,7 +203,7 @@ pub(crate) trait LogFormat: Sync {
         false
     }
 
-    /// `true` if files hold arrays instead of text: `table` reads them.
+    /// `true` if files contain arrays instead of text: `table` reads them.
     fn has_arrays(&self) -> bool {
         false
     }

@@ -48,7 +48,7 @@ impl LogFormat for Numpy {
     }
 }
 
-/// Returns the arrays of a file. Arrays of other things than numbers are left out.
+/// Returns the arrays of a file. Arrays of other things than numbers are omitted.
 fn arrays(bytes: &[u8]) -> Result<Vec<Array>, Message> {
     if bytes.starts_with(magic::NUMPY) {
         let array = array("", bytes)?;

@@ -194,7 +194,7 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
 }
 
 /// Proposes readings of a text, and lines for campaign.toml for the first reading. Statements that
-/// the file lacks become questions.
+/// the file does not contain become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None, None)
 }

@@ -175,7 +175,7 @@ mod tests {
         let points: Vec<f64> = rows.iter().enumerate().map(|(i, row)| row + 77.0 + 0.01 * (i % 4) as f64).collect();
         let Meeting::Rows { offset_s, spread_s } = motion.meeting(&points, 1) else { panic!("no offset") };
         assert!((offset_s - 77.015).abs() < 1e-9 && (spread_s - 0.015).abs() < 1e-9, "{offset_s} {spread_s}");
-        // a point that was left out, and another rhythm
+        // a point that was omitted, and another rhythm
         assert_eq!(motion.meeting(&points[1..], 1), Meeting::Open { standstills: 0 });
         let other: Vec<f64> = (0..12).map(|i| 5.0 * f64::from(i)).collect();
         assert_eq!(motion.meeting(&other, 1), Meeting::Open { standstills: 0 });

@@ -26,7 +26,7 @@ fn stated_column(robot: &dyn Robot, value: Circumstance) -> String {
     }
 }
 
-/// Columns of the values that each reading gives beside joints and directions.
+/// Columns of the values that each reading gives in addition to joints and directions.
 pub fn stated_columns(robot: &dyn Robot) -> Vec<String> {
     robot.circumstances().iter().map(|value| stated_column(robot, *value)).collect()
 }
@@ -87,7 +87,7 @@ fn add_stated(robot: &dyn Robot, table: &Table, rows: &mut [Vec<f64>]) -> Result
     Ok(())
 }
 
-/// Returns the error that a table lacks the column of a value that each reading gives.
+/// Returns the error that a table does not have the column of a value that each reading gives.
 pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
     let column = stated_column(robot, stated);
     match stated {

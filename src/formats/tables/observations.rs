@@ -17,7 +17,8 @@ use std::collections::BTreeMap;
 pub struct TableReading {
     /// Layout of the table.
     pub layout: TableLayout,
-    /// `true` if columns that the file lacks are left out, for several tables with one layout.
+    /// `true` if columns that the file does not contain are omitted, for several tables with one
+    /// layout.
     pub lenient: bool,
     /// `true` for tables of poses, loads or joints, whose columns may have any name; others hold
     /// observations, whose columns are known and which have a repeat.

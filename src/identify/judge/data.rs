@@ -166,7 +166,7 @@ impl Data {
     }
 
     /// The joint values of each pose taken from the previous (-1) or next (1) pose, in the order of
-    /// the poses; the first or last pose has no neighbour and is left out.
+    /// the poses; the first or last pose has no neighbour and is omitted.
     pub fn shifted(&self, shift: isize) -> Self {
         let poses = self.poses();
         let joints_at = |pose: PoseName| {

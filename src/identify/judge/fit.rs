@@ -30,7 +30,7 @@ const ROUNDS: usize = 3;
 const ITERATIONS: usize = 40;
 /// Maximum number of parameters of a fit.
 const MOST_PARAMETERS: usize = 150;
-/// Number of blocks of consecutive poses that are left out in turn.
+/// Number of blocks of consecutive poses that are excluded in turn.
 const BLOCKS: usize = 5;
 
 /// Standard deviation of residuals: of lengths (mm) and of angles (rad).

@@ -1,6 +1,6 @@
 //! Growth of the errors of predictions beyond the measured values of a joint.
 //!
-//! A model that lacks an effect fits the measured region. Beyond it the effect continues, and the
+//! A model without an effect fits the measured region. Beyond it the effect continues, and the
 //! effective parameters do not follow: residuals understate the errors there. The errors at one
 //! half of the values of a joint, predicted from the other half, show how fast they grow. To first
 //! order the errors of left-out rows are e = (I − H)⁻¹ r with their part H of the hat matrix (Cook

@@ -143,8 +143,8 @@ pub fn reliability(
 /// Redundancy numbers below this squared are rounding errors and count as zero.
 const NOTHING: f64 = 1e-6;
 
-/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, if the rows K with residuals r are left
-/// out; `None` if the others do not determine all parameters.
+/// Kᵀ (I − K Kᵀ)⁻¹ r: the step of the parameters, over F, if the rows K with residuals r are
+/// omitted; `None` if the others do not determine all parameters.
 fn without(k: &DMatrix<f64>, r: &DVector<f64>) -> Option<DVector<f64>> {
     let (m, n) = k.shape();
     let least = |rest: &Cholesky<f64, nalgebra::Dyn>| rest.l_dirty().diagonal().min() > NOTHING;

@@ -43,7 +43,7 @@ impl Stability {
 pub struct StabilityTest<'a> {
     /// Indices of the parameters.
     pub parameters: &'a [usize],
-    /// Sets of poses, of which one is left out at a time.
+    /// Sets of poses, of which one is omitted at a time.
     pub left_out: &'a [BTreeSet<PoseName>],
 }
 

@@ -363,7 +363,7 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
         by_pose.entry((p.set, p.pose)).or_default().push(p);
     }
     let mut rows: Vec<OfPose> = by_pose.into_iter().map(|((set, pose), errors)| OfPose { set, pose, errors }).collect();
-    // a pose that was left out of the fit cannot disagree with it
+    // a pose that was excluded from the fit cannot disagree with it
     let over_sigma = |row: &OfPose| flagged.get(&row.pose).copied().filter(|_| row.set == PoseSet::Calibration);
     if rows.len() > PAPER_ROWS {
         let largest = |row: &OfPose| row.largest(|p| Some(after_mm(p))).unwrap_or(0.0);

@@ -51,7 +51,7 @@ fn read(name: &str, unit: &str, text: &str) -> Option<Vec<Vector>> {
 }
 
 /// Writes points and reads them; formats that etalon does not write, or that cannot have the unit,
-/// are left out.
+/// are omitted.
 fn written(name: &str, unit: Unit, rows: &mut Rows) {
     let Some(format) = Format::named(name) else { return };
     let row = |(i, p): (usize, &Vector)| ExportRow {

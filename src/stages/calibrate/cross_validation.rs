@@ -54,7 +54,7 @@ pub(crate) struct Study<'a> {
     pub effects: Vec<Option<Effect>>,
     /// Base and targets alone, fitted to all poses.
     pub before: Vec<f64>,
-    /// Poses that are left out together.
+    /// Poses that are excluded together.
     pub folds: Vec<BTreeSet<PoseName>>,
     /// Poses of neighbouring temperatures; empty if readings state none.
     blocks: Vec<BTreeSet<PoseName>>,
@@ -103,7 +103,7 @@ impl<'a> Study<'a> {
         Ok(study)
     }
 
-    /// Folds of the first division, in which every pose is left out once.
+    /// Folds of the first division, in which every pose is omitted once.
     pub fn first_cut(&self) -> &[BTreeSet<PoseName>] {
         &self.folds[..self.folds.len() / repeats(self.poses)]
     }

@@ -183,7 +183,7 @@ impl Recommendation<'_> {
         changes.sort_by_key(|c| c.index);
         let influences = &self.identified.accuracy.parameter_influences;
         let study = self.study;
-        // of the first cut alone: every pose is left out once
+        // of the first cut alone: every pose is omitted once
         let folds = |is_free: &dyn Fn(usize) -> bool| {
             let settings = study.holding(study.held(is_free));
             study.first_cut().iter().map(|fold| study.without(fold, &settings)).collect::<Result<Vec<_>>>()

@@ -38,7 +38,7 @@ pub struct Gathered {
     pub logs: Vec<JointLog>,
     /// The table of observations, if the campaign has one.
     pub(crate) observations: Option<TableFile>,
-    /// `true` if rows of a target are left out because they have no pose.
+    /// `true` if rows of a target are omitted because they have no pose.
     pub(crate) has_rows_without_pose: bool,
     /// Targets of rigid parts whose rows are all rejected.
     pub(crate) refused_targets: Vec<String>,

@@ -28,7 +28,7 @@ pub(super) struct PointColumns {
     pub stationed: Vec<Stationed>,
     /// Warnings about exports as a whole.
     pub remarks: Vec<Message>,
-    /// `true` if rows of a target are left out because they have no pose.
+    /// `true` if rows of a target are omitted because they have no pose.
     pub has_rows_without_pose: bool,
     /// Targets of rigid parts whose rows are all rejected.
     pub refused_targets: Vec<String>,

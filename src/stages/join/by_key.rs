@@ -102,7 +102,7 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
 }
 
 /// Returns an error if measured points and the log both have keys without a partner, and one of
-/// these is a pose with a text that the other lacks: a misspelling.
+/// these is a pose with a text that the other does not have: a misspelling.
 fn misspelt(keys: &[&str], targets: &[Target], measured: &Keys, log: &JointLog, logged: &Keys) -> Result<()> {
     let posed = |lone: &[Group]| -> Vec<(PoseName, usize)> {
         lone.iter().filter_map(|rows| Some((rows[0].0[0]?, rows[0].1))).collect()

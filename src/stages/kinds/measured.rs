@@ -9,7 +9,7 @@ use etalon_formats::table::{Table, XYZ};
 use etalon_robots::Robot;
 use std::borrow::Cow;
 
-/// Rows that lack a joint value, or all coordinates of a point, with the reason; none in a table of
+/// Rows without a joint value, or all coordinates of a point, with the reason; none in a table of
 /// such rows alone.
 pub fn unmeasured_rows(robot: &dyn Robot, table: &Table) -> Result<Vec<(usize, Phrase)>> {
     let (fixed, height) = (fixed_rows(table)?, table.height());

@@ -56,7 +56,7 @@ pub struct Row<'t> {
 }
 
 impl<'t> Row<'t> {
-    /// Axes of the target's coordinates that the row lacks, if it has others.
+    /// Axes of the target's coordinates that the row does not have, if it has others.
     pub(super) fn missing_axes(&self) -> Vec<&'static str> {
         let axes = ["x", "y", "z"].into_iter().zip(self.xyz_mm);
         axes.filter(|(_, value)| self.is_partial && value.is_nan()).map(|(axis, _)| axis).collect()

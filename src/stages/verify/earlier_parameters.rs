@@ -64,8 +64,8 @@ fn other_robot_message(robot: &dyn Robot, document: &ParametersDocument, missing
     if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }
 }
 
-/// Rejects parameters of the robot that its description lacks: their values would be ignored.
-/// Parameters without effect, at a nominal zero, may be missing.
+/// Rejects parameters of the robot that its description does not have: their values would be
+/// ignored. Parameters without effect, at a nominal zero, may be missing.
 ///
 /// # Errors
 /// Reports the names of these parameters, with the lines that robot.toml needs.

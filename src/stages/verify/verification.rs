@@ -252,7 +252,7 @@ pub fn plan(
 }
 
 /// Error about the changes beyond their bound that the chosen poses do not detect. Changes that no
-/// candidate shows are left out: the targets do not move with them.
+/// candidate shows are omitted: the targets do not move with them.
 fn undetected(
     robot: &dyn Robot,
     bound: UncertaintyBound,
@@ -342,7 +342,7 @@ fn orders(count: usize) -> Vec<Vec<usize>> {
     all
 }
 
-/// Maximum number of poses that are left out in turn.
+/// Maximum number of poses that are excluded in turn.
 const MOST_POSES: usize = 100;
 
 /// The only pose without which the parameters are valid.

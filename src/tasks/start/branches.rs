@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Factor by which the residual of a chain has to be smaller than that of another one.
+/// Factor by which the residual of a chain has to be smaller than the residual of another one.
 pub(super) const BETTER: f64 = 3.0;
 /// Target that stands for the targets of a chain.
 const TARGET: &str = "target";

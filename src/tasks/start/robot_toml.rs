@@ -34,7 +34,7 @@ pub(crate) fn robot_files(path: &Path) -> anyhow::Result<RobotFiles> {
     let mut controllers = "[\"json\"]";
     if let Some((name, description)) = robot.description() {
         let beside = Path::new(name).file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
-        // the file is copied beside robot.toml
+        // the file is copied into the folder of robot.toml
         text = robot.text_beside(&beside);
         controllers = "[\"json\", \"urdf\"]";
         all.push((beside, description.as_bytes().to_vec()));

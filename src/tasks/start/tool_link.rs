@@ -100,8 +100,8 @@ fn evidence(beside: &Path, name: &str, chain: &TreeChain, files: &[PathBuf]) -> 
 }
 
 /// Chooses between chains that the files name or count alike, where no rows test the kinematics:
-/// the longest, or those that end in a link without joints. Joints at the end that do not move
-/// are left out.
+/// the longest, or those that end in a link without joints. Joints at the end that do not move are
+/// omitted.
 fn untested(chains: &[TreeChain], evidence: &[Evidence], fit: &[usize], by_name: bool) -> Choice {
     let longer = |at: &usize| {
         let own = names(&chains[*at]);

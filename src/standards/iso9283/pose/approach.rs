@@ -1,5 +1,5 @@
 //! Approach of each visit: the previous pose of the programmed path, by the order of the poses in
-//! most cycles. A cycle that lacks the reading of a pose does not change the path.
+//! most cycles. A cycle that does not have the reading of a pose does not change the path.
 
 use etalon_base::pose_name::PoseName;
 use std::collections::{BTreeMap, BTreeSet};
