@@ -237,5 +237,10 @@ fn out_of_reach_is_said_where_it_is_shown() {
     assert!(code == Some(1) && said.contains("pose far: out of reach: 2006.6 mm"), "{said}");
     // on the axis of joint 1, nearer than the offset of the arm lets it come
     let (_, code, said) = kinematics("inverse", &robot, &format!("{head}in,0,0,700,1,0,0,0\n"), &["--nearest"]);
-    assert!(code == Some(1) && said.contains("pose in: no solution within the joint limits was found from ") && said.contains("starts"), "{said}");
+    assert!(
+        code == Some(1)
+            && said.contains("pose in: no solution within the joint limits was found from ")
+            && said.contains("starts"),
+        "{said}"
+    );
 }

@@ -212,11 +212,9 @@ fn a_synthetic_campaign_simulates_checks_and_runs() {
     assert_eq!(done(&["simulate", "mine"]), "exports/world.txt\nexports/poses.txt\nencoders.csv\n");
     // the template's dialect: a header row, and 29 poses of K and L in 3 repeats below it
     let checked = done(&["check", "mine"]);
-    assert!(
-        checked.contains(
-            "exports/poses.txt: 174 rows, 0 rejected ({ delimiter = \";\", decimal = \",\", header = 1, columns"
-        )
-    );
+    assert!(checked.contains(
+        "exports/poses.txt: 174 rows, 0 rejected ({ delimiter = \";\", decimal = \",\", header = 1, columns"
+    ));
     let ran = done(&["run", "mine"]);
     assert!(judged(&ran, "largest position error", "pass") && ran.contains("calibration: 8 poses, 24 errors"), "{ran}");
     // what `formats` proposes for the simulated file is what the campaign states

@@ -144,9 +144,7 @@ fn a_quaternion_under_any_headings_is_read_with_the_joints() {
     assert_eq!(errors[0]["id"], "uncertainty-missing");
     assert_eq!(errors[0]["arguments"]["count"], 60);
     assert_eq!(errors[0]["arguments"]["rows"].as_array().map(Vec::len), Some(3), "{said}");
-    assert!(
-        errors[0]["hint"].as_str().unwrap().starts_with("set `expanded_rotation_uncertainty_deg` in [instrument]")
-    );
+    assert!(errors[0]["hint"].as_str().unwrap().starts_with("set `expanded_rotation_uncertainty_deg` in [instrument]"));
 }
 
 #[test]
@@ -573,7 +571,10 @@ fn the_tool_link_is_that_of_the_measured_points() {
     };
     // the recording has no finger
     let robot = chosen("tracker.csv", "run.mcap");
-    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("# tool_link: the names of joints in the files"), "{robot}");
+    assert!(
+        robot.contains("tool_link = \"tool0\"") && robot.contains("# tool_link: the names of joints in the files"),
+        "{robot}"
+    );
     // a finger that stands still, and one that carries the reflector and moves
     std::fs::write(at.join("flange.csv"), rows_of_arm(at, "tool0", &|_| 0.01)).unwrap();
     let robot = chosen("flange.csv", "");

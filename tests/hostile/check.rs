@@ -70,7 +70,10 @@ fn tables_without_poses_are_found_by_check() {
 #[test]
 fn statements_that_mean_nothing_or_contradict_are_refused() {
     let robot = |to: &str, parts: &[&str]| broken("robot.toml", "[nominal]", to, parts);
-    robot("[nominal]\nbetta = 1.0", &["[nominal] contains `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"]);
+    robot(
+        "[nominal]\nbetta = 1.0",
+        &["[nominal] contains `betta`", "robot.toml:", "betta = 1.0", "did you mean `beta`?"],
+    );
     robot("gravity = [0, 0, -1]\n[nominal]", &["[key-of-other-model] key=gravity", "robot.toml:"]);
     broken(
         "robot.toml",

@@ -586,7 +586,10 @@ mod tests {
         let document = propose("p.txt", "a 1 2 3\nb 4 5 6\nc 7 8\nd 9 10 11\n");
         assert_eq!(document.readings[0].share, 0.75);
         assert!(
-            document.doubts.iter().any(|d| d.english().contains("1 row cannot be read in this way; the first is line 3")),
+            document
+                .doubts
+                .iter()
+                .any(|d| d.english().contains("1 row cannot be read in this way; the first is line 3")),
             "{document:?}"
         );
         assert!(document.doubts.iter().any(|d| d.english().contains("no number has a decimal mark")), "{document:?}");
