@@ -1,4 +1,4 @@
-//! Folder of results that is written beside the earlier one and replaces it as a whole: an
+//! Folder of results that is written next to the earlier one and replaces it as a whole: an
 //! interruption at any moment leaves one of the two complete.
 
 use super::files::{Lock, beside, keep_rights, parent, refuse_foreign, write_file};

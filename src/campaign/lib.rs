@@ -383,7 +383,7 @@ pub fn read_robot(path: &Path) -> Result<RobotFile> {
 }
 
 /// Reads the text of a robot.toml. `path` stands for its file: messages name it, and a URDF is
-/// expected beside it.
+/// expected in the same folder.
 ///
 /// # Errors
 /// Fails like [`read_robot`].

@@ -1,4 +1,4 @@
-//! `geometric.json`: results of the geometric method, beside the identification of the same
+//! `geometric.json`: results of the geometric method, compared with the identification of the same
 //! campaign.
 
 use crate::worded::worded;

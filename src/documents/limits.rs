@@ -251,7 +251,7 @@ mod tests {
         }
     }
 
-    /// The mean error of the sample abb-irb120 beside the figure of an independent fit.
+    /// The mean error of the sample abb-irb120 compared with the figure of an independent fit.
     #[test]
     fn a_value_just_below_its_limit_is_undecided_or_accepted_with_its_risk() {
         let of = |rule| LimitVerdict::judge(LimitQuantity::PositionMeanMm, 0.122, 0.121, Some(0.015), rule);

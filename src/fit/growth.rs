@@ -164,8 +164,8 @@ impl<'a> Search<'a> {
         Some(best?.1)
     }
 
-    /// The points nearest to the best start, with the ratio of their standard deviation to that of
-    /// all.
+    /// The points nearest to the best start, with the ratio of their standard deviation to the
+    /// standard deviation of all.
     fn core(&self) -> Option<(Trial, f64)> {
         let (n, fit) = (self.points.len(), self.start()?);
         let count = ((BEGIN * n as f64) as usize).max(self.element.minimum_points() + MORE).min(n);
@@ -308,8 +308,8 @@ fn ln_tail(squares: f64, added: usize, degrees_of_freedom: usize) -> f64 {
     0.5 * (a * numerator + d * ((a + d) / (d * (1.0 + ratio))).ln())
 }
 
-/// Ratio of the standard deviation of the smallest `share` of normal deviates to that of all; of
-/// pairs by their length for two `equations`.
+/// Ratio of the standard deviation of the smallest `share` of normal deviates to the standard
+/// deviation of all; of pairs by their length for two `equations`.
 pub(super) fn reduction(share: f64, equations: usize) -> f64 {
     if share >= 1.0 {
         return 1.0;

@@ -24,7 +24,7 @@ use std::rc::Rc;
 /// Finds the minimum zone of an element; for a line or circle in the plane, z of the points is
 /// ignored.
 ///
-/// Its warnings are those of the least-squares fit of the same points.
+/// It has the warnings of the least-squares fit of the same points.
 ///
 /// Fails for a line in space and a torus, and if the points do not determine the element uniquely.
 pub fn minimum_zone(element: Element, points: &[Vector]) -> Result<MinimumZone> {
@@ -297,7 +297,7 @@ fn sum(a: Vector, b: Vector) -> Vector {
 /// Minimum zone of a circle in the plane from at least three non-collinear points.
 ///
 /// Two points are in contact with the outer circle and two with the inner, alternating around it
-/// (Rivlin 1979). Fails if a line is as narrow, because the centre would be at infinity.
+/// (Rivlin 1979). Fails if a line is as narrow, because the centre is then at infinity.
 ///
 /// R² − r² = max(|p|² − 2 c·p) − min(|p|² − 2 c·p) is a linear Chebyshev problem in the centre c.
 /// From its minimum it grows by at least κ per unit length, and R + r by at most 2. If κ ≥ 2 (R −

@@ -165,7 +165,8 @@ pub struct Fit {
     pub geometry: ElementGeometry,
     /// Number of points.
     pub points: usize,
-    /// Orthogonal distances of all points; [`Fit::residual_mm`] returns that of a single point.
+    /// Orthogonal distances of all points; [`Fit::residual_mm`] returns the distance of a single
+    /// point.
     pub residuals: Residuals,
     /// For a circle in space: root mean square distance of the points from its plane.
     pub out_of_plane_rms_mm: Option<f64>,
@@ -414,7 +415,7 @@ impl Fit {
     }
 
     /// Offsets the element by the probe; returns the derivatives of its quantities with respect to
-    /// those of the uncompensated fit.
+    /// the values of the uncompensated fit.
     fn moves(&mut self, probe: &Probe) -> Result<[[f64; QUANTITIES]; QUANTITIES]> {
         let mut derivative = identity();
         let outwards = probe.outwards_mm();

@@ -112,7 +112,7 @@ pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Opt
     (shift > SHIFTED).then_some(ForeignPoints { points: robust.set_aside, shift })
 }
 
-/// `true` if the distances of all points are those of noise by the spread of the nearest ones.
+/// `true` if the distances of all points can be noise, by the spread of the nearest ones.
 fn plausible(fit: &Fit, points: &[Vector], weights: Option<&[f64]>) -> bool {
     let mean = weights.map_or(1.0, |w| w.iter().sum::<f64>() / w.len().max(1) as f64);
     let weight = |i: usize| weights.map_or(1.0, |w| w[i] / mean);

@@ -20,7 +20,7 @@ const JUDGED: usize = 64;
 const SEARCHED: usize = 120;
 /// Number of iterations before starts are compared.
 const GLANCE: usize = 6;
-/// Residuals, relative to those of the best start, beyond which a start is abandoned.
+/// Residuals, relative to the residuals of the best start, beyond which a start is abandoned.
 const HOPELESS: f64 = 100.0;
 /// Largest axis position or radius, relative to the size of the cloud; beyond it distances lose
 /// eight digits.

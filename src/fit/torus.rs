@@ -46,8 +46,8 @@ pub(super) fn fit_torus(points: Source, settings: &FitSettings) -> Result<Fit> {
 /// is not an arc.
 const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
 
-/// Elements about an axis. The centre is that of a circle through the points projected along the
-/// axis, or a step perpendicular to the tube; a circle through the section along the tube then
+/// Elements about an axis. The centre is the centre of a circle through the points projected along
+/// the axis, or a step perpendicular to the tube; a circle through the section along the tube then
 /// gives both radii.
 fn torus_along(points: &[Vector], chart: Chart) -> Vec<(f64, [f64; 7])> {
     let points: Vec<[f64; 3]> = points.iter().map(|&q| chart.coordinates(q)).collect();

@@ -1,5 +1,6 @@
 //! Input files: their bytes, and their text. A file without lines is rejected before it is read to
-//! its end. Text is decoded strictly, in the given encoding or in that of the byte-order mark.
+//! its end. Text is decoded strictly, in the given encoding or in the encoding of the byte-order
+//! mark.
 
 use super::exports::{Format, binary_format};
 use super::logs::LogKind;

@@ -34,7 +34,7 @@ pub struct Point {
     pub more: Option<Box<Stated>>,
 }
 
-/// Further statements of a row of an export, beside label and position.
+/// Further values of a row of an export, in addition to label and position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stated {
     /// Name of the target.

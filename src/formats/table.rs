@@ -445,7 +445,8 @@ impl Table {
     }
 }
 
-/// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
+/// Columns without a unit that a row may have, in addition to [`TEXTS`] and the columns of an
+/// orientation.
 pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction"];
 
 /// Digits of a heading.

@@ -117,7 +117,7 @@ pub enum Cause {
         /// other mode.
         left_mm: [f64; 2],
     },
-    /// Most readings fit, and those of a few poses do not.
+    /// Most readings fit, and the readings of a few poses do not.
     Readings {
         /// Poses with these readings.
         poses: BTreeSet<PoseName>,

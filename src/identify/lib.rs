@@ -397,7 +397,7 @@ impl Fitted {
     }
 }
 
-/// [`identify`] with starting values of all parameters, for instance those of [`fit_frames`].
+/// [`identify`] with starting values of all parameters, for instance from [`fit_frames`].
 pub fn identify_from(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -544,14 +544,14 @@ impl<'a> Repeated<'a> {
         Self { robot, settings, found, common, stated, linearised, quadratic, residuals, joints, coordinates }
     }
 
-    /// Standard deviations of the rows beside coordinates of targets: conditions, shapes and known
-    /// points.
+    /// Standard deviations of the rows other than coordinates of targets: conditions, shapes and
+    /// known points.
     pub fn stated(&self) -> &[f64] {
         &self.stated
     }
 
     /// All parameters from another measurement of the same targets at the same poses. `drawn` are
-    /// the errors of the rows beside coordinates.
+    /// the errors of the rows other than coordinates.
     pub fn identify(&self, observations: &[Observation], drawn: Vec<f64>) -> Option<Vec<f64>> {
         let (found, x) = (self.found, self.found.free_values());
         let is_same = observations.iter().flat_map(|o| &o.joints).eq(&self.joints);

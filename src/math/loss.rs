@@ -1,9 +1,9 @@
 //! Loss of a residual: its square, or a smaller value that reduces the influence of outliers.
 //!
 //! The sum of ρ(r²) is minimised by weighting the rows of each linear problem such that its
-//! gradient is that of the robust cost and its curvature that of ρ (Triggs et al. 2000, "Bundle
-//! adjustment - a modern synthesis", 4.3). Where the curvature of ρ would be smaller or negative,
-//! it is kept at a hundredth of the weight, so that the linear problem has a minimum.
+//! gradient is the gradient of the robust cost, and its curvature the curvature of ρ (Triggs et al.
+//! 2000, "Bundle adjustment - a modern synthesis", 4.3). Where the curvature of ρ would be smaller
+//! or negative, it is kept at a hundredth of the weight, so that the linear problem has a minimum.
 
 /// Loss ρ of a residual r in units of its standard uncertainty.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -10,7 +10,7 @@ const MOST: usize = 1 << 20;
 /// about a millionth of the linear one.
 const CURVED: f64 = 1e-3;
 
-/// Residuals r(x + s) = r(x) + J s + ½ sᵀ T s about one point, beside the linear part there.
+/// Residuals r(x + s) = r(x) + J s + ½ sᵀ T s about one point, with the linear part there.
 #[derive(Clone, Debug)]
 pub struct Quadratic {
     /// T: derivatives of the Jacobian with respect to one parameter after the other.

@@ -178,7 +178,7 @@ struct Bound<'a> {
 }
 
 impl Bound<'_> {
-    /// Branches with their states and those of these targets that they carry.
+    /// Branches with their states and with the targets that they carry.
     fn parts<'s>(
         &'s self,
         state: State<'s>,

@@ -47,7 +47,7 @@ const BETWEEN: i32 = 16;
 /// Measures of singularity below this are zero.
 const SINGULAR: f64 = 1e-9;
 /// Largest distance (mm) and angle (rad) of the pose at given joint values from its target if the
-/// joint values are those of the target, and do not only select a configuration.
+/// joint values belong to the target, and do not only select a configuration.
 const STATED: [f64; 2] = [1.0, 1e-3];
 
 /// Fixed-point corrections of joint values end if the last correction is below this (mm or rad), or

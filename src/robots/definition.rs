@@ -238,8 +238,8 @@ impl Parameter {
     }
 
     /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, whatever
-    /// tolerance is given. For parameters without a nominal value, that of a rough estimate of
-    /// base and targets.
+    /// tolerance is given. For parameters without a nominal value, the uncertainty of a rough
+    /// estimate of base and targets.
     pub fn known_within(&self) -> f64 {
         usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })
     }

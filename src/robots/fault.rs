@@ -62,7 +62,7 @@ pub enum FaultKind {
     AxisWithoutDirection,
     /// Screw axes are given without the pose of the flange (value of this key).
     NoFlange(&'static str),
-    /// The pose of the flange is given beside Denavit-Hartenberg parameters.
+    /// The pose of the flange is given together with Denavit-Hartenberg parameters.
     FlangeOfTable(&'static str),
     /// Limits are given for the wrong kind of joint (sliding or revolute).
     RangeOfOtherMotion {
@@ -165,11 +165,11 @@ pub enum TreeFault {
     BendsOnMovingBase(String),
     /// No mass beyond this joint can bend it.
     NoMass(String),
-    /// Two parameters would have the same name.
+    /// Two parameters have the same name.
     DoubledName(String),
     /// Neither a link of the targets nor branches are given.
     NoToolLink,
-    /// A link of all targets is given beside branches.
+    /// A link of all targets is given together with branches.
     ToolLinkBesideBranches,
     /// A target is on two branches.
     TargetOnTwoBranches {
@@ -190,7 +190,7 @@ pub enum TreeFault {
     /// A joint of a robot with several branches bends under a payload.
     PayloadInBranches(String),
     /// Joints or the base of a robot with several branches tilt (this key): the moment of one
-    /// branch is not that of all.
+    /// branch is not the moment of all branches.
     ElasticInBranches(&'static str),
     /// A joint is coupled to a joint of another branch.
     CoupledAcrossBranches {

@@ -2,7 +2,7 @@
 //!
 //! The model has 42 parameters (Masory, Wang & Zhuang 1993): for each leg, the centres of its
 //! joints on base and platform, and its length at joint value zero. The frames of base and platform
-//! are arbitrary, so that twelve parameters are unobservable beside base and targets.
+//! are arbitrary, so that twelve parameters cannot be separated from base and targets.
 
 use super::keys::{Description, Reader};
 use super::parallel::{LegParameter, LegValues, Legs, Parallel, Rod, gaps, lengthening};

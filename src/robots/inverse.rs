@@ -1,9 +1,9 @@
 //! Inverse kinematics of arms: damped Newton steps from the start, and a search from many starts.
 //!
-//! The steps are those of Levenberg and Marquardt, damped in proportion to the squared error: they
+//! The steps follow Levenberg and Marquardt, damped in proportion to the squared error: they
 //! converge quadratically to isolated solutions and to families of solutions alike (Yamashita &
-//! Fukushima 2001; for inverse kinematics: Sugihara 2011). Errors and steps are dimensionless:
-//! 1 rad, or 1 m.
+//! Fukushima 2001; for inverse kinematics: Sugihara 2011). Errors and steps are dimensionless: 1
+//! rad, or 1 m.
 
 use super::Robot;
 use super::chain::TURNED_MM;

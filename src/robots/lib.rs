@@ -167,7 +167,7 @@ pub trait Robot: Send + Sync {
 
     /// Values that each reading gives besides: they follow the joint values and the directions of
     /// [`Robot::approached`]. Without these values there is no payload and no torque, and the
-    /// temperature is that of reference.
+    /// temperature is the reference temperature.
     fn circumstances(&self) -> &[Circumstance] {
         &[]
     }
@@ -238,7 +238,7 @@ pub trait Robot: Send + Sync {
     }
 
     /// Places what the nominal geometry determines, such as the frames at which links tilt; to be
-    /// called when the nominal values of a robot file have replaced those of the model.
+    /// called when the nominal values of a robot file have replaced the values of the model.
     fn settle(&mut self) {}
 
     /// Joints in sequence, for robots that are a single chain.

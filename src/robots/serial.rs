@@ -42,7 +42,7 @@ pub(super) struct Drive {
     /// Offset (rad or mm).
     pub offset: f64,
     pub prismatic: bool,
-    /// `true` if the joint value is that of another joint, which this joint mimics.
+    /// `true` if the joint value follows from another joint, which this joint mimics.
     pub mimics: bool,
 }
 

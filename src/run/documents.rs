@@ -28,7 +28,7 @@ pub struct Documents {
     pub manifest: ManifestDocument,
 }
 
-/// Files that a run writes, by their names up to the first `.` or `-`, beside controller files.
+/// Files that a run writes except controller files, by their names up to the first `.` or `-`.
 const OF_RUN: [&str; 19] = [
     "accuracy",
     "campaign",
@@ -140,7 +140,7 @@ impl Documents {
         residuals.and_then(|table| error_table::from_table(&table)).map_err(|more| more.at(&place))
     }
 
-    /// Writes files beside the others of the run, or in their place; returns their paths.
+    /// Writes files into the folder of the run, where they may replace others; returns their paths.
     ///
     /// # Errors
     /// Fails if another run has written the folder since: the files were made from the earlier run.
@@ -197,7 +197,7 @@ pub fn parse_parameters(name: &str, text: &str) -> Result<ParametersDocument> {
     checked(Path::new(name), text.as_bytes())
 }
 
-/// Reads `parameters.json` with the documents beside it, all of one run.
+/// Reads `parameters.json` with the documents of its folder, all of one run.
 pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Option<Documents>)> {
     let run = Documents::open(path.parent().unwrap_or(Path::new(""))).ok();
     let bytes = match &run {

@@ -153,7 +153,7 @@ fn standstill_line(campaign: &Campaign) -> String {
 }
 
 /// `true` if the clock offset is estimated from standstills, and a log has none: an error of its
-/// own, and a join without an offset would only repeat it.
+/// own, and a join without an offset only repeats it.
 pub(super) fn lacks_standstills(campaign: &Campaign) -> bool {
     let join = campaign.file.join.as_ref().filter(|join| join.by == JoinBy::Time);
     join.is_some_and(|join| join.clock_offset_s == Some(ClockOffset::Standstills))
@@ -349,7 +349,7 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
 /// Plausible coefficients of thermal expansion (1/°C); a value outside is in another unit.
 const PER_C: std::ops::RangeInclusive<f64> = 0.0..=2e-4;
 
-/// Checks uncertainties common to all readings, and those of range and angle.
+/// Checks uncertainties common to all readings, and uncertainties of range and angle.
 fn common_errors(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
     let mut wrong = |path: &[&str], value: f64, range: std::ops::RangeInclusive<f64>, quantity: &str| {

@@ -48,7 +48,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
     Ok(found)
 }
 
-/// The recommended parameters of a campaign, identified like those of a run.
+/// The recommended parameters of a campaign, identified like the parameters of a run.
 pub struct Recommended {
     /// Parameters with their errors; what is not recommended is at nominal.
     pub found: IdentifiedDocuments,

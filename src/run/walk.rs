@@ -1,5 +1,5 @@
-//! The walk of a campaign through the stages, each of which computes its result from those of the
-//! previous stages.
+//! The walk of a campaign through the stages, each of which computes its result from the results of
+//! the previous stages.
 
 use super::controller_formats::ControllerFormats;
 use super::{names, statements};

@@ -33,7 +33,7 @@ impl Ran {
         Ok(Self::from_results(campaign.output()?, &outcome.results))
     }
 
-    /// Results in the output folder, if they are those of the present files.
+    /// Results in the output folder, if they belong to the current files.
     pub fn stored(campaign: &Campaign) -> Option<Self> {
         let documents = output::current(campaign, "verdict.json")?;
         let read = results::read(&documents).ok()?;

@@ -5,14 +5,14 @@ use etalon_base::phrase;
 use etalon_documents::{Acceptance, AccuracyDocument, LimitVerdict};
 use etalon_view::{ShownMessage, Verdict};
 
-/// Messages in a language, those of a kind merged, and those that need action first.
+/// Messages in a language: similar messages are merged, and messages that need action come first.
 pub(super) fn shown(messages: &[Message], language: &str) -> Vec<ShownMessage> {
     let mut grouped = Problems(messages.to_vec()).grouped().0;
     grouped.sort_by_key(|message| message.rank);
     grouped.iter().map(|message| ShownMessage::new(message, language)).collect()
 }
 
-/// Language that the user's environment gives, of a page without a campaign.
+/// Language of the user's environment, for a page without a campaign.
 pub(super) fn language_of_user() -> &'static str {
     let stated = ["LC_ALL", "LC_MESSAGES", "LANG"].iter().find_map(|name| std::env::var(name).ok());
     match stated.as_deref().and_then(|stated| stated.get(..2)) {

@@ -38,7 +38,7 @@ impl Row {
     }
 }
 
-/// Text of an export; an error if importing it would not give the simulated points.
+/// Text of an export; an error if its import does not give the simulated points.
 pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<String> {
     let rows = rows(scene, export, stream)?;
     let file = export.file.get_ref();

@@ -13,7 +13,7 @@ use etalon_formats::{JointLog, Log, LogRow};
 /// Stream of the noise of the contact, distinct from the streams of files.
 const CONTACT: u64 = 1 << 33;
 
-/// Text of a log; an error if import would not read it.
+/// Text of a log; an error if the import cannot read it.
 pub(super) fn write(scene: &Scene, log: &Log) -> Result<String> {
     writable(scene, log)?;
     let robot = scene.robot;

@@ -36,7 +36,7 @@ const ATTEMPTS: u64 = 500;
 /// Cells of a row, by the name of the column in mm or deg.
 type Written = BTreeMap<String, String>;
 
-/// Text of the table of observed and known quantities; an error if it would not read back as
+/// Text of the table of observed and known quantities; an error if it cannot be read back as
 /// simulated.
 pub(super) fn write(scene: &Scene, stated: &ObservationsDefinition, items: &[Item], known: &[Item]) -> Result<String> {
     writable(scene, stated)?;

@@ -34,8 +34,8 @@ pub struct Truth {
     /// uncertainty by default. The ratio to that uncertainty scales the noise of a whole table of
     /// observations; 0 gives a table without noise.
     pub noise_um: Option<f64>,
-    /// Gaussian noise of a coordinate when a labelled point is touched again; that of the contact
-    /// by default.
+    /// Gaussian noise of a coordinate when a labelled point is touched again; the noise of the
+    /// contact by default.
     pub contact_um: Option<f64>,
     /// Contents of columns that import skips, in their order; `-` if not given.
     #[serde(default)]

@@ -44,7 +44,7 @@ impl TableConvention {
     }
 }
 
-/// Statements of the user beside the table.
+/// Data of the user that the table does not contain.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SweepsStated {
     /// Joints from the base; by default in the order of their numbers.

@@ -88,7 +88,7 @@ impl Form {
         self.sheet.as_deref().is_some_and(is_topic)
     }
 
-    /// Key that is given beside `sheet` and does not apply to it.
+    /// Key that is given together with `sheet` and does not apply to it.
     pub fn meaningless_beside_sheet(&self) -> Option<&'static str> {
         let text = [
             ("delimiter", self.delimiter.is_some()),

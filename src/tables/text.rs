@@ -1,4 +1,4 @@
-//! Parts of a form beside its marks: encoding, header, missing values.
+//! Parts of a form in addition to its marks: encoding, header, missing values.
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;

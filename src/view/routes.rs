@@ -18,7 +18,7 @@ const LONGEST_NAME: usize = 200;
 /// Names of devices of Windows: with any extension, they name no file there.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "com", "lpt"];
 
-/// `true` if a name is that of a file in a folder on every system.
+/// `true` if a name is the name of a file in a folder on every system.
 fn is_file_name(name: &str) -> bool {
     let stem = name.split('.').next().unwrap_or_default().to_ascii_lowercase();
     let device = |device: &&str| {

@@ -2,8 +2,8 @@
 //! position in m, unit quaternion with the scalar first. A robot is an instance of `ROBOT`, an
 //! external rotary axis one of `SINGLE`, which turns about z of its base frame.
 //!
-//! Names of attributes, units and layout are those of public backups and programs (`docs/cell.md`
-//! has the addresses). The lines are attributes of an existing instance, and no file to load: an
+//! Names of attributes, units and layout come from public backups and programs (`docs/cell.md` has
+//! the addresses). The lines are attributes of an existing instance, and no file to load: an
 //! instance has many more attributes.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier};

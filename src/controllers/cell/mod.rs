@@ -61,7 +61,7 @@ pub struct CellData {
     pub number: u32,
     /// Header: version, source, standard uncertainties.
     pub header: Vec<String>,
-    /// Rotary axes: that of the answer, then the second one.
+    /// Rotary axes: first the axis of the answer, then the second one.
     axes: Vec<MachineAxis>,
     /// Length (mm) of the tool at whose end the first target is.
     tool_length_mm: Option<f64>,

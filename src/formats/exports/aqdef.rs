@@ -324,8 +324,8 @@ impl<'a> File<'a> {
         points
     }
 
-    /// Error if the values of the characteristic belong to other pieces than those of the other
-    /// axes of the point.
+    /// Error if the values of the characteristic belong to other pieces than the values of the
+    /// other axes of the point.
     fn missing(&self, one: &Characteristic, count: usize) -> Option<(usize, Message)> {
         let name = one.called();
         if let Some((i, value)) =
@@ -338,7 +338,7 @@ impl<'a> File<'a> {
         (found != count).then(|| (one.line, error!("coordinate-counts-differ", name, found, count)))
     }
 
-    /// Returns an error if the unit of the characteristic differs from that of the campaign.
+    /// Returns an error if the unit of the characteristic differs from the unit of the campaign.
     fn unit(&self, one: &Characteristic, text: &Text, stated: Unit) -> Result<(), Message> {
         let Some((line, words)) = one.unit.or(self.common.unit).filter(|(_, words)| !words.is_empty()) else {
             return Ok(());

@@ -201,8 +201,8 @@ fn coordinate(table: &Table, row: &Fields, at: Option<usize>, decimal: Decimal) 
     })
 }
 
-/// Returns an error if the unit of the row differs from that of the campaign; older versions do not
-/// state it.
+/// Returns an error if the unit of the row differs from the unit of the campaign; older versions do
+/// not state it.
 fn check_unit(table: &Table, row: &Fields, stated: Unit) -> Result<(), Message> {
     let Some(at) = table.column("unit") else { return Ok(()) };
     let of_file = match row.field(at) {

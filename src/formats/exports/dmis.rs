@@ -177,7 +177,7 @@ fn actual(label: &str) -> Option<&str> {
     kind.trim().eq_ignore_ascii_case("FA").then(|| name.strip_suffix(')'))?
 }
 
-/// Returns an error if the unit of the file differs from that of the campaign.
+/// Returns an error if the unit of the file differs from the unit of the campaign.
 fn units(record: &Record, length: &Part, stated: Unit) -> std::result::Result<(), Message> {
     let place = record.place(length);
     let of_file = match length.text.to_ascii_uppercase().as_str() {

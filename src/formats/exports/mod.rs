@@ -507,7 +507,7 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Error if the unit of the file differs from that of the campaign; `how` is the record of the
+/// Error if the unit of the file differs from the unit of the campaign; `how` is the record of the
 /// file that gives it.
 fn unit_agrees(stated: Unit, of_file: Unit, how: &impl IntoArgument, place: Place) -> Result<(), Message> {
     if stated == of_file {

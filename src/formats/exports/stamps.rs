@@ -4,7 +4,7 @@ use etalon_base::error;
 use etalon_base::message::Message;
 
 /// Seconds since the beginning of 1970 of a date and a time of day. If both are in one cell, `date`
-/// is empty. Time zones are not read: times are those of the instrument's clock.
+/// is empty. Time zones are not read: times come from the instrument's clock.
 pub(crate) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
     let wrong = || error!("time-invalid", text = format!("{date} {time}").trim());
     let plain = |text: &str| text.trim().trim_start_matches('\'').trim_end_matches('Z').trim().to_owned();

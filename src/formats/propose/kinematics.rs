@@ -180,7 +180,7 @@ struct Residual {
 }
 
 /// Tests the columns of joints against the coordinates. A thorough test also tries orders and
-/// directions other than those of the file.
+/// directions other than the directions of the file.
 pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
     let count = robot.joints().len();
     // points of several branches are not those of one chain

@@ -425,7 +425,7 @@ impl Proposal<'_> {
         !self.found.by_kinematics && joints.iter().any(is_open)
     }
 
-    /// Returns the name of a joint: that of the robot, or its number.
+    /// Returns the name of a joint: its name in the robot file, or its number.
     fn joint_key(&self, k: usize) -> String {
         self.found.joint_names.get(k).cloned().unwrap_or_else(|| format!("q{}", k + 1))
     }

@@ -1,5 +1,5 @@
-//! Motion of a recording beside the times of measured points: its standstills, and the offset of
-//! the clocks.
+//! Motion of a recording compared with the times of measured points: its standstills, and the
+//! offset of the clocks.
 
 use etalon_base::angle::Turn;
 

@@ -11,7 +11,7 @@ use etalon_standards::iso9283::pose::test::CommandedPose;
 /// Largest share of implausible samples; above it the rate, the unit or the time stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
-/// Largest difference of the duration by the rate from that of the time stamps, as a share.
+/// Largest difference between the durations by the rate and by the time stamps, as a share.
 const RATE: f64 = 0.05;
 
 /// Error if time stamps span another time than the samples take at the given rate. The resolution

@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 const HIGHEST: usize = 40;
 /// Harmonics above which the prior amplitudes fall.
 const CORNERS: [f64; 8] = [2.0, 3.0, 4.5, 6.5, 9.5, 14.0, 20.0, 30.0];
-/// Harmonic above which those of a bearing fall.
+/// Harmonic above which the harmonics of a bearing fall.
 const BEARING: f64 = 3.0;
 /// Power of the fall (low-pass of Butterworth).
 const ORDER: i32 = 10;
@@ -27,7 +27,7 @@ const MODELLED: f64 = 10.0;
 const REPORTED: f64 = 25.0;
 /// Score (standard deviations) from which the models with harmonics are computed at all.
 const SUSPECT: f64 = 3.0;
-/// Fewest values of a series beside its trend that can show a smooth deviation.
+/// Minimum number of values, in addition to the trend, that can show a smooth deviation.
 const FEWEST: usize = 6;
 /// Deviations (mm) below which a series is exact.
 const EXACT_MM: f64 = 1e-7;

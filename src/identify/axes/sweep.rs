@@ -22,8 +22,8 @@ const STARTS: u64 = 60;
 const LOST: f64 = 0.01;
 /// Minimum number of readings of a sweep at which outliers can be detected.
 const FEWEST_TO_JUDGE: usize = 8;
-/// Ratio of the standard deviation of the nearest three quarters of residuals to that of all: of a
-/// component, where lengths have two, √(1 − (ln 4)/3).
+/// Ratio of the standard deviation of the nearest three quarters of residuals to the standard
+/// deviation of all: of a component, where lengths have two, √(1 − (ln 4)/3).
 const OF_NEAREST: f64 = 0.733;
 /// Ratio of the differences of neighbours to those of independent readings below which deviations
 /// are smooth.

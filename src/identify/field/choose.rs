@@ -22,7 +22,7 @@ const EQUATIONS_EACH: usize = 3;
 pub(super) struct Chosen {
     pub bases: Vec<Basis>,
     pub solved: Solved,
-    /// Fit of the parameters beside the components.
+    /// Fit of the parameters together with the components.
     pub fit: Fit,
     /// Change of the parameters for each independent weight, with the opposite sign.
     pub follow: DMatrix<f64>,
@@ -54,7 +54,7 @@ pub(super) fn choose(rows: &Rows, fit: &Fit, some: &[usize]) -> Result<Chosen, (
     chosen.ok_or((most, threshold))
 }
 
-/// Smallest mean variance of a component, relative to that of a white residual.
+/// Smallest mean variance of a component, relative to the variance of a white residual.
 const NEGLIGIBLE: f64 = 0.01;
 
 /// Weights with nominal values weighted relative to what the field leaves, without components that

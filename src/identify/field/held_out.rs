@@ -46,8 +46,8 @@ impl HeldOut {
         self.gain_over_u > PROVEN
     }
 
-    /// Pose whose error with the field is far above those of the others, with this error (mm): a
-    /// wrong reading. A field describes errors that neighbouring poses share.
+    /// Pose whose error with the field is far above the errors of the others, with this error (mm):
+    /// a wrong reading. A field describes errors that neighbouring poses share.
     pub fn suspect(&self) -> Option<(PoseName, f64)> {
         let median_mm = median(self.poses.iter().map(|(_, [_, after])| *after))?;
         let worst = self.poses.iter().max_by(|a, b| a.1[1].total_cmp(&b.1[1]))?;
@@ -100,7 +100,8 @@ fn summary(all: &[Pose]) -> HeldOut {
     }
 }
 
-/// Errors over their standard uncertainties, with that of the prediction multiplied by a factor.
+/// Errors over their standard uncertainties, with the uncertainty of the prediction multiplied by a
+/// factor.
 fn ratios(all: &[[f64; 4]], factor: f64) -> Vec<f64> {
     all.iter().map(|[_, after, field, white]| after / (factor.powi(2) * field + white).sqrt()).collect()
 }

@@ -95,7 +95,7 @@ pub enum FieldRefusal {
     Undetermined,
     /// Residuals show no dependence on joints: largest rise of −2 ln L, and its threshold.
     NothingShown(f64, f64),
-    /// Held-out error (mm) of a pose that is far above those of the others: a wrong reading.
+    /// Held-out error (mm) of a pose that is far above the errors of the others: a wrong reading.
     Suspect(PoseName, f64),
     /// A field was found, but does not improve the held-out poses significantly.
     NotProven,
@@ -250,7 +250,7 @@ impl JointField {
     }
 
     /// Covariance (mm²) of the position of a target with the field, without the measurement's own
-    /// noise. Beyond the measured range it grows to that of an unknown field.
+    /// noise. Beyond the measured range it grows to the value of an unknown field.
     pub fn covariance_mm2(&self, robot: &dyn Robot, values: &[f64], joints: &[f64], target: usize) -> DMatrix<f64> {
         let (d, n) = (robot.dimension(), self.free.len());
         let (all, axes) = (robot.parameters().len(), robot.joints().len());

@@ -50,7 +50,7 @@ pub(super) struct Fit {
     root: DMatrix<f64>,
     /// (XᵀX)⁻¹.
     pub inverse: DMatrix<f64>,
-    /// Residuals after the fit; those of nominal values at the end.
+    /// Residuals after the fit; residuals of nominal values are at the end.
     pub residuals: DVector<f64>,
     /// Change of the parameters.
     pub change: DVector<f64>,

@@ -113,7 +113,7 @@ pub struct Base {
     pub plane: FittedPlane,
     /// The arc of ball N; its centre is the origin O.
     pub arc: FittedArc,
-    /// O in the world frame, whose origin is ball R at home, with axes parallel to those of the
+    /// O in the world frame, whose origin is ball R at home, with axes parallel to the axes of the
     /// base (thesis 3.4.1).
     pub origin_in_world: Flat,
     /// Angle of the y axis in the axes of the plane.

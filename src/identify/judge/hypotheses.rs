@@ -196,7 +196,7 @@ pub(super) fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitt
 }
 
 /// Adds the parameters of fixtures to the robot in another convention; `false` if its own
-/// parameters are not those of the robot.
+/// parameters do not belong to the robot.
 fn add_fixtures(robot: &dyn Robot, other: &mut dyn Robot) -> bool {
     let (all, count) = (robot.parameters(), other.parameters().len());
     let alike = other.parameters().iter().zip(all).all(|(a, b)| a.role == b.role);

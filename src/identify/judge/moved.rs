@@ -198,8 +198,8 @@ impl<'a> Linear<'a> {
         Some(Self { robot, observations, values, residuals, basis, starts, measured, middle, unit_mm })
     }
 
-    /// Variance of the mean residual of a pose relative to that of independent residuals: the
-    /// misfit of the model is common to the targets of a pose.
+    /// Variance of the mean residual of a pose relative to the variance of independent residuals:
+    /// the misfit of the model is common to the targets of a pose.
     fn common_to_a_pose(&self) -> f64 {
         let dimension = self.robot.dimension();
         let (mut of_means, mut each) = (0.0, 0.0);

@@ -69,7 +69,7 @@ pub struct Systematic {
 }
 
 impl Systematic {
-    /// `true` if an error common to all readings is given, in addition to those of frames.
+    /// `true` if an error common to all readings is given, in addition to the errors of frames.
     pub fn is_stated(&self) -> bool {
         self.scale > 0.0 || self.expansion > 0.0 || self.homing.iter().any(|u| *u > 0.0)
     }
@@ -83,7 +83,7 @@ pub struct Budget {
     stated: Vec<(Source, Vec<f64>)>,
     /// Covariance of the parameters from all evidence of single readings and poses.
     readings: Vec<f64>,
-    /// Ratio of the variance of repeats beyond the instrument to that of the instrument.
+    /// Variance of repeats beyond the instrument over the variance of the instrument.
     repeats: f64,
     /// The frames of single poses, if `readings` do not contain them.
     of_poses: Vec<f64>,
@@ -208,7 +208,7 @@ impl Budget {
     }
 
     /// Adds the errors common to all readings, each by the change of the residuals, and their
-    /// contribution to `covariance`, which already contains that of the frames.
+    /// contribution to `covariance`, which already contains the contribution of the frames.
     pub(crate) fn carry(&mut self, errors: Vec<(Source, Vec<f64>)>, solved: Solved, covariance: &mut [f64]) {
         let n = solved.solution.x.len();
         let Some(inverse) = solved.solution.covariance() else { return };

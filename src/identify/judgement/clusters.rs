@@ -26,8 +26,8 @@ pub(crate) struct ByCluster {
     pub covariance: Vec<f64>,
     /// Effective degrees of freedom of each variance.
     pub degrees_of_freedom: Vec<f64>,
-    /// Mean over all directions of the variance of the parameters, relative to that of independent
-    /// residuals of unit variance.
+    /// Mean over all directions of the variance of the parameters, relative to the variance of
+    /// independent residuals of unit variance.
     pub ratio: f64,
     /// Variance of this ratio for independent residuals.
     ratio_variance: f64,

@@ -108,7 +108,8 @@ pub struct JudgedErrors<'a> {
     pub observations: &'a [Observation],
     /// Further readings whose errors are judged.
     pub conditions: &'a [Condition],
-    /// Standard uncertainty (mm) of a position, if it does not follow from that of a coordinate.
+    /// Standard uncertainty (mm) of a position, if it does not follow from the uncertainty of a
+    /// coordinate.
     pub position_mm: Option<f64>,
 }
 

@@ -281,7 +281,7 @@ impl<'a> Group<'a> {
 }
 
 /// Pairs of readings of one target at different poses: all of them, or an even selection. Also the
-/// number of all pairs. `readings` are those of all groups.
+/// number of all pairs. `readings` are the readings of all groups.
 fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
     let count: usize = groups.iter().map(|group| pair_count(group.len())).sum();
     let mut available = count;

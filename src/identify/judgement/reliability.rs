@@ -64,7 +64,7 @@ pub struct Reliability {
     /// of freedom (Cook 1977).
     pub influential: f64,
     /// Standard deviation (mm) of a coordinate: the given one if it explains the residuals,
-    /// otherwise that of the residuals.
+    /// otherwise the one from the residuals.
     pub sigma_mm: f64,
 }
 

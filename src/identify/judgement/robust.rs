@@ -1,5 +1,5 @@
-//! A robust fit beside the plain one: parameters with a low weight for readings far from the
-//! others, and the poses that disagree with the rest.
+//! A robust fit in addition to the plain one: parameters with a low weight for readings far from
+//! the others, and the poses that disagree with the rest.
 
 use crate::Result;
 use crate::judgement::regional;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 /// Constant of the Cauchy loss with which the estimate of normal residuals has [`EFFICIENCY`]
 /// (Holland & Welsch 1977, Robust regression using iteratively reweighted least-squares).
 pub(crate) const CAUCHY: f64 = 2.385;
-/// Variance of the plain estimate relative to that of the robust one, for normal residuals.
+/// Variance of the plain estimate over the variance of the robust one, for normal residuals.
 const EFFICIENCY: f64 = 0.95;
 /// Significance level at which a parameter or a pose disagrees.
 const SIGNIFICANCE: f64 = 0.01;
@@ -55,7 +55,7 @@ pub struct PoseWeight {
     pub residual_over_sigma: f64,
 }
 
-/// A robust fit beside the plain one.
+/// A robust fit in addition to the plain one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustComparison {
     /// All parameters of the robot from the robust fit (mm, rad, 1).

@@ -112,7 +112,7 @@ pub(crate) fn bisect(holds: impl Fn(f64) -> bool) -> f64 {
 
 /// Minimum number of poses for [`exceeds_zero`].
 const FEWEST_POSES: usize = 5;
-/// Probability that noise alone exceeds zero: that of k = 2.
+/// Probability that noise alone exceeds zero, for k = 2.
 const BY_CHANCE: f64 = 0.02275;
 
 /// `true` if the mean of independent differences, one of each pose, is above zero by more than

@@ -105,10 +105,10 @@ pub fn stability(
 }
 
 /// The parameters from some of the observations, to first order about those from all: a new
-/// identification from few poses would move far along poorly determined directions, for which a
-/// standard deviation has no meaning.
+/// identification from few poses moves far along poorly determined directions, for which a standard
+/// deviation has no meaning.
 struct Linear {
-    /// Step from the parameters of all observations to those of these observations.
+    /// Step from the parameters of all observations to the parameters of these observations.
     step: Vec<f64>,
     /// Variances with residuals of unit variance.
     variances: Vec<f64>,

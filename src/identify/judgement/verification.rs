@@ -133,7 +133,7 @@ pub struct Verification {
     /// Possible changes, the best explanation first: sufficient ones, ordered by their number of
     /// values.
     pub explanations: Vec<Explanation>,
-    /// Changes that these observations would have detected.
+    /// Changes that these observations can detect.
     pub detectable: Vec<Detectable>,
 }
 
@@ -160,7 +160,7 @@ pub struct Comparison<'a> {
     pub settings: &'a Settings,
     /// The parameters.
     pub given: &'a IdentifiedParameters,
-    /// Errors of the model beyond those of the parameters.
+    /// Errors of the model beyond the errors of the parameters.
     pub misfit: &'a Misfit,
 }
 
@@ -230,7 +230,7 @@ impl Comparison<'_> {
         Ok(Test::together(&of_changes, &of_rest))
     }
 
-    /// Smallest changes that observations at these poses would detect, wherever their targets are
+    /// Smallest changes that observations at these poses can detect, wherever their targets are
     /// measured, as in [`Self::verify`].
     ///
     /// # Errors

@@ -161,7 +161,7 @@ pub(crate) fn transposed_times(a: DMatrixView<f64>, b: DMatrixView<f64>) -> DMat
     a.transpose() * b
 }
 
-/// The unknowns to eliminate: those of targets, or those fixed in the world, whichever are more.
+/// The unknowns to eliminate: of targets, or fixed in the world, whichever are more.
 struct Owners {
     targets: Vec<Range<usize>>,
     fixtures: BTreeSet<usize>,

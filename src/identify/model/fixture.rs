@@ -1,8 +1,8 @@
-//! Names of the parameters that conditions add to those of a robot.
+//! Names of the parameters that conditions add to the parameters of a robot.
 
 use etalon_robots::{Parameter, Quantity, Robot, Role, meaning};
 
-/// Parameters that conditions add to those of a robot, by name.
+/// Parameters that conditions add to the parameters of a robot, by name.
 #[derive(Clone, Copy, Debug)]
 pub enum Fixture<'a> {
     /// A point that is fixed in the world: a socket, the end of a ball bar. Parameters `NAME_x`,
@@ -30,8 +30,8 @@ const STATION: &str = meaning("meaning-station-pose");
 const BAR: &str = meaning("meaning-bar-length");
 
 impl Fixture<'_> {
-    /// Adds its parameters to those of `robot`, unless they exist, and returns the index of the
-    /// first.
+    /// Adds its parameters to the parameters of `robot`, unless they exist, and returns the index
+    /// of the first.
     pub fn add_to(self, robot: &mut dyn Robot) -> usize {
         const AXES: [&str; 3] = ["x", "y", "z"];
         use Quantity::{Angle, Length};

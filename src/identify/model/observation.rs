@@ -14,10 +14,9 @@ use std::collections::BTreeMap;
 /// use etalon_identify::Observation;
 /// use etalon_robots::{Prexyt, Robot};
 ///
-/// // ball K alone was measured at pose 3, 0.02 mm in x beside its nominal place
-/// let (robot, joints) = (Prexyt::default(), vec![100.0, 200.0, 200.0]); // mm
-/// let [x, y, z] = robot.position(&robot.nominal(), &joints, 0);
-/// let targets = vec![Some([x + 0.02, y, z]), None];
+/// // ball K alone was measured at pose 3, 0.02 mm in x from its nominal place let (robot, joints)
+/// = (Prexyt::default(), vec![100.0, 200.0, 200.0]); // mm let [x, y, z] =
+/// robot.position(&robot.nominal(), &joints, 0); let targets = vec![Some([x + 0.02, y, z]), None];
 /// let observation = Observation { pose: 3.into(), joints, targets, ..Observation::default() };
 ///
 /// let misses: Vec<_> = observation.misses(&robot, &robot.nominal()).collect();
@@ -179,8 +178,8 @@ impl Observation {
     }
 }
 
-/// Directions of approach of a joint at consecutive `values`: those of its last motions by more
-/// than `still`; `None` before the first motion.
+/// Directions of approach of a joint at consecutive `values`: the directions of its last motions by
+/// more than `still`; `None` before the first motion.
 pub fn directions(values: impl Iterator<Item = f64>, still: f64) -> Vec<Option<f64>> {
     let (mut last, mut direction) = (None, None);
     let next = |value: f64| {

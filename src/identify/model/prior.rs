@@ -17,14 +17,14 @@ pub enum Prior {
         /// Standard deviation of a residual, by which the rows are multiplied to have the given
         /// weight; 1 if the given uncertainty of the instrument explains the residuals.
         weight: f64,
-        /// Standard uncertainties of parts of the robot relative to those of default tolerances, if
-        /// none are given: the data may show a more accurately built robot.
+        /// Standard uncertainties of parts of the robot relative to the ones of default tolerances,
+        /// if none are given: the data may show a more accurately built robot.
         scale: f64,
     },
 }
 
 impl Prior {
-    /// Tolerances beside residuals with the given uncertainty.
+    /// Tolerances together with residuals of the given uncertainty.
     pub const TOLERANCES: Self = Self::Tolerances { weight: 1.0, scale: 1.0 };
 
     /// Factor of the rows of nominal values.

@@ -262,12 +262,12 @@ pub struct Contradicted {
     pub found_mm: f64,
     /// Distance of the given positions (mm).
     pub stated_mm: f64,
-    /// `false` if the distance is that of another part.
+    /// `false` if the distance belongs to another part.
     pub is_near: bool,
 }
 
 impl Contradicted {
-    /// Message with a name for the given positions; an error if the distance is that of another
+    /// Message with a name for the given positions; an error if the distance belongs to another
     /// part.
     pub fn message(&self, places: &(impl IntoArgument + ?Sized)) -> Message {
         let Self { targets, by, found_mm, stated_mm, pair: [first, second], is_near } = self;

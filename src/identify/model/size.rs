@@ -1,11 +1,11 @@
 //! Size of a robot whose observations contain no length.
 //!
 //! Where targets touch, or hold bars of unknown lengths, a robot of twice the size closes as well,
-//! and its gaps are twice as long. Least squares of the gaps would prefer smaller robots. The joint
-//! values are observed, not the gaps: the density of the joint values is that of the gaps times the
-//! determinant of the derivatives of the gaps, which grows with the size as the gaps do (change of
-//! variables). Gaps relative to the size are independent of the size, and nominal lengths determine
-//! it.
+//! and its gaps are twice as long. Least squares of the gaps prefer smaller robots. The joint
+//! values are observed, not the gaps: the density of the joint values is the density of the gaps
+//! times the determinant of the derivatives of the gaps, which grows with the size as the gaps do
+//! (change of variables). Gaps relative to the size are independent of the size, and nominal
+//! lengths determine it.
 
 use crate::model::kinds::Condition;
 use etalon_base::pose::{Vector, centroid, minus};

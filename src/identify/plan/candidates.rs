@@ -12,14 +12,14 @@ use std::collections::BTreeMap;
 /// Configurations that may be measured.
 #[derive(Clone, Debug)]
 pub struct Candidates {
-    /// Configurations in the order of the table; those of one pose are consecutive.
+    /// Configurations in the order of the table; the configurations of one pose are consecutive.
     pub observations: Vec<Observation>,
     /// Message for candidates that violate a limit of the nominal robot
     /// ([`Robot::limit_violation`]).
     pub limit_violations: Option<Message>,
 }
 
-/// The configurations within reach of the nominal robot, with those of one pose numbered.
+/// The configurations within reach of the nominal robot, with numbered poses.
 pub fn within_limits(robot: &dyn Robot, all: Vec<Observation>) -> Result<Candidates> {
     let nominal = robot.nominal();
     let mut violations = Vec::new();

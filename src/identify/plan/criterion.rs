@@ -78,8 +78,8 @@ impl Criterion {
         }
     }
 
-    /// `true` if columns are divided by their norms: otherwise the sum of variances would mix mm²
-    /// and rad².
+    /// `true` if columns are divided by their norms: otherwise the sum of variances mixes mm² and
+    /// rad².
     pub fn scales_columns(self) -> bool {
         !matches!(self, Self::O2 | Self::O3 | Self::O4 | Self::O5)
     }

@@ -67,7 +67,7 @@ pub struct Losses {
     pub region: usize,
     /// A reflector faces away from the instrument.
     pub sight: usize,
-    /// Part of `sight`: all reflectors would face the instrument with opposite axes.
+    /// Part of `sight`: with opposite axes all reflectors face the instrument.
     pub reversed: usize,
     /// A target is hidden, by the first obstacle that hides it.
     pub hidden: Vec<usize>,
@@ -160,7 +160,7 @@ pub fn base_in_world(robot: &dyn Robot) -> Pose {
 enum Loss {
     Limits,
     Region,
-    /// `reversed` if opposite axes would face the instrument.
+    /// `reversed` if opposite axes face the instrument.
     Sight {
         reversed: bool,
     },

@@ -196,7 +196,7 @@ pub fn index_of_poses(plan: &Plan, observations: &[Observation], criterion: Crit
     criterion.index(&pool, Choice::new(&pool, chosen).value)
 }
 
-/// Configurations that are measured together: those of a pose, or single ones.
+/// Configurations that are measured together: all of a pose, or single ones.
 fn group(observations: &[Observation], single: bool) -> Vec<Vec<usize>> {
     let mut members: Vec<Vec<usize>> = Vec::new();
     for (k, o) in observations.iter().enumerate() {

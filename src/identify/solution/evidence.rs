@@ -8,7 +8,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Candidate scales: 1, 1/√2, 1/2 ... 1/64.
 const STEPS: i32 = 13;
-/// Candidate standard deviations: that of the residuals, 1/2 of it ... 1/4096.
+/// Candidate standard deviations: of the residuals, 1/2 of it ... 1/4096.
 const HALVES: i32 = 13;
 /// Rise of −2 ln L within one standard deviation of the most probable scale: chi-square of one
 /// parameter.
@@ -19,7 +19,7 @@ pub(crate) struct MostProbable {
     /// Scale of the default tolerances, at most 1: the largest one compatible with the most
     /// probable scale, so that nominal values do not outweigh few poses.
     pub scale: f64,
-    /// Standard deviation of a residual, at most that of the residuals.
+    /// Standard deviation of a residual, at most the one of all residuals.
     pub noise: f64,
 }
 

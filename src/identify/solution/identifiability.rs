@@ -6,15 +6,15 @@ use crate::model::residuals::Residuals;
 use etalon_math::{Factor, factor_at};
 
 /// Maximum distance of a column of the scaled Jacobian from the span of the previous columns at
-/// which it is dependent: far above rounding (1e-15), far below that of any useful set of poses
-/// (1/condition, about 1/100: Schröer, cited in Nahvi & Hollerbach 1996).
+/// which it is dependent: far above rounding (1e-15), far below the ratio of any useful set of
+/// poses (1/condition, about 1/100: Schröer, cited in Nahvi & Hollerbach 1996).
 pub const RANK_TOLERANCE: f64 = 1e-9;
 /// Fraction of the largest column below which a column is unobservable.
 const UNSEEN: f64 = 1e-12;
 /// Share of a dependence above which a parameter belongs to the group.
 const MEMBER: f64 = 1e-4;
-/// Absolute correlation above which a parameter is named beside a parameter with a uselessly large
-/// uncertainty.
+/// Absolute correlation above which a parameter is named together with a parameter with a uselessly
+/// large uncertainty.
 const CORRELATED: f64 = 0.5;
 
 /// Parameters that are not separately identifiable; the last of them is held.

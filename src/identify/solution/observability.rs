@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 
 /// Singular values of the Jacobian and the indices computed from them (eq. 1.19 to 1.25).
 ///
-/// The indices are those of the Jacobian in mm per mm and mm per rad, without weights; the
-/// condition number is that of the Jacobian with its columns divided by their norms.
+/// The indices follow from the Jacobian in mm per mm and mm per rad, without weights. The condition
+/// number follows from the Jacobian with its columns divided by their norms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observability {
     /// O1 to O5. O1 is (σ1…σm)^(1/m) / √n with m parameters and n poses (Sun & Hollerbach 2008).
@@ -23,7 +23,7 @@ pub struct Observability {
     /// Number of parameters that are separately identifiable.
     pub rank: usize,
     /// Number of coordinates of unknown points that were eliminated because of their large number:
-    /// indices and singular values are those of the reduced Jacobian.
+    /// indices and singular values belong to the reduced Jacobian.
     pub eliminated: usize,
     /// Singular values of the Jacobian with its columns divided by their norms, descending: the
     /// first over the last is the condition number.
@@ -55,9 +55,9 @@ pub struct WeakGroup {
     pub correlation: f64,
 }
 
-/// Limit of weakly identifiable parameters: their uncertainty alone would move the targets by more
-/// than this multiple of the instrument's resolution (root mean square over the residuals, each
-/// pose measured once).
+/// Limit of weakly identifiable parameters: their uncertainty alone moves the targets by more than
+/// this multiple of the instrument's resolution (root mean square over the residuals, each pose
+/// measured once).
 const WEAK_EFFECT: f64 = 10.0;
 /// Minimum share of a parameter in a singular vector.
 const MEMBER: f64 = 0.3;

@@ -55,7 +55,7 @@ pub(crate) struct Identifiable {
     pub weight: f64,
 }
 
-/// A solution of some of the poses, from which that of all poses is reached in few steps.
+/// A solution of some of the poses, from which the solution of all poses is reached in few steps.
 struct Near {
     /// All parameters of the robot.
     values: Vec<f64>,
@@ -166,7 +166,7 @@ impl Estimation<'_> {
         Ok((misfit(&other)? < BETTER * before).then_some(other))
     }
 
-    /// Returns a solution near that of all poses.
+    /// Returns a solution near the solution of all poses.
     fn near(&self, start: &[f64]) -> Result<Near> {
         let (found, prior) = match self.settings.prior {
             Prior::None => (self.rounds(start.to_vec(), None)?, Prior::None),

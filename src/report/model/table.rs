@@ -145,7 +145,7 @@ impl Table {
         self.laid_out(self.on_page())
     }
 
-    /// Layout for a page: the deciding column is beside the name.
+    /// Layout for a page: the deciding column follows the name.
     fn laid_on_page(&self) -> Laid<'_> {
         let mut places = self.on_page();
         if let Some(i) = places.iter().position(|i| self.columns[*i].decisive).filter(|i| *i > 1) {

@@ -73,7 +73,7 @@ struct OfQuantity<'a> {
     quantity: ErrorQuantity,
     errors: Vec<&'a PointError>,
     up: Axis,
-    /// `true` if the trends are those of this quantity alone.
+    /// `true` if the trends belong to this quantity alone.
     single: bool,
 }
 

@@ -10,7 +10,7 @@ const DRAWN: f64 = 0.001;
 /// Smallest share of a second source that is worth a figure.
 const VISIBLE: f64 = 0.01;
 
-/// One bar for each figure, with sources by name; `None` if only one source would be visible.
+/// One bar for each figure, with sources by name; `None` if only one source is visible.
 pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phrase, words: &Words) -> Option<Figure> {
     let mut sources: Vec<_> = budget.iter().flat_map(|f| &f.contributions).map(|c| c.source).collect();
     sources.sort_unstable();

@@ -82,7 +82,7 @@ impl<'a> Look<'a> {
             .collect()
     }
 
-    /// Corners of the mark, whose area is about that of the circle; a circle has no corners.
+    /// Corners of the mark, whose area is about the area of the circle; a circle has no corners.
     fn corners(self, (x, y): Place, radius: f64) -> Vec<Place> {
         let triangle = |up: f64| vec![(0.0, -1.35 * up), (1.35, 0.9855 * up), (-1.35, 0.9855 * up)];
         let unit = match self.shape {

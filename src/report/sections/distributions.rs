@@ -1,4 +1,4 @@
-//! Distributions of a campaign's results beside its linear uncertainties (JCGM 101).
+//! Distributions of a campaign's results, with its linear uncertainties for comparison (JCGM 101).
 
 use crate::model::{Block, Cell, Columns, Section, Table, significant, strong_term, term, with_uncertainty};
 use crate::model::{Text, Verdict};

@@ -186,7 +186,7 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
     section.push(Block::detail(Text::worded(&tool.definition, words)));
 }
 
-/// Maximum number of trends beside the other figures, the most significant first.
+/// Maximum number of trends in addition to the other figures, the most significant first.
 const TRENDS: usize = 1;
 
 /// Figures of the errors.

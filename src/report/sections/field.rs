@@ -54,7 +54,7 @@ fn gain(held: &FieldHeldOut, words: &Words) -> String {
     )
 }
 
-/// Predicted uncertainty beside the errors of held-out poses.
+/// Predicted uncertainty compared with the errors of held-out poses.
 fn uncertainty(held: &FieldHeldOut, words: &Words) -> String {
     let coverage = number::fixed(100.0 * held.coverage, 1);
     tr!(words, "field-uncertainty", coverage, factor = number::fixed(held.factor, 2))

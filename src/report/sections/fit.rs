@@ -64,7 +64,7 @@ fn indices(o: &ObservabilitySummary, words: &Words) -> Table {
     Table::new(words, [o], columns)
 }
 
-/// Singular values in descending order, followed by those of held parameters.
+/// Singular values in descending order, followed by the values of held parameters.
 fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
     let all = o.singular_values.iter().map(|s| ("identified", s));
     let all = all.chain(o.held_singular_values.iter().map(|s| ("held", s)));

@@ -1,4 +1,4 @@
-//! Geometric calibration beside the identification: its results, and its accuracy.
+//! Geometric calibration compared with the identification: its results, and its accuracy.
 
 use crate::model::{Block, Columns, Figure, Section, Table, Text, fixed, numbers, significant, with_uncertainty};
 use crate::number;

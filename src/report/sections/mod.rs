@@ -60,7 +60,7 @@ const ANNEXES: [Make; 11] = [
     provenance::section,
 ];
 
-/// Identifiers of characteristics that are annexes beside AP, RP, drift and recorded motions.
+/// Identifiers of characteristics that are annexes to AP, RP, drift and recorded motions.
 const DETAILS: [&str; 5] = ["poses", "distances", "exchangeability", "compliance", "posing"];
 
 /// Characteristics in the order of ISO 9283:1998, by their clauses.

@@ -76,7 +76,7 @@ pub(crate) fn method(name: &str) -> Option<Phrase> {
     })
 }
 
-/// Movement of the whole robot; any other movement is that of a joint.
+/// Movement of the whole robot; any other movement is a movement of a joint.
 pub(crate) fn movement(name: &str) -> Option<Phrase> {
     Some(match name {
         "base shift" => phrase!("base-shift"),

@@ -8,7 +8,7 @@ use etalon_base::{error, phrase};
 use etalon_documents::ReferenceFile;
 use serde_json::{Map, Value};
 
-/// Hashes of the embedded files beside those that the program gives.
+/// Hashes of the embedded files, and the hashes in the program.
 pub(super) fn files() -> Vec<ReferenceFile> {
     let expected = |name: &str| {
         let line = SHA256.lines().find_map(|line| line.strip_suffix(name)?.strip_suffix("  "));
@@ -23,7 +23,7 @@ pub(super) fn files() -> Vec<ReferenceFile> {
     json.chain(campaign).chain(certified).map(|(name, text)| reference_file(&name, text, expected(&name))).collect()
 }
 
-/// Hash of a file of the reference data, beside the hash in the program.
+/// Hash of a file of the reference data, and its hash in the program.
 fn reference_file(name: &str, text: &str, expected: &str) -> ReferenceFile {
     let sha256 = etalon_base::files::sha256(text.as_bytes());
     ReferenceFile { name: name.to_owned(), pass: sha256 == expected, sha256, expected_sha256: expected.to_owned() }

@@ -60,7 +60,7 @@ fn described(format: &str, robot: &dyn Robot, values: &[f64], description: Optio
     Ok(String::from_utf8_lossy(&exporter.write(&given)?).into_owned())
 }
 
-/// Every value beside the name of its parameter, bit for bit.
+/// Every value of a parameter, bit for bit, with the parameter's name.
 fn listed(item: &Data, rows: &mut Rows) -> Result<()> {
     let robot = robot(item.text("/robot"), "", &["K", "L"])?;
     let robot = robot.as_ref();

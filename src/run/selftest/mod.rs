@@ -48,7 +48,7 @@ const SUBJECTS: [&Subject; 12] = [
     &threads::SUBJECT,
 ];
 
-/// Validates this installation. `expected_sha256` is that of the program file, if it is known;
+/// Validates this installation. `expected_sha256` is the hash of the program file, if it is known;
 /// `report` is called with the number of finished requirements and of all.
 ///
 /// # Errors

@@ -21,7 +21,7 @@ pub(super) fn requirement() -> Option<SelftestRequirement> {
     Some(requirement_result("nist", phrase!("selftest-nist"), vec![rows]))
 }
 
-/// Errors of a fit beside the published answer (mm, rad).
+/// Errors of a fit against the published answer (mm, rad).
 type Errors = fn(&Fit, &[f64]) -> f64;
 
 // circles of the folder Circle2d lie in planes of any axis: they are fitted in space

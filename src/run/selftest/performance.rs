@@ -15,7 +15,7 @@ pub const OF_UNCERTAINTY: f64 = 1e-6;
 /// Permissible relative difference of a value without uncertainty, and of an uncertainty itself.
 pub const RELATIVE: f64 = 1e-9;
 
-/// Runs a campaign and compares its parameters with those of a stored document. Nothing is written.
+/// Runs a campaign and compares its parameters with a stored document. Nothing is written.
 ///
 /// # Errors
 /// Fails if the campaign cannot be run or identifies nothing, or if the document cannot be read.

@@ -64,7 +64,7 @@ impl Drop for Scratch {
     }
 }
 
-/// Robot of a robot.toml, with a URDF file beside it.
+/// Robot of a robot.toml, with a URDF file in its folder.
 ///
 /// # Errors
 /// Fails if the description is incomplete.

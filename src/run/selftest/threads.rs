@@ -13,7 +13,7 @@ use std::path::Path;
 pub(super) const SUBJECT: Subject =
     Subject { id: "threads", requirement: || phrase!("selftest-threads"), rows, slips: &[] };
 
-/// Number of threads beside one.
+/// Number of threads that is compared with one thread.
 const MANY: usize = 4;
 
 fn rows(_data: &Data) -> Vec<Rows> {

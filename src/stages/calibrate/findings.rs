@@ -30,7 +30,7 @@ impl Findings {
         steps.chain(solver.iter().map(|warning| &warning.message)).any(|message| message.severity == Severity::Error)
     }
 
-    /// All messages, with those of the solver.
+    /// All messages, with the messages of the solver.
     ///
     /// A reader stops at the first message that explains the result, so causes precede
     /// consequences: what forbids to load the parameters, then what is wrong with the observations,

@@ -121,7 +121,7 @@ impl Recommendation<'_> {
         self.loading.answer != LoadAnswer::KeepNominal && (is_of_run || further())
     }
 
-    /// Document of parameters that are not those of the run.
+    /// Document of parameters that differ from the parameters of the run.
     fn conditioned(&self, model: &Settings, found: &Identification) -> ParametersDocument {
         let study = self.study;
         let inputs = &self.identified.parameters.provenance.inputs;

@@ -54,7 +54,7 @@ impl Undescribed<'_> {
     }
 
     /// Harmonics of the joints whose own harmonics predict left-out poses better: alone, and in
-    /// addition to those of the other joints.
+    /// addition to the effects of the other joints.
     fn harmonics(self) -> Option<Addition> {
         let addition = |joints| Addition { key: "harmonics", effect: Effect::Harmonics, joints };
         let gains = |without: &CrossValidated, with: &CrossValidated| {

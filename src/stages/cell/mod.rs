@@ -77,7 +77,7 @@ pub enum CellMounting {
     Sensor,
 }
 
-/// Statements of the user beside the table.
+/// Data of the user that the table does not contain.
 #[derive(Clone, Debug)]
 pub(crate) struct CellStated {
     pub solve: CellKind,
@@ -605,7 +605,7 @@ impl Few {
         if of.len() < self.all { of.to_vec() } else { self.rows.iter().map(|&i| of[i]).collect() }
     }
 
-    /// Residuals of these readings as they are; those of all readings if there are few.
+    /// Residuals of these readings as they are; of all readings if there are few.
     fn quality(&self, of_all: &Quality, solved: impl FnOnce() -> Option<Quality>) -> Quality {
         let own = if self.rows.len() < self.all { solved() } else { None };
         own.unwrap_or_else(|| of_all.clone())

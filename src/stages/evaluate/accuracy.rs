@@ -31,7 +31,7 @@ pub struct Judged<'a> {
     /// Indices of the parameters of base, targets and fixtures that were fitted to the calibration
     /// poses.
     pub set_up: &'a [usize],
-    /// All observations, including those of separately located targets.
+    /// All observations, including observations of separately located targets.
     pub sets: &'a Sets,
     /// Weights of the observations.
     pub settings: &'a Settings,

@@ -41,7 +41,7 @@ pub fn within_poses_rms_mm(robot: &dyn Robot, observations: &[Observation], valu
     (degrees > 0.0).then(|| (all.0 / degrees).sqrt())
 }
 
-/// Replaces the errors after calibration by those of a robot with a residual field.
+/// Replaces the errors after calibration by the errors of a robot with a residual field.
 pub fn correct(errors: &mut [PointError], corrected: &dyn Robot, sets: &Sets, after: &[f64]) {
     let others = point_errors(corrected, sets, after, after);
     for (error, other) in errors.iter_mut().zip(others) {

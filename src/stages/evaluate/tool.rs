@@ -21,8 +21,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const COVERAGE: f64 = 2.0;
 
 /// The expected error of the controller at a point with the identified parameters. Its variance is
-/// the sum of those of the predicted position, of parameters that the data do not determine, of the
-/// model error, and of the position of the point.
+/// the sum of the variances of the predicted position, of parameters that the data do not
+/// determine, of the model error, and of the position of the point.
 pub struct Expected<'a> {
     prediction: ToolPrediction<'a>,
     model_mm: f64,
@@ -155,7 +155,7 @@ impl<'a> Expected<'a> {
         }))
     }
 
-    /// A node, if the robot reaches it with joint values within those of the calibration.
+    /// A node, if the robot reaches it with joint values within the range of the calibration.
     fn node(&self, kinematics: &dyn Kinematics, poses: &[Spanning], at_mm: Vector) -> Result<Option<MapNode>> {
         let distance = |pose: &&Spanning| norm(minus(pose.at_mm, at_mm));
         let Some(near) = poses.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))) else { return Ok(None) };

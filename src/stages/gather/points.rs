@@ -108,7 +108,7 @@ impl PointColumns {
         problems
     }
 
-    /// Adds the points of an export behind those of the exports before it, or to a further station.
+    /// Adds the points of an export after the points of earlier exports, or to a further station.
     fn keep(&mut self, export: &Export, mut kept: Vec<Point>) {
         if let Some(station) = &export.station {
             let station: SharedText = station.get_ref().as_str().into();

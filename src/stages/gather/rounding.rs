@@ -20,8 +20,8 @@ const LEAST_STEP: f64 = 1e-10;
 /// Maximum number of decimals of a step.
 const MOST_DECIMALS: i32 = 4;
 
-/// Returns a warning if the uncertainty of the rounding exceeds that of the instrument: a step has
-/// the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
+/// Returns a warning if the uncertainty of the rounding exceeds the uncertainty of the instrument:
+/// a step has the standard uncertainty step/√12 (JCGM 100:2008, 4.3.7).
 pub(super) fn coarse(campaign: &Campaign, export: &Export, rows: &[Point]) -> Option<Message> {
     let dialect = &export.format.dialect;
     if dialect.angle_unit.is_some() || !dialect.types.is_empty() {

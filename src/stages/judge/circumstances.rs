@@ -57,7 +57,7 @@ pub(crate) fn hold_constant(robot: &dyn Robot, sets: &Sets, settings: &mut Setti
     messages
 }
 
-/// Returns a warning if temperatures (°C) are not those of a workshop.
+/// Returns a warning if temperatures (°C) are unusual in a workshop.
 fn implausible_temperature(low: f64, high: f64) -> Option<Message> {
     let [least, most] = WORKSHOP_C;
     (low < least || high > most).then(|| {
@@ -125,7 +125,7 @@ pub(crate) fn exchanged_torques(
     Some(warning!("torques-exchanged", first, second).to_decide())
 }
 
-/// Settings that identify bending by torques beside what is identified.
+/// Settings that also identify bending by torques.
 fn with_torques(robot: &dyn Robot, settings: &Settings, found: &Identification) -> Settings {
     let held = robot.parameters().iter().zip(&found.status);
     let held = held.filter(|(p, status)| **status == Status::Fixed && p.effect != Effect::Torque);

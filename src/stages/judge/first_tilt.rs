@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 /// deviations.
 const ALIKE: f64 = 9.0;
 
-/// Remark that the identified tilt of the base may be that of the first joint, or the other way
+/// Remark that the identified tilt of the base may be a tilt of the first joint, or the other way
 /// round; `None` if the data tell them apart, or if both or neither are identified.
 pub(crate) fn ambiguity(robot_file: &RobotFile, robot: &dyn Robot, solution: &Solution) -> Option<Message> {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;

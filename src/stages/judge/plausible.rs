@@ -147,7 +147,7 @@ fn undetermined(
 /// convention: errors of joints are a few degrees at most.
 const TURNED_DEG: f64 = 10.0;
 
-/// Returns an error if observed orientations are far from those of the identified robot.
+/// Returns an error if observed orientations are far from the orientations of the identified robot.
 fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Message> {
     if !settings.conditions.iter().any(|c| c.kind.is_orientation()) {
         return None;

@@ -31,7 +31,7 @@ pub(crate) enum CalibrationFit {
     Unknown,
 }
 
-/// Returns an error if the positions of `set` are not those of the identified robot: the
+/// Returns an error if the positions of `set` do not agree with the identified robot: the
 /// observation, and its place. A cause is named only if the errors show it.
 pub(crate) fn undescribed(set: PoseSet, errors: &[PointError], calibration: CalibrationFit) -> Option<Message> {
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == set).collect();

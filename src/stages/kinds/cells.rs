@@ -26,7 +26,7 @@ pub enum Cell {
     Number(f64),
 }
 
-/// Cells of a truth by column, beside the columns of every kind.
+/// Cells of a truth by column, in addition to the columns of every kind.
 pub type ByColumn = BTreeMap<String, Cell>;
 
 /// The text in a column, if any.
@@ -47,12 +47,12 @@ pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
     json_schema!({ "type": "object", "properties": properties })
 }
 
-/// Columns of names, beside the columns of every kind.
+/// Columns of names, in addition to the columns of every kind.
 pub fn names() -> impl Iterator<Item = &'static str> {
     TEXTS.into_iter().filter(|name| !["kind", "target", ANGLE_ORDER].contains(name))
 }
 
-/// Cells of a row by column, beside the columns of every kind.
+/// Cells of a row by column, in addition to the columns of every kind.
 #[derive(Clone, Debug)]
 pub enum Others<'t> {
     /// Row of a table, by its index.

@@ -203,7 +203,7 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
     (!joints.is_empty()).then(|| warning!("base-moves", joints).to_decide())
 }
 
-/// Rows without the standard uncertainty that they need, by the column that would state it.
+/// Rows without the standard uncertainty that they need, by the column of the uncertainty.
 #[derive(Default)]
 struct Unstated<'a>(BTreeMap<&'static str, Vec<&'a Row<'a>>>);
 
@@ -355,7 +355,7 @@ pub fn observed(
     }
 }
 
-/// Returns an error about a few rows without a station beside many that have one.
+/// Returns an error if a few rows have no station and many have one.
 fn unnamed_station(table: &Table, rows: &[Row]) -> Option<Message> {
     let points = rows
         .iter()

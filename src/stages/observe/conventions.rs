@@ -49,8 +49,8 @@ pub fn wrong(
     })
 }
 
-/// Median angle (rad) between observed orientations and those of the nominal robot located by
-/// positions.
+/// Median angle (rad) between observed orientations and the orientations of the nominal robot
+/// located by positions.
 fn off_rad(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Option<f64> {
     let every = |count: usize| count.div_ceil(SUBSET).max(1);
     let positions: Vec<Observation> = observations.iter().step_by(every(observations.len())).cloned().collect();

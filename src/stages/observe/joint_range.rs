@@ -1,5 +1,5 @@
-//! Implausible joint values: a missing decimal mark, or too many turns. A gain would absorb such a
-//! value unnoticed, because an angle far from all others has a larger weight.
+//! Implausible joint values: a missing decimal mark, or too many turns. A gain absorbs such a value
+//! unnoticed, because an angle far from all others has a larger weight.
 
 use crate::stages::observe::exclusions::Exclusion;
 use etalon_base::message::{Message, Place, Problems, Result};

@@ -9,7 +9,7 @@ use etalon_documents::{FitDocument, FitStated};
 use etalon_fit::{Element, Fit, FitSettings, Probe, Side, Source};
 use etalon_formats::qif::{FeatureGeometry, MeasuredFeature, Touch};
 
-/// Statements of the user about the probe, which replace those of the file.
+/// Data of the probe from the user, which replace the data of the file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ProbeStated {
     /// Its radius.

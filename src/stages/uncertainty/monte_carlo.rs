@@ -314,8 +314,8 @@ impl<'a> Trials<'a> {
         Some(all)
     }
 
-    /// For each frame, the transform from the measured world to that of the repetition; empty if no
-    /// frame is measured.
+    /// For each frame, the transform from the measured world to the world of the repetition; empty
+    /// if no frame is measured.
     fn moved_frames(&self, noise: &mut Noise) -> Option<BTreeMap<Option<(PoseName, i64)>, Pose>> {
         if self.frames.points.is_empty() {
             return Some(BTreeMap::new());

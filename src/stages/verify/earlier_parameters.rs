@@ -9,7 +9,7 @@ use etalon_identify::IdentifiedParameters;
 use etalon_robots::{Parameter, Robot, Role};
 use std::collections::BTreeMap;
 
-/// The parameters of `robot` in a document, without those of other targets.
+/// The parameters of `robot` in a document, without the parameters of other targets.
 ///
 /// # Errors
 /// Fails if the document is of another robot, or lacks a parameter of this robot.
@@ -87,8 +87,9 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
 /// Largest distance (mm) of flanges that counts as rounding.
 const SAME_MM: f64 = 1e-6;
 
-/// Rejects a robot whose geometry differs from that of the identification even with the same
-/// nominal values: parameters of screw axes (`poe`) are deviations, whose nominal values are zero.
+/// Rejects a robot whose geometry differs from the geometry of the identification even with the
+/// same nominal values: parameters of screw axes (`poe`) are deviations, whose nominal values are
+/// zero.
 ///
 /// # Errors
 /// Reports the distance between the flanges of both robots.
@@ -117,7 +118,7 @@ pub fn unknown_geometry(document: &ParametersDocument, sha256: &str) -> Option<M
 /// Maximum number of parameters in a message.
 const NAMED: usize = 5;
 
-/// Lines of robot.toml that add these parameters to those of the robot.
+/// Lines of robot.toml that add these parameters to the parameters of the robot.
 fn needed_lines(robot: &dyn Robot, lacking: &[&str]) -> Vec<String> {
     let mut keys: BTreeMap<&str, (bool, Vec<Vec<String>>)> = BTreeMap::new();
     let optional = robot.optional_parameters();
@@ -165,8 +166,8 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     Ok(values)
 }
 
-/// Returns an error if a nominal value of the robot differs from that of the identification: the
-/// parameters are those of another robot.
+/// Returns an error if a nominal value of the robot differs from its value in the identification:
+/// the parameters belong to another robot.
 pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option<Message> {
     let differs = |p: &&Parameter| {
         let stated = p.quantity.outward(p.nominal);

@@ -14,8 +14,8 @@ use etalon_robots::Robot;
 pub struct PredictedPosition {
     /// Position (mm) in the world; NaN where the robot cannot be there.
     pub position_mm: Vector,
-    /// Covariance (mm²) by the identified parameters, without errors that the model leaves out;
-    /// that of z is zero for planar robots.
+    /// Covariance (mm²) by the identified parameters, without errors that the model leaves out; it
+    /// is zero for z of planar robots.
     pub covariance_mm2: [[f64; 3]; 3],
 }
 

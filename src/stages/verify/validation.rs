@@ -189,7 +189,7 @@ fn stated(robot: &dyn Robot) -> Result<Vec<f64>> {
 }
 
 /// Probability of errors this large with the given parameters, base and targets, by their
-/// uncertainty and that of the measurement.
+/// uncertainty and the uncertainty of the measurement.
 fn p_value(robot: &dyn Robot, document: &ParametersDocument, sets: &Sets, settings: &Settings) -> Result<Option<f64>> {
     let mut observations = sets.calibration.clone();
     let calibrated =

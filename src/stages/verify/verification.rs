@@ -37,7 +37,7 @@ pub struct EarlierCalibration<'r> {
 
 impl<'r> EarlierCalibration<'r> {
     /// The calibration in a document. `stated_mm` is the standard uncertainty of a coordinate if it
-    /// is not that of the calibration.
+    /// is not the one of the calibration.
     ///
     /// # Errors
     /// Fails if the document is of another robot, or if the residuals of the calibration yield no

@@ -27,7 +27,7 @@
 //! | paths, loads, cycles | 6 | [`plan::programme`] | loads, velocities, 30 cycles read |
 //! | uncertainty at most 25 % | 6 | [`statistics::uncertainty_ratio`] | unverified |
 //!
-//! Beyond the standard: smallest enclosing sphere and circle beside mean + 3 s
+//! Beyond the standard: smallest enclosing sphere and circle in addition to mean + 3 s
 //! ([`pose::repeatability`]), intervals of AP and RP ([`statistics::interval`],
 //! [`statistics::bootstrap`]) and of AT and RT ([`path::bootstrap`]), conformity with a limit
 //! ([`crate::decision`]), ellipsoid of the next position ([`pose::ellipsoid`]), RP without the

@@ -303,8 +303,8 @@ pub(crate) fn has_length(observations: &[Observation], settings: &Settings) -> b
         || settings.known.iter().any(|k| matches!(k, Known::Distance { .. } | Known::Length { .. }))
 }
 
-/// Returns a warning if no observation contains a length: a robot of twice the size would fit
-/// equally well.
+/// Returns a warning if no observation contains a length: a robot of twice the size fits equally
+/// well.
 pub(crate) fn without_length(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -14,8 +14,8 @@ use std::collections::BTreeMap;
 pub struct Orientation {
     /// The body in the frame of the measurement, by its rotation alone.
     pub frame_T_body: Pose,
-    /// First of the six parameters of the station whose frame is that of the measurement; `None`
-    /// for the world.
+    /// First of the six parameters of the station whose frame is the frame of the measurement;
+    /// `None` for the world.
     pub station: Option<usize>,
     /// First parameter of the rotation vector.
     pub mounting: usize,
@@ -109,8 +109,8 @@ pub(crate) fn mount(arm: &dyn FreeBase, conditions: &[Condition], wanted: &[usiz
     }
 }
 
-/// Root mean square angle (rad) between observed orientations and those of the robot with `values`,
-/// for the best mounting of the bodies; not a number without orientations.
+/// Root mean square angle (rad) between observed orientations and the orientations of the robot
+/// with `values`, for the best mounting of the bodies; not a number without orientations.
 pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> f64 {
     let misfits = mounted_misfits_rad(robot, conditions, values);
     (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()

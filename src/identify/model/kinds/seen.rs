@@ -49,7 +49,7 @@ pub(crate) fn station_pose(values: &[f64], first: usize) -> Pose {
     Pose { translation_mm: point(values, first), ..Pose::from_rotation_vector(point(values, first + 3)) }
 }
 
-/// Subtracts from three rows of derivatives those of the position `at_mm` by a station.
+/// Subtracts from three rows of derivatives the derivatives of the position `at_mm` by a station.
 pub(crate) fn less_station(values: &[f64], station: usize, at_mm: Vector, rows: &mut [f64]) {
     let n = values.len();
     let lever = station_pose(values, station).rotate(at_mm);

@@ -75,7 +75,7 @@ impl Conditions<'_> {
         self.relate(all, columns, out);
     }
 
-    /// Turns the derivatives of gaps into those of gaps relative to the size of the robot.
+    /// Divides gaps by the size of the robot, in their derivatives.
     fn relate(&self, all: &[f64], columns: Columns, jacobian: &mut [f64]) {
         let (Some(size), Some(reference_mm)) = (self.size(all), self.reference_mm) else { return };
         let mut left = vec![0.0; self.count()];

@@ -65,8 +65,8 @@ impl<'a> Residuals<'a> {
         self.counts().map(|count| count.0).collect::<BTreeSet<_>>().len()
     }
 
-    /// Standard deviation of a residual: the given one, or that of most residuals of `solution` if
-    /// it is larger (from their median size, which a few wrong readings do not affect); 0 if
+    /// Standard deviation of a residual: the given one, or the one of most residuals of `solution`
+    /// if it is larger (from their median size, which a few wrong readings do not affect); 0 if
     /// neither is known.
     pub fn noise(&self, solution: Option<&Solution>) -> f64 {
         let shown = |s: &Solution| {

@@ -156,7 +156,7 @@ impl<'a> Residuals<'a> {
         stated
     }
 
-    /// Number of residuals of measured coordinates; those of conditions follow.
+    /// Number of residuals of measured coordinates; the residuals of conditions follow.
     pub fn coordinate_count(&self) -> usize {
         self.coordinates.count()
     }
@@ -200,7 +200,7 @@ impl<'a> Residuals<'a> {
         self.conditions.size(values)
     }
 
-    /// `true` if all residuals except those of given values are coordinates of targets.
+    /// `true` if all residuals are coordinates of targets, except the residuals of given values.
     pub fn is_coordinates(&self) -> bool {
         self.coordinates.platform.is_none() && self.conditions.items.is_empty()
     }

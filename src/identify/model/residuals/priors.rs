@@ -1,5 +1,5 @@
-//! Rows of given values after those of the measurements: shapes of rigid parts, fixed points, and
-//! nominal values.
+//! Rows of given values after the rows of the measurements: shapes of rigid parts, fixed points,
+//! and nominal values.
 
 use super::columns::Columns;
 use crate::model::kinds::Known;

@@ -1,4 +1,4 @@
-//! Reference targets (not in the standard): stationary targets beside the robot that are measured
+//! Reference targets (not in the standard): stationary targets near the robot that are measured
 //! repeatedly. They show relative movements of instrument and foundation, for which measurements
 //! are compensated.
 
@@ -10,8 +10,8 @@ use etalon_fit::rigid;
 /// One measurement of the reference targets, compared with the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Epoch {
-    /// Transformation from the coordinates of this epoch to those of the first, which compensates
-    /// for the drift.
+    /// Transformation from the coordinates of this epoch to the coordinates of the first, which
+    /// compensates for the drift.
     pub first_T_now: Pose,
     /// Largest movement of a target since the first epoch.
     pub moved_mm: f64,
