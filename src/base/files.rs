@@ -388,7 +388,7 @@ fn same_file(_: &File, path: &Path) -> bool {
     path.exists()
 }
 
-/// Fails if one of the files to be written is one of the input files, under whatever name.
+/// Fails if one of the files to be written is one of the input files, under any name.
 pub fn refuse_overwriting<'a>(
     written: impl IntoIterator<Item = &'a PathBuf>,
     read: impl IntoIterator<Item = &'a PathBuf> + Clone,

@@ -58,7 +58,7 @@ impl FolderLock {
         let written = fill(place, &new, files, keeps, durability).map_err(fail).and_then(|()| ready());
         let written = written.and_then(|()| exchange(place, &new, &old).map_err(fail));
         if written.is_ok() && durability == Durability::Now {
-            // the folder is replaced, whatever the result of the sync
+            // the folder is replaced, independent of the result of the sync
             let _ = sync(parent(place));
         }
         // the earlier folder or, after a failure, the new one

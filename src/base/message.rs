@@ -34,7 +34,7 @@ pub enum Rank {
 /// Place of a message: a file, optionally a line and columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Place {
-    /// File as the campaign names it.
+    /// File as in the campaign.
     pub file: String,
     /// Line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -336,7 +336,7 @@ fn listed(schema: &Value) -> Option<Vec<&Value>> {
     schema.get("const").map(|v| vec![v]).or_else(|| Some(schema.get("enum")?.as_array()?.iter().collect()))
 }
 
-/// `true` if a value is of the kind that a schema requires, whatever its contents.
+/// `true` if a value is of the kind that a schema requires, independent of its contents.
 fn is_of_kind(schema: &Value, value: &DeValue) -> bool {
     // a schema without a type lists values of any type, or allows all values
     let lists = |is: fn(&Value) -> bool| listed(schema).is_none_or(|all| all.into_iter().any(is));

@@ -563,7 +563,7 @@ pub struct Identify {
     /// Identified effects of the robot itself, as a list of names. `usual`, the default, means all
     /// effects in the robot file except gains of revolute joints of arms and `payload` to
     /// `pedestal`; `all` means every effect. `proven` means the effects that reduce the errors of
-    /// left-out calibration poses, as `etalon recommend` selects them.
+    /// held-out calibration poses, as `etalon recommend` selects them.
     #[serde(default)]
     pub effects: EffectRule,
     /// Readings to be omitted, each with a reason that the report shows.

@@ -23,7 +23,7 @@ use trend::judge;
 pub struct Compared {
     /// Folder, as the user named it.
     pub folder: String,
-    /// Statements of the campaign about itself.
+    /// Administrative data of the campaign.
     pub campaign: CampaignSummary,
     /// Parameters with the errors before and after calibration, if identified.
     pub identified: Option<(ParametersDocument, AccuracyDocument)>,

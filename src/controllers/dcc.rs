@@ -49,7 +49,7 @@ impl Exporter for Dcc {
     }
 }
 
-/// Statements of the campaign, with substitutes for missing ones.
+/// Data of the campaign, with substitutes for missing ones.
 struct Stated<'a> {
     given: &'a ExportInput<'a>,
     conditions: Conditions,

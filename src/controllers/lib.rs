@@ -188,7 +188,7 @@ pub trait Exporter {
 pub struct ExportInput<'a> {
     /// Identified parameters.
     pub parameters: &'a ParametersDocument,
-    /// Statements of the campaign about itself.
+    /// Administrative data of the campaign.
     pub summary: Option<&'a CampaignSummary>,
     /// Name of the robot.
     pub name: Option<&'a str>,

@@ -1,7 +1,7 @@
 //! Kinematics of LinuxCNC's `genserkins`: modified Denavit-Hartenberg parameters (Craig) of six
 //! revolute joints.
 //!
-//! The parameters are computed from the axes, whatever the convention of the identification.
+//! The parameters are computed from the axes, independent of the convention of the identification.
 //! `genserkins` has no Hayati angle, so that near-parallel axes use their exact, distant common
 //! normal. Links before the first joint and after the last are separate frames.
 

@@ -16,7 +16,7 @@ use minijinja::value::Serde;
 use minijinja::{Environment, Error, Value, context};
 use std::collections::BTreeMap;
 
-/// Ending of the file name of a template.
+/// Extension of the file name of a template.
 const ENDING: &str = ".j2";
 /// Largest number of instructions of a template.
 const FUEL: u64 = 10_000_000;

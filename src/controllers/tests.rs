@@ -156,7 +156,8 @@ fn a_c_header_reads_back_bit_for_bit() {
     assert_eq!(value("ETALON_PREXYT_P1_RAD"), (-0.1f64).to_radians());
 }
 
-/// Python itself reads the module, and our own reader the MATLAB function, whatever the names.
+/// Python itself reads the module, and our own reader the MATLAB function, independent of the
+/// names.
 #[test]
 fn matlab_and_python_read_back_bit_for_bit() {
     let hostile = "%} ' \"\"\" # */ \n\\ \u{202e}\u{e9}";
@@ -188,7 +189,7 @@ fn matlab_and_python_read_back_bit_for_bit() {
     assert!(read.contains("202e"), "{read}");
 }
 
-/// NumPy, SciPy and Octave read the arrays, whatever the names.
+/// NumPy, SciPy and Octave read the arrays, independent of the names.
 #[test]
 fn arrays_read_back_bit_for_bit() {
     let mut document = numbers();

@@ -241,7 +241,7 @@ struct Line {
 /// Axes 2, 3 and 4 are parallel, all other neighbours perpendicular; axis 1 meets axis 2, axis 5
 /// meets axes 4 and 6 at different points, and these lie beside the plane of axis 1 and the arm
 /// (Universal Robots, "DH parameters for calculations of kinematics and dynamics"). These are
-/// properties of neighbouring axes, whatever the convention and the zeros of the joints.
+/// properties of neighbouring axes, independent of the convention and the zeros of the joints.
 fn difference(chain: &JointChain) -> Option<Phrase> {
     let mut frames: Vec<Pose> = Vec::new();
     for joint in &chain.joints {

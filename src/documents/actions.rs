@@ -137,7 +137,7 @@ fn is_loaded() -> bool {
 pub struct Evidence<'a> {
     /// Documents that are judged.
     pub judged: Judged<'a>,
-    /// Statements of the campaign.
+    /// Data of the campaign.
     pub campaign: &'a CampaignSummary,
     /// Errors of single points.
     pub errors: &'a [PointError],

@@ -1,5 +1,5 @@
-//! `campaign.json`: statements of the campaign about itself, test conditions, and presentation of
-//! the report.
+//! `campaign.json`: administrative data of the campaign, test conditions, and presentation of the
+//! report.
 
 use super::{DecisionRule, WrittenFile};
 use etalon_base::country::Country;
@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// Statements of the campaign about itself, for the head of a report.
+/// Administrative data of the campaign, for the head of a report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CampaignSummary {

@@ -90,7 +90,7 @@ pub struct FieldCentre {
     pub weight: f64,
 }
 
-/// Parameter that goes with the field.
+/// Parameter that belongs to the field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FieldParameter {

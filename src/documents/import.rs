@@ -29,7 +29,7 @@ pub struct ImportDocument {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Unmatched {
-    /// File, as the campaign names it.
+    /// File, as in the campaign.
     pub file: String,
     /// Line in the file, from 1.
     pub line: usize,
@@ -49,7 +49,7 @@ worded! {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Source {
-    /// File, as the campaign names it.
+    /// File, as in the campaign.
     pub file: String,
     /// SHA-256 of the file, as `sha256sum` prints it.
     pub sha256: String,

@@ -13,7 +13,7 @@ mirror! {
     #[derive(Default, clap::ValueEnum)]
     #[serde(rename_all = "kebab-case")]
     enum DecisionRule of decision::DecisionRule {
-        /// Pass if the value is within the limit, whatever its uncertainty (ILAC-G8:09/2019,
+        /// Pass if the value is within the limit, independent of its uncertainty (ILAC-G8:09/2019,
         /// 4.2.1).
         SimpleAcceptance,
         /// Pass if the value is within the limit by at least its expanded uncertainty, fail if it

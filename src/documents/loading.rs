@@ -1,12 +1,12 @@
-//! Answer to what a controller should load. A run decides once, from its documents; next steps and
-//! `etalon recommend` repeat this answer.
+//! Answer to the question of which values a controller should load. A run decides once, from its
+//! documents; next steps and `etalon recommend` repeat this answer.
 
 use crate::{AccuracyDocument, ControllerErrors, Effect, EffectProof, FigureBudget, PositionErrors};
 use crate::{CampaignSummary, ControllersDocument, Figure, Judged, VerdictDocument, WrittenFile};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Largest ratio of an error at left-out poses to the smallest known one with which a set of
+/// Largest ratio of an error at held-out poses to the smallest known one with which a set of
 /// parameters may be loaded.
 pub const LOADING_RATIO: f64 = 1.05;
 
@@ -34,7 +34,7 @@ pub struct Loading {
     pub effects: Vec<Effect>,
 }
 
-/// Answer to what a controller should load.
+/// Answer to the question of which values a controller should load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadAnswer {
@@ -42,7 +42,7 @@ pub enum LoadAnswer {
     Load,
     /// Keep the nominal parameters: the identified ones are not clearly better.
     KeepNominal,
-    /// Identify further effects first: with them, errors at left-out poses are more than 5 %
+    /// Identify further effects first: with them, errors at held-out poses are more than 5 %
     /// smaller.
     IdentifyFurther,
     /// Load nothing yet: the verdict of the run allows no file to be loaded.
@@ -115,14 +115,14 @@ fn better_files<'a>(
     known
 }
 
-/// Effects that are not identified, and without which errors at left-out poses are more than 5 %
+/// Effects that are not identified, and without which errors at held-out poses are more than 5 %
 /// larger.
 pub(crate) fn further_effects(accuracy: &AccuracyDocument) -> impl Iterator<Item = &EffectProof> {
     accuracy.effects.iter().filter(|e| !e.is_identified && e.without_mm > LOADING_RATIO * e.with_mm)
 }
 
 /// Errors with nominal and with all identified parameters, if the identified ones are not clearly
-/// better: at the deciding poses, by less than the uncertainty of the error, or at left-out poses.
+/// better: at the deciding poses, by less than the uncertainty of the error, or at held-out poses.
 pub(crate) fn hardly_better(accuracy: &AccuracyDocument) -> Option<[PositionErrors; 2]> {
     let set = accuracy.sets.last()?;
     let leading = set.leading()?;

@@ -390,7 +390,8 @@ pub struct QuantityResiduals {
 }
 
 impl ResidualSummary {
-    /// Residuals over the given uncertainty, √(χ²/ν); `None` without a statement or redundancy.
+    /// Residuals over the given uncertainty, √(χ²/ν); `None` without a given uncertainty or without
+    /// redundancy.
     pub fn times_uncertainty(&self) -> Option<f64> {
         let times = (self.test.chi_square? / self.degrees_of_freedom as f64).sqrt();
         times.is_finite().then_some(times)

@@ -12,7 +12,7 @@ use etalon_base::message::Message;
 /// from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Results {
-    /// Statements of the campaign about itself: campaign.json.
+    /// Administrative data of the campaign: campaign.json.
     pub campaign: CampaignSummary,
     /// Imported and rejected rows: import.json.
     pub import: ImportDocument,

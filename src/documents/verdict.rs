@@ -26,7 +26,8 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
-    /// Answer to what a controller should load; absent without identified parameters.
+    /// Answer to the question of which values a controller should load; absent without identified
+    /// parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loading: Option<Loading>,
     /// Next steps, at most five: missing limits, then the steps with the largest gain.

@@ -176,7 +176,7 @@ fn orthogonal(cloud: &Cloud, chart: Chart, start: [f64; 6], axis_held: bool, set
     let [a, b, h, _, _, radius] = refined.x;
     let centre = chart.point(a, b, h);
     let mut fit = refined.to_fit(Element::Circle3d, cloud, centre, Arc::about(&chart, centre))?;
-    // largest component positive, whatever the orientation of the chart
+    // largest component positive, independent of the orientation of the chart
     fit.point_along(chart.d0, largest_component_positive(chart.d0));
     let heights = Residuals::from_distances(cloud, |q| chart.seen(q, [a, b, h])[2]);
     fit.circle = CircleMethod::Orthogonal;

@@ -91,8 +91,8 @@ fn farthest(points: &[Vector], center: DoubleDoubleVector) -> Option<(usize, Dou
     let c = center.map(|x| x.hi);
     let rough = |p: &Vector| (p[0] - c[0]).powi(2) + (p[1] - c[1]).powi(2) + (p[2] - c[2]).powi(2);
     let largest = points.iter().map(rough).fold(0.0, f64::max);
-    // a coordinate difference has an error of half a unit of the coordinates, whatever the size of
-    // the ball
+    // a coordinate difference has an error of half a unit of the coordinates, independent of the
+    // size of the ball
     let size = points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     let doubt = 16.0 * f64::EPSILON * (largest + size * largest.sqrt()) + (4.0 * f64::EPSILON * size).powi(2);
     let close = points.iter().enumerate().filter(|(_, p)| rough(p) >= largest - doubt);

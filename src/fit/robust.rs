@@ -14,9 +14,9 @@ use etalon_base::{error, warning};
 const FEWEST: usize = 3;
 /// Residuals below this share of the size of the element are rounding.
 const ROUNDING: f64 = 1e-13;
-/// Largest number of points of a fit that is checked for foreign points unasked.
+/// Largest number of points of a fit that is checked for foreign points without a request.
 const CHECKED: usize = 20_000;
-/// Largest share of foreign points that is reported unasked.
+/// Largest share of foreign points that is reported without a request.
 const FEW: f64 = 0.15;
 /// Change of the element, in its standard uncertainties, beyond which foreign points are reported.
 const SHIFTED: f64 = 3.0;
@@ -96,7 +96,7 @@ fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
 }
 
 /// Foreign points that shift a fit of all points beyond its uncertainty; `None` where there are
-/// none, or too many points to look at unasked.
+/// none, or too many points to look at without a request.
 pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Option<ForeignPoints> {
     let n = points.len();
     if n > CHECKED || n < FEWEST * fit.element.minimum_points() {

@@ -60,7 +60,7 @@ fn binary_not_text(path: &Path, bytes: &[u8]) -> Message {
     error!("file-not-text", file = path.display().to_string(), kind)
 }
 
-/// Error about a recording without a statement of the topic.
+/// Error about a recording without a given topic.
 fn topic_not_stated(bytes: &[u8]) -> Message {
     match ros_bag::topics(bytes) {
         Ok(topics) => {
@@ -71,8 +71,8 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
     }
 }
 
-/// Error about a workbook without a statement of the sheet; the hint gives the first sheet with
-/// more than one row.
+/// Error about a workbook without a given sheet; the hint gives the first sheet with more than one
+/// row.
 fn sheet_not_stated(bytes: &[u8]) -> Message {
     let mut book = match Workbook::open(bytes) {
         Ok(book) => book,

@@ -1,7 +1,7 @@
 //! Import of files of measuring systems and controllers as points and joint values.
 //!
-//! No input is repaired in silence. A row that means "not measured" is rejected by a rule and
-//! listed. Anything else that differs from the given format is an error with its place, and one
+//! No input is repaired without a message. A row that means "not measured" is rejected by a rule
+//! and listed. Anything else that differs from the given format is an error with its place, and one
 //! run reports all errors.
 #![allow(non_snake_case)] // world_T_base: frames in names
 

@@ -42,7 +42,7 @@ impl Deref for Warning {
     }
 }
 
-/// Statement of the wrong part of a set-up.
+/// Wrong part of a set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// The unit of the measured points.

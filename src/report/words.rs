@@ -1,6 +1,6 @@
 //! Texts of the report in its language, from the catalogue.
 //!
-//! Statements of a campaign are never translated.
+//! Data of a campaign are never translated.
 
 pub(super) mod comparison;
 pub(super) mod names;

@@ -841,7 +841,7 @@ mod tests {
                 let mut values = robot.nominal();
                 for (p, value) in robot.parameters().iter().zip(&mut values) {
                     if !p.effect.is_rigid() {
-                        // by the name, in whatever order
+                        // by the name, in any order
                         *value += 1e-4 * p.name.bytes().map(f64::from).sum::<f64>() / 100.0;
                     }
                 }

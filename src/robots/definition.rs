@@ -237,8 +237,8 @@ impl Parameter {
         self.role == Role::Robot && !self.tolerance_is_stated && !self.effect.needs_proof()
     }
 
-    /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, whatever
-    /// tolerance is given. For parameters without a nominal value, the uncertainty of a rough
+    /// Initial uncertainty before identification (mm, rad or 1): the default tolerance, independent
+    /// of the given tolerance. For parameters without a nominal value, the uncertainty of a rough
     /// estimate of base and targets.
     pub fn known_within(&self) -> f64 {
         usual_tolerance(self.quantity, if self.tolerance.is_finite() { self.role } else { Role::Base })

@@ -240,7 +240,7 @@ impl<'a> Search<'a> {
         self.joints.iter().zip(a.iter().zip(b)).map(apart).sum::<f64>().sqrt()
     }
 
-    /// Largest difference of joint values (rad or m), whatever their full turns.
+    /// Largest difference of joint values (rad or m), independent of their full turns.
     fn largest_difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let apart = |(joint, (a, b)): (&JointScale, (&f64, &f64))| {
             let apart = joint.turn.map_or(a - b, |turn| (a - b) - ((a - b) / turn).round() * turn);

@@ -194,8 +194,8 @@ pub trait Robot: Send + Sync {
         None
     }
 
-    /// Solution of [`Self::inverse_all`] that is nearest to the joint values `near`, whatever its
-    /// limits; `None` if the position is out of reach.
+    /// Solution of [`Self::inverse_all`] that is nearest to the joint values `near`, independent of
+    /// its limits; `None` if the position is out of reach.
     fn inverse(&self, _parameters: &[f64], _near: &[f64], _position: Vector) -> Option<Vec<f64>> {
         None
     }
@@ -430,9 +430,9 @@ pub trait Kinematics: Robot {
         Vec::new()
     }
 
-    /// All solutions for a pose, as joint values followed by the assembly mode, whatever their
-    /// limits; of a family of solutions one. Angles are in (−π, π], or shifted by full turns into
-    /// their limits.
+    /// All solutions for a pose, as joint values followed by the assembly mode, independent of
+    /// their limits; of a family of solutions one. Angles are in (−π, π], or shifted by full turns
+    /// into their limits.
     fn all_joints(&self, parameters: &[f64], pose: &Pose) -> Vec<Vec<f64>>;
 
     /// Permissible solutions for a pose; of a family of solutions the one nearest to `near`.
@@ -591,7 +591,7 @@ pub trait Platform: Robot {
     /// Pose at joint values.
     fn pose(&self, parameters: &[f64], joints: &[f64]) -> PlanarPose;
 
-    /// Joint values of a pose, whatever their limits.
+    /// Joint values of a pose, independent of their limits.
     fn joints_at(&self, parameters: &[f64], pose: PlanarPose) -> Vec<f64>;
 
     /// Transforms a point from the world to the base frame.

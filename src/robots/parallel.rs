@@ -2,9 +2,9 @@
 //!
 //! Each leg is a rod between a point of the base and a point of the platform. Its length is an
 //! equation between the pose of the platform, the joints and the parameters of the leg. Exact
-//! derivatives follow by the implicit function theorem, whatever the method that found the pose.
-//! The platform is the flange of a robot with a free base: parameters of base and targets come
-//! first, then those of each leg.
+//! derivatives follow by the implicit function theorem, independent of the method that found the
+//! pose. The platform is the flange of a robot with a free base: parameters of base and targets
+//! come first, then those of each leg.
 
 use super::{
     Definition, FreeBase, Joint, JointRange, Kinematics, Outline, Parameter, Quantity, Robot, Role, base_and_targets,

@@ -1,4 +1,4 @@
-//! Statements of a campaign that contradict each other or have no effect, independent of its files.
+//! Data of a campaign that contradict each other or have no effect, independent of its files.
 
 use etalon_base::date::{date, date_text};
 use etalon_base::message::{Message, Problems};

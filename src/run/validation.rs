@@ -54,7 +54,7 @@ pub struct Recommended {
     pub found: IdentifiedDocuments,
     /// Contents of formats instead of these parameters.
     pub controllers: Option<ControllersDocument>,
-    /// Statements of the campaign about itself.
+    /// Administrative data of the campaign.
     pub summary: CampaignSummary,
     /// Warnings of the recommendation.
     pub messages: Vec<Message>,

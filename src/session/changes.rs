@@ -134,7 +134,7 @@ pub(super) fn what_if(opened: &Opened, asked: &WhatIfAsked, language: &str) -> R
     })
 }
 
-/// Errors of all measured places, the left-out ones too.
+/// Errors of all measured places, the held-out ones too.
 fn points(opened: &Opened, robot: &dyn Robot, found: &Unjudged) -> Vec<PointNow> {
     let values = &found.solution.found.values;
     let mut all = Vec::new();

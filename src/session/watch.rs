@@ -407,7 +407,7 @@ fn stop(found: &Unjudged, language: &str) -> Stop {
     };
     let (value_um, limit_um) = (UM * value, UM * limit.limit);
     let expanded_um = UM * limit.expanded_uncertainty.unwrap_or(0.0);
-    // met with its guard band, whatever the rule of the campaign
+    // met with its guard band, independent of the rule of the campaign
     let met = limit.conformity == Conformity::Conforming && value_um + expanded_um <= limit_um;
     let text = match met {
         true => phrase!("watch-stop-met", value_um, expanded_um, limit_um),

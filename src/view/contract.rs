@@ -39,7 +39,7 @@ pub struct ShownMessage {
 /// Place of a problem.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Place {
-    /// File, as the campaign names it.
+    /// File, as in the campaign.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// Line, from 1.

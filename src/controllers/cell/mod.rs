@@ -35,7 +35,7 @@ pub enum CellPart {
     Axis,
 }
 
-/// Statements of the user beside the answer.
+/// Data of the user beside the answer.
 #[derive(Clone, Debug, Default)]
 pub struct CellOptions {
     /// Name of the tool, object or mechanical unit.

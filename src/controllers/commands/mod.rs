@@ -1,8 +1,8 @@
 //! Poses to command in the languages of controllers, either as a list or instead of the targets of
 //! an existing program.
 //!
-//! A program is a sequence of bytes: everything except targets is preserved, whatever its encoding
-//! and line ends.
+//! A program is a sequence of bytes: everything except targets is preserved, independent of its
+//! encoding and line ends.
 
 mod galil;
 mod gcode;

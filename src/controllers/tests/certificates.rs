@@ -71,7 +71,7 @@ const QIF: &str = "qif-3.0/QIFApplications/QIFDocument_bindings_variant.xsd";
 fn certificates_are_valid_and_a_decimal_comma_is_not() {
     for (format, schema, number) in [("dcc", DCC, "1.0000231"), ("qif", QIF, "1.0000231")] {
         let text = written(format);
-        // statements of the campaign about the report are in their elements
+        // data of the campaign about the report are in their elements
         let places: &[&str] = match format {
             "dcc" => &[
                 "<dcc:value>R-17 &lt;a&gt;</dcc:value>",

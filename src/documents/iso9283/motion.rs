@@ -40,7 +40,7 @@ impl Iso9283StreamsDocument {
 pub struct Iso9283NamedStream {
     /// Name in the campaign.
     pub name: String,
-    /// File, as the campaign names it.
+    /// File, as in the campaign.
     pub file: String,
     /// Limit band, if given.
     pub band_mm: Option<f64>,

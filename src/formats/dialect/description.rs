@@ -1,4 +1,4 @@
-//! Dialect of delimited text. The campaign contains it; it is never guessed in silence.
+//! Dialect of delimited text. The campaign contains it; it is never guessed without a message.
 
 use super::columns::{ColumnRole, Columns};
 use super::coordinates::{AngleUnit, CoordinateType};
@@ -94,7 +94,7 @@ impl Unit {
 }
 
 impl Dialect {
-    /// Header before the data: without a statement, none.
+    /// Header before the data: none by default.
     pub fn header(&self) -> Header {
         self.form.header.clone().unwrap_or_default()
     }

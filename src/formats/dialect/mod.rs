@@ -1,4 +1,4 @@
-//! Dialects: statements of a campaign about the points of its exports.
+//! Dialects: data of a campaign about the points of its exports.
 
 mod columns;
 mod coordinates;

@@ -153,7 +153,7 @@ pub(super) struct Interpretation {
 #[derive(Clone, Debug)]
 pub(super) struct Doubt {
     pub text: Phrase,
-    /// Evidence that settles the doubt, if the nominal robot can give any.
+    /// Evidence that resolves the doubt, if the nominal robot can give any.
     settled_by: Option<Evidence>,
 }
 
@@ -172,7 +172,7 @@ impl Interpretation {
         self.doubts.push(Doubt { text, settled_by: None });
     }
 
-    /// Adds a doubt that evidence of the robot settles.
+    /// Adds a doubt that evidence of the robot resolves.
     pub fn doubt_until(&mut self, evidence: Evidence, text: Phrase) {
         self.doubts.push(Doubt { text, settled_by: Some(evidence) });
     }
@@ -182,7 +182,7 @@ impl Interpretation {
         self.questions.push(Doubt { text, settled_by: None });
     }
 
-    /// Adds a question that evidence of the robot settles.
+    /// Adds a question that evidence of the robot resolves.
     pub fn ask_until(&mut self, evidence: Evidence, text: Phrase) {
         self.questions.push(Doubt { text, settled_by: Some(evidence) });
     }
@@ -192,7 +192,7 @@ impl Interpretation {
         self.doubts.iter().chain(&self.questions).any(|doubt| doubt.settled_by == Some(evidence))
     }
 
-    /// Removes the doubts and questions that this evidence settles.
+    /// Removes the doubts and questions that this evidence resolves.
     pub fn settle(&mut self, evidence: Evidence) {
         for list in [&mut self.doubts, &mut self.questions] {
             list.retain(|doubt| doubt.settled_by != Some(evidence));

@@ -12,7 +12,7 @@ use etalon_tables::{ColumnSource, Expression, TableLayout};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Table to read: its layout, and what it holds.
+/// Table to read: its layout, and what it contains.
 #[derive(Clone, Debug, Default)]
 pub struct TableReading {
     /// Layout of the table.

@@ -66,7 +66,7 @@ pub struct Component {
     pub weights: Vec<f64>,
 }
 
-/// Field of joint errors with the parameters that go with it.
+/// Field of joint errors with the parameters that belong to it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointField {
     /// Components; several may concern one joint.

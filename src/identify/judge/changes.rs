@@ -33,7 +33,7 @@ pub struct Reading {
 pub(crate) struct Change {
     /// The mistake: "`q7` reversed".
     pub what: Phrase,
-    /// Statement of the wrong part of the set-up.
+    /// Wrong part of the set-up.
     pub origin: Origin,
     /// The data without it.
     pub data: Data,

@@ -3,7 +3,7 @@
 //! A model without an effect fits the measured region. Beyond it the effect continues, and the
 //! effective parameters do not follow: residuals understate the errors there. The errors at one
 //! half of the values of a joint, predicted from the other half, show how fast they grow. To first
-//! order the errors of left-out rows are e = (I − H)⁻¹ r with their part H of the hat matrix (Cook
+//! order the errors of held-out rows are e = (I − H)⁻¹ r with their part H of the hat matrix (Cook
 //! & Weisberg 1982, chapter 2). Independent errors of variance s² have E(e eᵀ) = s² (I − H)⁻¹; the
 //! excess over its trace is the growth of the misfit.
 
@@ -26,7 +26,7 @@ pub struct Extrapolation {
     pub joint: usize,
     /// Smallest and largest measured value (mm or rad).
     pub range: [f64; 2],
-    /// Root-mean-square distance (mm or rad) of the left-out values from the other half.
+    /// Root-mean-square distance (mm or rad) of the held-out values from the other half.
     pub distance: f64,
     /// Excess variance of a coordinate at this distance, relative to the residual variance.
     pub position: f64,
@@ -138,7 +138,7 @@ impl Kind {
     }
 }
 
-/// Sums over left-out rows of one kind.
+/// Sums over held-out rows of one kind.
 #[derive(Clone, Copy, Default)]
 struct Sums {
     count: f64,
@@ -198,7 +198,7 @@ impl Predicted<'_> {
 mod tests {
     use super::*;
 
-    /// The line y = b x through four points: left-out rows have the errors of the line through the
+    /// The line y = b x through four points: held-out rows have the errors of the line through the
     /// others.
     #[test]
     fn left_out_errors_are_those_of_the_other_rows() {

@@ -75,7 +75,7 @@ impl Extent {
     }
 }
 
-/// Given bounds of the expanded uncertainty; a quantity without a statement has the default.
+/// Given bounds of the expanded uncertainty; a quantity without a bound has the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct UncertaintyBound {
     /// Bound of lengths (mm).

@@ -142,8 +142,8 @@ fn log_determinant(lower: &mut [f64], n: usize) -> Option<f64> {
 /// Adds the best candidate to `start`, one after the other, until `count` are chosen (section 4.5).
 /// Until the chosen ones determine all parameters, the determinant decides, for every criterion.
 ///
-/// As long as those chosen do not determine all parameters, the determinant decides, whatever the
-/// criterion.
+/// As long as those chosen do not determine all parameters, the determinant decides, independent of
+/// the criterion.
 pub fn greedy(pool: &Pool, start: &[usize], count: usize) -> Choice {
     let mut chosen = start.to_vec();
     let mut gains = vec![f64::INFINITY; pool.candidates.len()];

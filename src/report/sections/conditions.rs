@@ -34,7 +34,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// Names with the statements of the campaign, or "not stated".
+/// Names with the data of the campaign, or "not stated".
 fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cell)> {
     all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(tr!(words, "not-stated"))).into())).collect()
 }
@@ -68,8 +68,8 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     stated(all, words).into_iter().chain(until).collect()
 }
 
-/// Statements of a certificate on report, customer, item, place, dates, traceability and
-/// deviations, including those that are missing.
+/// Data of a certificate on report, customer, item, place, dates, traceability and deviations,
+/// including those that are missing.
 pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let conditions = facts(results, words);
     let traced = [
@@ -111,7 +111,7 @@ fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
     (!all.is_empty()).then(|| all.join("; "))
 }
 
-/// Statements of a campaign on the conditions.
+/// Data of a campaign on the conditions.
 fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, tested) = (&results.campaign, &results.campaign.conditions, &results.tested);
     let text = |text: &Option<String>| text.clone();

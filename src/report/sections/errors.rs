@@ -311,7 +311,7 @@ fn statistics(
     Table::new(words, &set.errors, columns)
 }
 
-/// Benefit of each effect at left-out poses.
+/// Benefit of each effect at held-out poses.
 fn effects(all: &[EffectProof], words: &Words) -> Table {
     let columns = Columns::<EffectProof>::new()
         .both(phrase!("effect"), "", |e| term(words, e.effect.phrase()))
@@ -356,7 +356,7 @@ impl OfPose<'_> {
 }
 
 /// Mean and largest error of every pose; if not all fit on paper, outliers and then the largest
-/// errors first, whatever their set.
+/// errors first, independent of their set.
 fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let mut by_pose: BTreeMap<(PoseSet, PoseName), Vec<&PointError>> = BTreeMap::new();
     for p in errors {

@@ -97,7 +97,7 @@ pub(crate) fn recommended(document: &RecommendationDocument, words: &Words) -> V
     Verdict { met, class: Grade::from_met(met), sentences, ..Verdict::default() }
 }
 
-/// Errors at left-out poses with each set of parameters.
+/// Errors at held-out poses with each set of parameters.
 fn left_out(document: &RecommendationDocument, words: &Words) -> Section {
     let HeldOutErrors { none, all, recommended } = document.held_out;
     let sets = [

@@ -70,9 +70,9 @@ pub(super) type Squares = BTreeMap<PoseName, f64>;
 /// Errors with a choice of parameters.
 pub(crate) struct Tried {
     pub found: Identification,
-    /// At left-out poses.
+    /// At held-out poses.
     left_out: Squares,
-    /// At left-out poses of neighbouring temperatures.
+    /// At held-out poses of neighbouring temperatures.
     by_block: Squares,
     /// At all poses, from which the parameters were identified.
     fitted: Squares,
@@ -164,7 +164,7 @@ impl<'a> Study<'a> {
         squares_at(self.robot, observations, conditions, values)
     }
 
-    /// Adds effects one by one, the best of the remaining ones first, while errors at left-out
+    /// Adds effects one by one, the best of the remaining ones first, while errors at held-out
     /// poses decrease.
     pub fn steps(&self, none: &Tried, one_more: &mut dyn FnMut()) -> Result<(Vec<EffectStep>, Vec<Effect>)> {
         let mut steps = vec![none.step(None, None, true)];
@@ -333,7 +333,7 @@ impl Tried {
         gain > u && self.f_test(before).is_some_and(|[_, p]| p < SIGNIFICANCE)
     }
 
-    /// `true` if errors decrease at left-out poses of other temperatures too.
+    /// `true` if errors decrease at held-out poses of other temperatures too.
     fn holds_by_block(&self, before: &Self) -> bool {
         let [gain, u] = gain(&before.by_block, &self.by_block);
         gain > u
@@ -354,13 +354,13 @@ impl Tried {
         }
     }
 
-    /// Statistics of the errors at left-out poses.
+    /// Statistics of the errors at held-out poses.
     pub fn statistics(&self) -> Statistics {
         summarise(self.left_out.values().map(|squared| squared.sqrt()).collect())
     }
 }
 
-/// The effects that left-out poses prove, and the benefit of each.
+/// The effects that held-out poses prove, and the benefit of each.
 ///
 /// # Errors
 /// Fails like [`Study::new`], or if the identification fails.
@@ -394,7 +394,7 @@ fn joint_names(robot: &dyn Robot, chosen: impl Fn(usize) -> bool) -> Vec<String>
     joints.into_iter().filter_map(|joint| Some(robot.joints().get(joint)?.name.clone())).collect()
 }
 
-/// Errors of a solution at left-out calibration poses, at most 200.
+/// Errors of a solution at held-out calibration poses, at most 200.
 pub struct LeftOut {
     pub(super) sets: Sets,
     pub(super) settings: Settings,
@@ -488,7 +488,7 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
 }
 
 /// Returns the gain of an effect that is not identified, if the effect is significant: by fits near
-/// the solution without it and with it, and then by identifications at left-out poses, as a run
+/// the solution without it and with it, and then by identifications at held-out poses, as a run
 /// with the effect identifies.
 pub(super) fn would_prove(
     [without, with]: [&CrossValidated; 2],
@@ -515,7 +515,7 @@ pub(super) fn would_prove(
     })
 }
 
-/// Fit to all poses, and errors at left-out poses.
+/// Fit to all poses, and errors at held-out poses.
 pub(super) struct CrossValidated {
     fit: ModelFit,
     /// Mean square of the errors of each pose.

@@ -1,5 +1,5 @@
 //! Recommendation: the answer of a run to what a controller should load, and its evidence: the
-//! effects that the data prove at left-out poses, and the change of each parameter.
+//! effects that the data prove at held-out poses, and the change of each parameter.
 
 use crate::stages::calibrate::cross_validation::Study;
 use crate::stages::calibrate::identification::state_positions;

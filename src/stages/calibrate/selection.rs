@@ -28,7 +28,7 @@ use toml::Spanned;
 pub struct CampaignData<'a> {
     /// Campaign.
     pub campaign: &'a Campaign,
-    /// Statements of the campaign about the identification.
+    /// Data of the campaign about the identification.
     pub stated: &'a Identify,
     /// Observations of each log.
     pub joined: &'a Joined,
@@ -56,11 +56,11 @@ pub struct Division {
     pub selections: Selections,
 }
 
-/// Selects the observations of the first log by the statements of the campaign; fixed points and
-/// surfaces in them become parameters of `robot`.
+/// Selects the observations of the first log by the data of the campaign; fixed points and surfaces
+/// in them become parameters of `robot`.
 ///
 /// # Errors
-/// Fails if observations contradict each other or the statements of the campaign.
+/// Fails if observations contradict each other or the data of the campaign.
 pub fn select(data: CampaignData, robot: &mut dyn Robot) -> Result<Selected> {
     let CampaignData { campaign, stated, joined, frames } = data;
     let mut messages = Vec::new();
@@ -100,7 +100,7 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// Observations, and the statements of a campaign or of options about them.
+/// Observations, and the data of a campaign or of options about them.
 pub(crate) struct Input<'a> {
     pub observations: &'a Observations,
     pub without: RowDefaults,

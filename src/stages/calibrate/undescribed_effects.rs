@@ -1,4 +1,4 @@
-//! Effects that robot.toml does not describe, and that the left-out poses prove.
+//! Effects that robot.toml does not describe, and that the held-out poses prove.
 
 use super::cross_validation::{CrossValidated, LeftOut, gain, would_prove};
 use etalon_campaign::RobotFile;
@@ -53,7 +53,7 @@ impl Undescribed<'_> {
         (self.robot.loads().is_none() && !joints.is_empty()).then(|| addition(joints))
     }
 
-    /// Harmonics of the joints whose own harmonics predict left-out poses better: alone, and in
+    /// Harmonics of the joints whose own harmonics predict held-out poses better: alone, and in
     /// addition to the effects of the other joints.
     fn harmonics(self) -> Option<Addition> {
         let addition = |joints| Addition { key: "harmonics", effect: Effect::Harmonics, joints };
@@ -125,7 +125,7 @@ impl Undescribed<'_> {
     }
 }
 
-/// Leaves of the effects that are not identified the one that predicts left-out poses best: others
+/// Leaves of the effects that are not identified the one that predicts held-out poses best: others
 /// may gain only because it is missing.
 pub(super) fn best_alone(effects: &mut Vec<EffectProof>) {
     let open = effects.iter().filter(|proof| !proof.is_identified).map(|proof| proof.with_mm);

@@ -1,8 +1,8 @@
 //! Gather: the exports and logs of a campaign become points and joint values.
 //!
-//! No input is repaired in silence: a row that means "not measured" is rejected by rule and listed,
-//! anything else that does not read as given is an error with its place, and one run reports all
-//! of them.
+//! No input is repaired without a message: a row that means "not measured" is rejected by rule and
+//! listed, anything else that does not read as given is an error with its place, and one run
+//! reports all of them.
 
 mod blunders;
 mod excluded;

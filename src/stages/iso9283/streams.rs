@@ -85,7 +85,7 @@ fn ready(files: &mut CampaignTables, stream: &StreamDefinition) -> Result<Ready>
     Ok(Ready { recording, settings })
 }
 
-/// Statements of the campaign about a motion.
+/// Data of the campaign about a motion.
 fn stated(stream: &StreamDefinition) -> TestStatement<'_> {
     TestStatement {
         rate_hz: stream.rate_hz,

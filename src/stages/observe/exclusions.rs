@@ -26,8 +26,8 @@ impl Exclusion {
         stated.exclude.iter().map(rule).collect()
     }
 
-    /// Returns a predicate that is `true` for the readings named by the rule, by pose, cycle and
-    /// target; `None` for a rule without poses.
+    /// Returns a predicate that is `true` for the readings that the rule selects, by pose, cycle
+    /// and target; `None` for a rule without poses.
     pub fn covering(&self) -> Option<impl Fn(PoseName, i64, &str) -> bool + '_> {
         let Exclude { poses, cycle: only, target: of, .. } = &self.rule;
         let Ok(Selection::Named(named)) = Selection::parse(poses.as_ref()?) else { return None };

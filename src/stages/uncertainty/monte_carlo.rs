@@ -192,7 +192,7 @@ impl<'a> Trials<'a> {
             let drawn = Distribution::new(monte_carlo.iter().map(|trial| trial[n + i]).collect());
             let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == ErrorQuantity::Position);
             let reported = of_budget.map(|b| b.standard_uncertainty_mm);
-            // a standard deviation of so many draws has about this one itself
+            // a standard deviation of this many draws has about this one itself
             let by_chance = by_chance * drawn.sd / (2.0 * monte_carlo.len() as f64).sqrt();
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),

@@ -12,7 +12,7 @@ pub struct Posing {
     /// Distance between the standstills.
     pub distance_mm: f64,
     /// Time from the last sample within the limit band of the first pose to the arrival that
-    /// settles at the second.
+    /// resolves at the second.
     pub time_s: f64,
 }
 

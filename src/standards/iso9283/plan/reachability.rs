@@ -61,7 +61,7 @@ fn ways(robot: &dyn Robot, point: &CommandedPose) -> Vec<Vec<f64>> {
     }
 }
 
-/// Joint values of a platform at a place, whatever their limits.
+/// Joint values of a platform at a place, independent of their limits.
 fn at_pose(robot: &dyn Robot, point: &CommandedPose) -> Option<Vec<f64>> {
     let (platform, parameters) = (robot.platform()?, robot.nominal());
     let [x, y, _] = point.position_mm;

@@ -279,8 +279,8 @@ mod tests {
         }
     }
 
-    /// Angles that a controller reports once as the one and once as the other solution of the same
-    /// orientation are brought to the solution near the commanded one.
+    /// A controller may report either of the two solutions of one orientation; the angles are
+    /// converted to the solution near the commanded one.
     #[test]
     fn other_solutions_of_an_orientation_are_brought_near() {
         let mut test = test_at(ZYX, [0.5, 0.7, 3.1], true);
