@@ -439,8 +439,8 @@ impl RobotFile {
         file.build(targets).ok()
     }
 
-    /// Builds the robot with the tilt of its base and without that of its first joint across the
-    /// axis, or the other way round, and these targets; `None` if the model has no such keys.
+    /// Builds the robot with these targets and with one of two effects: the tilt of its base, or
+    /// the tilt of its first joint across the axis; `None` if the model has no such keys.
     pub fn build_first_tilt(&self, first: &str, of_base: bool, targets: &[String]) -> Option<Box<dyn Robot>> {
         const KEYS: [&str; 2] = ["lateral", "pedestal"];
         let (model, _) = self.description.as_ref()?;

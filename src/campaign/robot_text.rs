@@ -116,8 +116,8 @@ fn origin(pose: &Pose) -> String {
     format!("<origin xyz=\"{xyz}\" rpy=\"{rpy}\"/>")
 }
 
-/// URDF of a chain from the link `base_link` to the link `tool`; sliding joints without limits have
-/// those of one metre to either side, which URDF demands.
+/// URDF of a chain from the link `base_link` to the link `tool`; URDF demands limits, so sliding
+/// joints without limits get one metre to either side.
 pub fn urdf_text(name: &str, comments: &[String], joints: &[UrdfJoint], flange: &Pose) -> String {
     let lines: String = comments.iter().map(|c| format!("  {}\n", c.replace("--", "__"))).collect();
     let mut text = format!("<?xml version=\"1.0\"?>\n<!--\n{lines}-->\n<robot name=\"{}\">\n", attribute(name));

@@ -415,8 +415,8 @@ impl<'t> Stated<'t> {
     }
 }
 
-/// Place of the entry that causes the error of its section: keys that many sections share are read
-/// when the section is complete, and their errors have its place.
+/// Place of the entry that causes the error of its section. Keys that many sections share are read
+/// when the section is complete; their errors have the place of the section.
 fn cause<T>(
     root: &Spanned<DeTable>,
     error: &Error,

@@ -557,7 +557,7 @@ pub struct Identify {
     #[schemars(with = "Vec<String>")]
     pub hold: Vec<Spanned<String>>,
     /// Use of nominal values: as observations with their tolerances (`tolerances`, the default), or
-    /// as starting values only (`none`: plain least squares, as in the thesis).
+    /// only as starting values (`none`: plain least squares, as in the thesis).
     #[serde(default)]
     pub prior: PriorRule,
     /// Identified effects of the robot itself, as a list of names. `usual`, the default, means all

@@ -76,7 +76,7 @@ fn misfits(parameters: &ParametersDocument) -> bool {
 }
 
 /// Removes the probabilities of changes of parameters and mean errors between campaigns if the
-/// model misfits in either campaign, because the changes then depend on the choice of poses rather
+/// model does not fit one of the campaigns: the changes then depend on the choice of poses rather
 /// than on noise. Intervals of parameters are enlarged by the difference between both series;
 /// intervals of mean errors, which contain the scatter of poses only, are removed. `names` are the
 /// names of the campaigns.

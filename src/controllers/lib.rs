@@ -95,8 +95,8 @@ pub trait Exporter {
         None
     }
 
-    /// Warnings about a file that is written, with their consequence: a robot unlike those of the
-    /// format, and values that the format holds only with help of its reader.
+    /// Warnings about a file that is written, with their consequence: the robot is not one of the
+    /// format's robots, or the format can contain some values only with the help of its reader.
     fn cautions(&self, given: &ExportInput) -> Vec<Message> {
         self.concern(given).into_iter().collect()
     }
@@ -358,7 +358,7 @@ impl<'a> ExportInput<'a> {
     }
 
     /// Like [`Self::header`], for code that computes from joint values only: lists backlash, which
-    /// it cannot follow, and effects of what a reading gives in addition to joint values.
+    /// the code cannot compute, and effects of other values of a reading than joint values.
     fn header_of_code(&self, units: &str) -> Result<Vec<String>> {
         // without known masses, the payload alone tilts joints and base
         let tilts = self.robot.is_some_and(|robot| robot.circumstances().contains(&Circumstance::PayloadMass));

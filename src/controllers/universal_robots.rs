@@ -208,8 +208,8 @@ fn lengths(origins: &[Vector], z: Vector) -> Option<Lengths> {
     Some(Lengths { shoulder, last })
 }
 
-/// Rotation about z (rad) and shift along z (mm) by which the last frame of an arm becomes the
-/// maker's: x as in the frame before, and the origin at the maker's distance from wrist_2.
+/// Rotation about z (rad) and shift along z (mm) from the last frame of an arm to the frame of the
+/// maker, which has x of the previous frame and its origin at the maker's distance from wrist_2.
 fn wrist_3(frames: &[Pose], distance_mm: Option<f64>) -> (f64, f64) {
     let (last, before) = (&frames[5], &frames[4]);
     let (x, y) = (dot(before.axis(0), last.axis(0)), dot(before.axis(0), last.axis(1)));

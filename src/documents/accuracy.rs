@@ -504,8 +504,8 @@ pub struct ErrorStatistics {
 }
 
 impl AccuracySet {
-    /// Number of poses with an error of a quantity of this set, and of errors beyond one for each
-    /// pose (0 if each pose has one).
+    /// Number of poses with an error of a quantity of this set, and number of further errors (0 if
+    /// each pose has one).
     pub fn counts(&self, errors: &ErrorStatistics) -> [usize; 2] {
         let poses = if errors.poses > 0 { errors.poses } else { self.poses };
         [poses, if errors.count == poses { 0 } else { errors.count }]

@@ -35,8 +35,8 @@ pub struct KinematicsEntry {
     pub xyz_mm: [f64; 3],
     /// Orientation: unit quaternion w, x, y, z.
     pub quaternion: [f64; 4],
-    /// Joints that can move without moving the tool, at a singular pose; the joint values are then
-    /// of the family, the values that are nearest to the start.
+    /// Joints that can move without moving the tool, at a singular pose; of all solutions, the
+    /// joint values are then the nearest to the start.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub free_joints: Vec<String>,
 }

@@ -6,8 +6,8 @@ use crate::{CampaignSummary, ControllersDocument, Figure, Judged, VerdictDocumen
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Largest ratio of an error at held-out poses to the smallest known one with which a set of
-/// parameters may be loaded.
+/// Largest permissible ratio: the error of a set of parameters at held-out poses over the smallest
+/// such error of any set.
 pub const LOADING_RATIO: f64 = 1.05;
 
 /// Parameters that a controller should load.
@@ -122,7 +122,8 @@ pub(crate) fn further_effects(accuracy: &AccuracyDocument) -> impl Iterator<Item
 }
 
 /// Errors with nominal and with all identified parameters, if the identified ones are not clearly
-/// better: at the deciding poses, by less than the uncertainty of the error, or at held-out poses.
+/// better at the deciding poses or at held-out poses: the improvement must exceed the uncertainty
+/// of the error.
 pub(crate) fn hardly_better(accuracy: &AccuracyDocument) -> Option<[PositionErrors; 2]> {
     let set = accuracy.sets.last()?;
     let leading = set.leading()?;

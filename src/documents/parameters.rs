@@ -31,8 +31,8 @@ pub struct ParametersDocument {
     pub synthetic: Option<String>,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
-    /// Positions of the flange by the nominal geometry, with which a robot file is compared that is
-    /// given together with these parameters; absent in documents of earlier versions.
+    /// Positions of the flange by the nominal geometry, which are compared with a robot file that
+    /// is given together with these parameters; absent in documents of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reference_poses: Vec<ReferencePose>,
     /// Drawings of the model with its parameters; absent if the model provides none.
@@ -295,8 +295,8 @@ pub struct ResidualSummary {
     /// Residuals of each quantity other than positions of targets.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<QuantityResiduals>,
-    /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as
-    /// far as it exceeds the scatter between regions of the workspace. Absent for one series.
+    /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml),
+    /// beyond the scatter between regions of the workspace. Absent for one series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_series: Option<SeriesScatter>,
 }
@@ -352,8 +352,8 @@ pub struct SeriesScatter {
     pub share: f64,
 }
 
-/// Growth of the errors of predictions beyond the measured values of a joint, from poses of one
-/// half of its values that the other half predicts.
+/// Growth of the errors of predictions beyond the measured values of a joint. It is estimated by
+/// predicting one half of the joint's values from the other half.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointExtrapolation {

@@ -65,7 +65,7 @@ pub struct PlanChoice {
     /// Limits within which the candidates were drawn, if they were generated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub generated: Option<GeneratedCandidates>,
-    /// Measuring program, if one is written. Joint values of `chosen` are those that it commands.
+    /// Measuring program, if one is written. `chosen` contains the joint values that it commands.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub program: Option<PlannedProgram>,
 }

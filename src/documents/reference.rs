@@ -20,7 +20,7 @@ pub struct ReferencePose {
     /// Flange origin, and the points 100 mm along its x and y axes, at nominal parameters (mm).
     pub nominal_mm: [[f64; 3]; 3],
     /// These points with each parameter of the robot 0.1 mm, 0.1 deg or 0.0001 above its nominal
-    /// value (mm): effects whose nominal values are zero show here.
+    /// value (mm): this shows effects whose nominal values are zero.
     pub varied_mm: [[f64; 3]; 3],
 }
 

@@ -36,8 +36,8 @@ pub struct DistanceStatistics {
     pub before: Statistics,
     /// Sizes of the errors with the judged parameters (mm).
     pub after: Statistics,
-    /// Expanded uncertainty (mm, k = 2) of `after.rms` by instrument, frames and base; the
-    /// parameters are judged and contribute nothing. Absent without a given uncertainty.
+    /// Expanded uncertainty (mm, k = 2) of `after.rms` by instrument, frames and base; the judged
+    /// parameters do not contribute. Absent without a given uncertainty.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub expanded_rms_mm: Option<f64>,
     /// Expanded uncertainty (mm, k = 2) of `after.p95`.

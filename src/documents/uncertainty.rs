@@ -48,7 +48,8 @@ pub struct DistributionEntry {
     pub unit: String,
     /// Result of the campaign.
     pub value: f64,
-    /// Standard uncertainty by linear propagation of what the draws contain, for comparison.
+    /// Standard uncertainty by linear propagation of the same contributions as in the draws, for
+    /// comparison.
     pub linear: Option<f64>,
     /// Standard uncertainty in the report, including unmodelled errors.
     pub standard_uncertainty: Option<f64>,

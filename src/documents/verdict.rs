@@ -120,9 +120,9 @@ pub enum Reason {
         /// Largest change of the orientation of the flange (deg).
         flange_deg: f64,
     },
-    /// A controller file is hardly better than nominal parameters: its largest error is larger, or
-    /// its root mean square less than 5 % or less than its uncertainty smaller, at the deciding
-    /// poses or at calibration poses that were excluded.
+    /// A controller file is hardly better than nominal parameters: at the deciding poses or at
+    /// excluded calibration poses, its largest error is larger, or its root mean square decreases
+    /// by less than 5 % or by less than its uncertainty.
     HardlyBetter {
         /// Formats of the file; empty for files with all identified parameters.
         formats: Vec<String>,

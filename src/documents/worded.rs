@@ -64,9 +64,9 @@ impl TwoKeys for Vec<Worded> {
 /// the English words and of the text of the catalogue. The description of the former is the one of
 /// the schema; the latter has a usual description, or its own.
 ///
-/// `text` is a text, `text or empty` a text that old documents lack, `option` a text that may be
-/// absent, `list` a list of texts. The text of the catalogue may be absent, except in documents
-/// that have always had one (`translated text`, `translated list`).
+/// `text` is a text, `text or empty` a text that old documents do not contain, `option` a text that
+/// may be absent, `list` a list of texts. The text of the catalogue may be absent, except in
+/// documents that have always had one (`translated text`, `translated list`).
 macro_rules! worded {
     ($(#[$doc:meta])* text $key:ident: $english:ident, $phrase:ident) => {
         worded! {

@@ -44,7 +44,7 @@ const REDUNDANCY: f64 = 1e-9;
 /// instrument.
 const COARSEST: f64 = 1e-3;
 
-/// Points with their settings for the search, which knows no probe.
+/// Points with their settings for the search, which does not compensate for a probe.
 pub(super) struct Search<'a> {
     element: Element,
     points: &'a [Vector],

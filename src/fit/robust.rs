@@ -95,8 +95,8 @@ fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
     FitSettings { radius_mm: settings.held_radius_mm(), probe: None, circle: CircleMethod::Orthogonal, ..*settings }
 }
 
-/// Foreign points that shift a fit of all points beyond its uncertainty; `None` where there are
-/// none, or too many points to look at without a request.
+/// Foreign points that shift a fit of all points beyond its uncertainty; `None` without such
+/// points, and for too many points to check without a request.
 pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Option<ForeignPoints> {
     let n = points.len();
     if n > CHECKED || n < FEWEST * fit.element.minimum_points() {

@@ -1,6 +1,6 @@
-//! Rows of a label and three decimals, read with AVX2: all separators of a line at once, then both
-//! halves of each number at once. Rows of any other kind, and other machines, read with the
-//! scanner.
+//! Rows of a label and three decimal numbers, read with AVX2: all separators of a line at once,
+//! then both halves of each number at once. Rows of any other kind, and other machines, read with
+//! the scanner.
 
 use super::exports::{Plain, PlainRow};
 use pulp::cast;

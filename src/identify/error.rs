@@ -1,5 +1,5 @@
-//! Reasons for a missing result. They name neither keys nor options: the caller that knows the
-//! origin of a value adds the remedy.
+//! Reasons for a missing result. They contain neither keys nor options: the caller knows the origin
+//! of a value and adds the remedy.
 
 use crate::warning::{SetUpError, Warning};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
@@ -121,7 +121,7 @@ pub enum Cause {
     Readings {
         /// Poses with these readings.
         poses: BTreeSet<PoseName>,
-        /// Pairs of them that fit with the joint values of each other.
+        /// Pairs of these poses that fit if their joint values are swapped.
         exchanged: Vec<[PoseName; 2]>,
     },
 }

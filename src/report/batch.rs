@@ -146,8 +146,8 @@ fn script_safe<T: Serialize>(data: &T) -> serde_json::Result<String> {
     Ok(serde_json::to_string(data)?.replace('<', "\\u003c"))
 }
 
-/// Verdict on a campaign: that on its result, with a reservation if a check of the program, as a
-/// warning that needs a decision, is not passed.
+/// Verdict on a campaign: the verdict on its result, with a reservation if a check of the program
+/// is not passed, as a warning that needs a decision.
 fn verdict(entry: &BatchEntry) -> Option<Acceptance> {
     let worst = entry.checks.iter().map(|c| c.verdict).max();
     match entry.ended {

@@ -84,7 +84,7 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
         return Err(problems);
     };
     gathered.document.sources.append(&mut formats.sources);
-    // formats that leave parameters out hold what is identified without them
+    // formats that omit parameters contain the values that are identified without them
     let mut summary = summary(campaign, presentation);
     summary.temperature.range_c = gather::temperature_range(&gathered.points);
     let again = |found| identified_again(campaign, robot.as_ref(), found, &summary, &formats.all());

@@ -50,7 +50,7 @@ pub fn recommend(campaign: &Campaign, report: &mut dyn FnMut(usize, usize)) -> R
 
 /// The recommended parameters of a campaign, identified like the parameters of a run.
 pub struct Recommended {
-    /// Parameters with their errors; what is not recommended is at nominal.
+    /// Parameters with their errors; parameters that are not recommended are at nominal.
     pub found: IdentifiedDocuments,
     /// Contents of formats instead of these parameters.
     pub controllers: Option<ControllersDocument>,

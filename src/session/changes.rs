@@ -28,7 +28,7 @@ const UNREASONED: &str = "-";
 /// Share of a variance below which a difference of variances is rounding.
 const ROUNDING: f64 = 1e-4;
 
-/// The campaign that gives what is asked for.
+/// The campaign with the requested changes.
 ///
 /// # Errors
 /// Fails for unknown poses, targets and parameters, and if the text cannot be changed.
@@ -134,7 +134,7 @@ pub(super) fn what_if(opened: &Opened, asked: &WhatIfAsked, language: &str) -> R
     })
 }
 
-/// Errors of all measured places, the held-out ones too.
+/// Errors of all measured places, including held-out ones.
 fn points(opened: &Opened, robot: &dyn Robot, found: &Unjudged) -> Vec<PointNow> {
     let values = &found.solution.found.values;
     let mut all = Vec::new();
@@ -151,9 +151,9 @@ fn points(opened: &Opened, robot: &dyn Robot, found: &Unjudged) -> Vec<PointNow>
     all
 }
 
-/// Parameters that changed beyond the uncertainty of the change. One of two results uses a part of
-/// the data of the other, or a part of its parameters: the variance of their difference is the
-/// difference of their variances (Hausman 1978).
+/// Parameters that changed beyond the uncertainty of the change. If one result uses a part of the
+/// data or of the parameters of another, the variance of their difference is the difference of
+/// their variances (Hausman 1978).
 fn differences(first: &[Parameter], now: &[Parameter]) -> Vec<Changed> {
     let change = |(first, now): (&Parameter, &Parameter)| {
         let by = now.identified - first.identified;
@@ -168,7 +168,7 @@ fn differences(first: &[Parameter], now: &[Parameter]) -> Vec<Changed> {
     all
 }
 
-/// Writes what is asked for into campaign.toml, and returns the difference of the text.
+/// Writes the requested changes into campaign.toml, and returns the difference of the text.
 ///
 /// # Errors
 /// Fails without a reason, if nothing is asked for, and like [`what_if`].

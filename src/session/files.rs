@@ -55,7 +55,7 @@ pub(super) fn inputs(folder: &Path, dropped: &Dropped) -> Vec<PathBuf> {
     let mut all: Vec<PathBuf> = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|e| e.path()).collect();
     all.retain(|path| path.is_file() && path.file_name().is_some_and(|name| !name.to_string_lossy().starts_with('.')));
     all.sort();
-    // without a listing, what is known to be there
+    // without a listing, the known files
     if all.is_empty() {
         all = dropped.0.keys().map(|name| folder.join(name)).filter(|path| path.is_file()).collect();
     }

@@ -83,7 +83,7 @@ impl Opened {
         Ok(Self { campaign: campaign.clone(), observed, robot, found, visits, observations, scene })
     }
 
-    /// Identifies these observations by the statements of another campaign.
+    /// Identifies these observations with the settings of another campaign.
     ///
     /// # Errors
     /// Fails like [`Opened::new`].

@@ -445,8 +445,8 @@ fn parameters(robot: &dyn Robot, found: &Unjudged, remaining: Option<&Vec<&Obser
     identified.free.iter().enumerate().filter_map(parameter).collect()
 }
 
-/// Pose to measure next: the next of the plan, or the one of most information (D-optimality: the
-/// largest decrease of the determinant of the covariance).
+/// Pose to measure next: the next of the plan, or the pose with the most information (D-optimality:
+/// the largest decrease of the determinant of the covariance).
 fn next(
     robot: &dyn Robot,
     found: &Unjudged,

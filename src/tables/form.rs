@@ -117,8 +117,8 @@ impl Form {
         Some(error!("thousands-mark-ambiguous", mark = thousands.name(), other))
     }
 
-    /// This form, with the statements of another one where it has none: the marks, the encoding,
-    /// the comments and the missing cells of a section apply to its tables.
+    /// This form, completed by another one: the marks, the encoding, the comments and the missing
+    /// cells of a section apply to its tables.
     pub fn or(&self, section: &Self) -> Self {
         if self.sheet.is_some() {
             return self.clone();

@@ -234,7 +234,7 @@ fn length_unit(word: &str) -> Option<&'static str> {
         .filter(|unit| ["mm", "m", "um", "inch"].contains(unit))
 }
 
-/// Returns the statements of a unit of lengths in the lines above the data, which begin at the line
+/// Returns the units of lengths that are given in the lines above the data, which begin at the line
 /// `first`: a key with its unit, a comment, or the cells of coordinates in rows of units. Cells in
 /// these `columns` count.
 pub fn stated_units(text: &str, form: &Form, first: usize, columns: &dyn Fn(usize) -> bool) -> Vec<StatedUnit> {

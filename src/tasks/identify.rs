@@ -38,9 +38,9 @@ pub struct IdentifyOptions {
     /// from the residuals.
     #[arg(long, value_name = "UM")]
     pub standard_uncertainty_um: Option<f64>,
-    /// Standard uncertainty (k = 1) in micrometres common to all rows with equal coordinates: a
-    /// ball that is measured once and touched in several working modes. The other uncertainty is
-    /// then of the contact.
+    /// Standard uncertainty (k = 1) in micrometres common to all rows with equal coordinates.
+    /// Example: a ball that is measured once and touched in several working modes. The other
+    /// uncertainty is then of the contact.
     #[arg(long, value_name = "UM", requires = "standard_uncertainty_um")]
     pub common_uncertainty_um: Option<f64>,
     /// Standard uncertainty (k = 1) of a measured orientation about any axis in degrees, if the

@@ -114,8 +114,8 @@ pub struct SearchOptions {
     #[arg(long, value_name = "N", value_parser = option_at_most::<100_000>)]
     #[serde(deserialize_with = "at_most::<100_000, _>")]
     pub starts: Option<usize>,
-    /// Maximum number of nodes of branch and bound; by default 4000, fewer for a large problem, and
-    /// none as soon as it is within 1 % of the bound.
+    /// Maximum number of nodes of branch and bound; by default 4000, fewer for a large problem. The
+    /// search ends when the choice is within 1 % of the bound.
     #[arg(long, value_name = "N", value_parser = option_at_most::<10_000_000>)]
     #[serde(deserialize_with = "at_most::<10_000_000, _>")]
     pub nodes: Option<usize>,

@@ -38,8 +38,8 @@ pub(crate) fn refuse_busy(shared: &Shared, stream: &mut TcpStream) {
     }
 }
 
-/// Writes an answer, and reads what the sender still sends: closing before would tear the answer
-/// away from it.
+/// Writes an answer, and reads the rest of the request: if the connection closed earlier, the
+/// sender would lose the answer.
 fn finish(stream: &mut TcpStream, answer: &Answer) {
     if answer.write(stream).is_err() || stream.shutdown(Shutdown::Write).is_err() {
         return;

@@ -1,10 +1,10 @@
 //! The page of `etalon view`: its server on the loopback interface, and the documents that page and
 //! program exchange.
 //!
-//! The server knows no campaign: everything that the page asks for is a call of a [`Desk`], which
-//! the program implements. Whatever reaches the server may come from another page of the user's
-//! browser or from another process. It therefore answers requests with its own random token alone,
-//! and all sizes, times and numbers of connections are bounded.
+//! The server knows no campaign: every request of the page calls a [`Desk`], which the program
+//! implements. Whatever reaches the server may come from another page of the user's browser or from
+//! another process. It therefore answers requests with its own random token alone, and all sizes,
+//! times and numbers of connections are bounded.
 
 mod answer;
 mod connection;

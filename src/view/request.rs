@@ -132,7 +132,7 @@ impl Request {
     }
 }
 
-/// Reads what has come, and waits for it until a time.
+/// Reads the received bytes, and waits for them until a time.
 fn read_some(stream: &mut TcpStream, part: &mut [u8], until: Instant) -> Result<usize, Unreadable> {
     loop {
         let left = until.saturating_duration_since(Instant::now());

@@ -242,7 +242,7 @@ mirror! {
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_c_deg: Option<f64> = p.angles.repeatability_rad[2].map(f64::to_degrees),
         /// Rotation from the commanded to the mean orientation about x, y and z of the table, as a
-        /// rotation vector; instead of AP_a, AP_b and AP_c where two rotations have nearly the same
+        /// rotation vector. It replaces AP_a, AP_b and AP_c if two rotations have nearly the same
         /// axis and their order is given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ap_rotation_deg: Option<Vector> =
@@ -424,8 +424,7 @@ mirror! {
         drp_mm: f64,
         /// Number of sets until AP settled.
         settled_after: Option<usize>,
-        /// `true` if dAP exceeds what the scatter within the sets explains, at a significance level
-        /// of 0.1 %.
+        /// `true` if dAP exceeds the scatter within the sets, at a significance level of 0.1 %.
         #[serde(default)]
         is_significant: bool,
     }

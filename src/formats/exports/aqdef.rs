@@ -266,7 +266,7 @@ impl<'a> File<'a> {
         }
         match groups.nodes.get(groups.above.get(&index)?)? {
             Node::Characteristic(above) if *above != index => called(above),
-            // the node of the characteristic itself: what is above it
+            // the node of the characteristic: its parents follow
             Node::Characteristic(_) => match groups.nodes.get(groups.nodes_above.get(groups.above.get(&index)?)?)? {
                 Node::Characteristic(above) => called(above),
                 Node::Logical(number) => groups.names.get(number).copied(),

@@ -478,7 +478,7 @@ impl Interpretation {
         self.by_count(table, &rest);
     }
 
-    /// Takes running numbers and constants in front of many numbers for what they are.
+    /// Recognises running numbers and constants in front of many numbers.
     fn constants_in_front(&mut self, table: &Table, rest: &mut Vec<usize>) {
         while let Some(at) = rest.first().copied().filter(|_| rest.len() > FEWEST_OF_POINTS) {
             let column = &table.columns[at];

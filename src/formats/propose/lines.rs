@@ -334,8 +334,7 @@ impl Proposal<'_> {
         }
     }
 
-    /// Returns a doubt about columns of numbers that are not read, though nothing gives what they
-    /// are.
+    /// Returns a doubt about columns of numbers that are not read, if their meaning is unknown.
     fn not_read(&self) -> Option<Phrase> {
         let named = self.table.columns.iter().any(|column| column.name.is_some());
         let has_point = !self.found.points.is_empty();

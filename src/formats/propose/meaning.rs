@@ -172,7 +172,7 @@ impl Interpretation {
         self.doubts.push(Doubt { text, settled_by: None });
     }
 
-    /// Adds a doubt that evidence of the robot resolves.
+    /// Adds a doubt that the kinematics of the robot can resolve.
     pub fn doubt_until(&mut self, evidence: Evidence, text: Phrase) {
         self.doubts.push(Doubt { text, settled_by: Some(evidence) });
     }
@@ -182,7 +182,7 @@ impl Interpretation {
         self.questions.push(Doubt { text, settled_by: None });
     }
 
-    /// Adds a question that evidence of the robot resolves.
+    /// Adds a question that the kinematics of the robot can resolve.
     pub fn ask_until(&mut self, evidence: Evidence, text: Phrase) {
         self.questions.push(Doubt { text, settled_by: Some(evidence) });
     }
@@ -525,7 +525,7 @@ fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
     Some(found.map(|k| k.unwrap_or(0)))
 }
 
-/// Words of joints with names instead of numbers.
+/// Words in the names of joints that have no number.
 const NAMED_JOINTS: [&str; 13] = [
     "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
     "gelenk",
@@ -862,8 +862,8 @@ impl Interpretation {
         self.ask(phrase!("ask-time-unit", column, step));
     }
 
-    /// Takes a running number with gaps or out of order for the number of the pose, as a question:
-    /// the number of the row is another.
+    /// Proposes a running number with gaps, or out of order, as the number of the pose, with a
+    /// question: the row numbers differ from it.
     fn number_with_gaps(&mut self, table: &Table) {
         let named = [Meaning::Label, Meaning::Pose, Meaning::Time, Meaning::Clock, Meaning::TimeOfDay];
         if named.iter().any(|meaning| self.first(*meaning).is_some()) {

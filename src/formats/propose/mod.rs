@@ -45,7 +45,7 @@ use meaning::{Interpretation, Meaning, PointSet, Taken};
 use std::path::Path;
 use table::{Column, Table};
 
-/// Kind of a text that holds no points, and how surely it is recognised, from 0 to 1.
+/// Kind of a text without points, and the certainty of the recognition, from 0 to 1.
 fn without_points(text: &str) -> Option<(&'static str, f64)> {
     let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
     let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");

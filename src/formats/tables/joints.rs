@@ -99,7 +99,7 @@ pub fn missing_column(robot: &dyn Robot, stated: Circumstance) -> Message {
     }
 }
 
-/// Returns the error that a value is not what the reading has to give.
+/// Returns the error about a value that does not suit its column.
 pub fn wrong_value(robot: &dyn Robot, stated: Circumstance, value: f64) -> Option<Message> {
     let least = match stated {
         Circumstance::PayloadMass => 0.0,

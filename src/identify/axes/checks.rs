@@ -24,8 +24,8 @@ const UNITS: [(f64, &str); 5] = [
 const MANY: f64 = 0.1;
 /// Ratio of residuals to the usual noise from point to point that noise alone does not reach.
 const JUMPS: f64 = 3.0;
-/// Logarithm of the ratio of likelihoods from which a step explains what a smooth deviation does
-/// not, over all places of the step; run-out reaches 11.
+/// Logarithm of the ratio of likelihoods from which a step explains the residuals better than a
+/// smooth deviation, over all places of the step; run-out reaches 11.
 const STEP: f64 = 20.0;
 /// A change explains the readings if it reduces residuals to this share.
 const EXPLAINS: f64 = 1.0 / 3.0;

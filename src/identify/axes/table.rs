@@ -113,10 +113,9 @@ impl DerivedParameters {
         }
     }
 
-    /// Standard uncertainties (mm, rad) as which the parameters may be given without their
-    /// correlations: independent parameters with these are nowhere better known than by the
-    /// covariance. Each is that of the parameter, times the root of the largest eigenvalue of the
-    /// correlations.
+    /// Standard uncertainties (mm, rad) for parameters without correlations: with them, no
+    /// combination of parameters is more certain than by the covariance. Each is that of the
+    /// parameter, times the root of the largest eigenvalue of the correlations.
     pub fn independent_uncertainties(&self) -> Vec<f64> {
         let u: Vec<f64> = (0..self.names.len()).map(|k| self.covariance[(k, k)].sqrt()).collect();
         let n = u.len();

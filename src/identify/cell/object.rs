@@ -18,7 +18,7 @@ pub struct ObjectFrame {
 /// Change of the points that explains them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectSlip {
-    /// Measured coordinates are in another unit: their factor.
+    /// Factor of measured coordinates that are in another unit.
     Unit(f64),
     /// One coordinate (0, 1, 2) of the known points has the other sign.
     Mirrored(usize),

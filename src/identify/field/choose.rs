@@ -57,8 +57,8 @@ pub(super) fn choose(rows: &Rows, fit: &Fit, some: &[usize]) -> Result<Chosen, (
 /// Smallest mean variance of a component, relative to the variance of a white residual.
 const NEGLIGIBLE: f64 = 0.01;
 
-/// Weights with nominal values weighted relative to what the field leaves, without components that
-/// later ones have made negligible.
+/// Weights, with nominal values weighted relative to the residuals of the field, and without
+/// components that later ones have made negligible.
 fn refined(rows: &Rows, some: &[usize], mut bases: Vec<Basis>, solved: &Solved) -> Option<Chosen> {
     let fit = rows.fit(some, solved.white.sqrt())?;
     let mut columns = DMatrix::zeros(some.len(), 0);
@@ -93,7 +93,7 @@ fn candidates(rows: &Rows) -> Vec<Basis> {
     radii.flat_map(of).collect()
 }
 
-/// Components so far, and what they are fitted to.
+/// Components so far, and the data to which they are fitted.
 struct Trial<'a> {
     rows: &'a Rows,
     fit: &'a Fit,

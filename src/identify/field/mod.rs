@@ -71,7 +71,7 @@ pub struct Component {
 pub struct JointField {
     /// Components; several may concern one joint.
     pub components: Vec<Component>,
-    /// Change of every parameter of the robot (mm, rad, 1) that goes with the components.
+    /// Change of every parameter of the robot (mm, rad, 1) that belongs to the components.
     pub shift: Vec<f64>,
     /// Indices of the parameters in the covariance.
     pub free: Vec<usize>,

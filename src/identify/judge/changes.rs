@@ -48,7 +48,7 @@ pub(crate) struct Change {
 pub(crate) enum Listing {
     /// Before others.
     First,
-    /// After others: zeros take up most offsets.
+    /// After others: zeros absorb most offsets.
     Last,
     /// Nowhere: a unit of one joint shows as its sign does.
     Never,

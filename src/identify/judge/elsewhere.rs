@@ -50,8 +50,8 @@ impl Elsewhere<'_> {
         each.reduce(|(mm, rad), other| (mm.max(other.0), rad.max(other.1)))
     }
 
-    /// `true` if free base or targets take up a change of the joints whatever the robot does, such
-    /// as an offset of the first or the last joint: it is no mistake that anything could show.
+    /// `true` if free base or targets absorb a change of the joints at all poses, such as an offset
+    /// of the first or the last joint: no measurement can show such a mistake.
     pub fn is_absorbed(&self, slip: &Slip, values: &[f64]) -> bool {
         let Self { robot, data, joints } = self;
         let (Some(arm), Some(branches)) = (robot.free_base(), self.flanges(slip, [values, values])) else {

@@ -1,9 +1,9 @@
-//! Fit of a hypothesis about a set-up: what a model leaves of the data, with a misfit of its own.
+//! Fit of a hypothesis about a set-up: its residuals, with its own misfit.
 //!
 //! Models of real robots are incomplete, so that residuals exceed the instrument's uncertainty.
-//! Each hypothesis is fitted with the standard deviation that its own residuals show, one for
-//! lengths and one for angles, and is scored by what it leaves of poses that the fit leaves out.
-//! Lengths are those of the robot: a change of unit cannot win merely by making numbers small.
+//! Each hypothesis is fitted with the standard deviations of its own residuals, one for lengths and
+//! one for angles. Its score is the residuals at poses that are excluded from the fit. Lengths are
+//! those of the robot: a change of unit cannot win merely by making numbers small.
 
 use super::data::Data;
 use crate::judgement::robust::CAUCHY;
@@ -77,7 +77,7 @@ pub(crate) struct Hypothesis<'a> {
 pub(crate) struct Fitted {
     /// All parameters.
     pub values: Vec<f64>,
-    /// Standard deviation of the residuals of poses that the fit leaves out.
+    /// Standard deviation of the residuals of poses that are excluded from the fit.
     pub scales: Scales,
     /// Number of residuals.
     pub rows: f64,
@@ -296,8 +296,8 @@ impl Fitted {
     }
 
     /// Logarithm of the ratio by which another fit leaves more: by most residuals, and by all with
-    /// their tails. A change of the unit of a few readings wins by most residuals, a few poses that
-    /// others do not determine by the tails.
+    /// their tails. By most residuals, a change of the unit of a few readings wins; by the tails, a
+    /// few poses that others do not determine.
     pub fn gain_over(&self, other: &Self) -> f64 {
         let tails = other.cost / other.rows - self.cost / self.rows;
         tails.min(other.per_row() - self.per_row())

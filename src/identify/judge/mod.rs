@@ -1,9 +1,10 @@
-//! Judge of a set-up. It compares the set-up as given with the mistakes that people make.
+//! Judge of a set-up. It compares the given set-up with typical mistakes.
 //!
 //! [`changes`] lists the mistakes. Each is a hypothesis: the data without it, with base, targets
 //! and fixtures located again by most of the readings, and with all parameters fitted. All
-//! hypotheses, and the set-up as given, compete by one measure: what they leave of poses that the
-//! fit leaves out, relative to the size of the robot and with a misfit of their own ([`fit`]).
+//! hypotheses, and the set-up as given, are compared by one measure: the residuals at poses that
+//! are excluded from the fit, relative to the size of the robot and with their own misfit
+//! ([`fit`]).
 
 mod changes;
 mod data;
@@ -45,7 +46,8 @@ const FEWEST: usize = 4;
 /// Number of changes that are fitted with all parameters: those that bring the nominal robot
 /// nearest.
 const FITS: usize = 24;
-/// Maximum number of changes that are fitted if more bring the nominal robot as near as it is.
+/// Maximum number of changes that are fitted if more of them bring the nominal robot as near to the
+/// measurements.
 const MOST_FITS: usize = 40;
 /// Ratio of standard deviations by which a change must explain the data better than the set-up as
 /// given.
@@ -118,7 +120,7 @@ pub fn tolerance_effect_mm(robot: &dyn Robot, observations: &[Observation], valu
     let problem = Residuals::new(robot, observations, &PLAIN, &free, values).ok()?;
     let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
     let (factor, norms) = factor_at(&problem, &x);
-    // what of a column base and targets do not take up lies below their rows
+    // the part of a column that base and targets do not absorb lies below their rows
     let common = factor.common();
     let first = common.iter().take_while(|&&j| j < places.len()).count();
     let left = |k: usize| (first..=k).map(|i| factor.r(i, k).powi(2)).sum::<f64>() * norms[common[k]].powi(2);
@@ -146,7 +148,8 @@ pub fn set_up_problem(
     (problem.filter(|_| !is_explained(robot, observations, settings)), judged)
 }
 
-/// `true` if a robot within its tolerances leaves of the observations what the instrument leaves.
+/// `true` if a robot within its tolerances explains the observations within the uncertainty of the
+/// instrument.
 fn is_explained(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> bool {
     let Ok(found) = crate::identify(robot, observations, settings) else { return false };
     let parameters = robot.parameters();
@@ -236,7 +239,7 @@ pub struct Judgement {
     /// Mistakes that these data do not show: with each of these changes a robot within its
     /// tolerances explains them, or nearly so.
     pub untested: Vec<Untested>,
-    /// `true` if a robot within its tolerances can leave what the set-up as given leaves.
+    /// `true` if a robot within its tolerances can have residuals as small as the given set-up.
     pub is_possible: bool,
 }
 
@@ -248,7 +251,7 @@ pub struct Untested {
     /// Standard deviation (mm) of the residuals of a length as given, and with the change.
     pub residuals_mm: [f64; 2],
     /// Largest difference of the flange between both at poses around the measured ones: its
-    /// position (mm) and its orientation (rad), beyond what is common to all poses.
+    /// position (mm) and its orientation (rad), beyond the difference that is common to all poses.
     pub differs: (f64, f64),
 }
 
@@ -281,8 +284,8 @@ fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mis
     let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
     let probes = subset.elsewhere(robot);
     let table = Table { robot, data, tried: [&subset, &probes], readings };
-    // what brings the nominal robot as near as the set-up as given may be what the data do not
-    // show
+    // the data may not distinguish a change that brings the nominal robot as near as the given
+    // set-up
     let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
     let mut tried = match mistakes {
         1 => fitted(robot, table.single(), as_near),

@@ -10,7 +10,8 @@
 //! well-conditioned set-up has U near 2 u, so that ten times u rejects bad geometry only. The lower
 //! ends admit bad geometry of a precise instrument (a short arc, a tool point by small turns),
 //! whose answer is good enough all the same; an angle acts beyond the measured region, so its end
-//! is lower. The upper end rejects what is no larger than the noise, however coarse the instrument.
+//! is lower. The upper end rejects results that are no larger than the noise, even for a coarse
+//! instrument.
 
 use crate::cell::upright;
 use crate::{Identification, Observation, Settings};
@@ -31,8 +32,8 @@ const LEAST_OF_ANGLES: f64 = 0.005;
 /// Largest share.
 const MOST: f64 = 0.05;
 /// Standard uncertainty (mm) of a coordinate that is assumed if nothing shows it: the order of
-/// coordinate measuring systems. Touches by a robot are coarser, so an answer that this
-/// uncertainty rejects is rejected by the true one too.
+/// coordinate measuring systems. Touches by a robot are less accurate. An answer that is rejected
+/// with this uncertainty is therefore also rejected with the true one.
 pub const ASSUMED_MM: f64 = 0.01;
 /// Standard uncertainty (rad) of an orientation that is assumed if nothing shows it.
 pub const ASSUMED_RAD: f64 = 1e-4;

@@ -1,8 +1,8 @@
 //! Uncertainty of figures made of errors: mean, root mean square and maximum of the errors of a
 //! robot whose parameters are given (GUM 5.1.2, 5.2.2).
 //!
-//! The parameters of the robot are what is judged: they add nothing. Base, targets and fixtures
-//! belong to the measurement: they were fitted to calibration readings, with the errors of these.
+//! The parameters of the robot are judged and contribute nothing. Base, targets and fixtures belong
+//! to the measurement: they were fitted to calibration readings, with the errors of these.
 
 use super::budget::{Contributions, Figure, Observed, Systematic, UncertaintySource as Source};
 use crate::{Between, Condition, Covariance, Kind, Observation, Prior, ResidualKind, Result, Separation, Settings};

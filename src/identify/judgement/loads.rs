@@ -162,7 +162,8 @@ impl Fit<'_> {
         Ok(Some(left).filter(|left| left.iter().all(|r| r.is_finite())))
     }
 
-    /// Returns the judgement of a change if it explains what the given loads do not.
+    /// Returns the judgement of a change if it explains residuals that the given loads do not
+    /// explain.
     fn judged(&self, before: &[f64], after: &[f64]) -> Option<Judged> {
         let effect: Vec<f64> = before.iter().zip(after).map(|(before, after)| after - before).collect();
         let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

@@ -20,7 +20,7 @@ impl MeasuredRatio {
     /// `true` if the ratio differs from `expected` by more than this share of it and more than its
     /// uncertainty: noise alone exceeds the limit once in 100 000 times.
     ///
-    /// The share is what a sound ratio may differ by: significance alone is no mistake.
+    /// A correct ratio may differ by this share: a significant difference alone is no mistake.
     pub fn differs(&self, expected: f64, share: f64) -> bool {
         let distribution = StudentsT::new(0.0, 1.0, self.degrees_of_freedom.clamp(1.0, 1e6));
         let factor = distribution.map_or(f64::INFINITY, |t| t.inverse_cdf(1.0 - 0.5 * CHANCE));

@@ -11,8 +11,8 @@ pub enum Variance {
     Stated,
     /// Estimated with these degrees of freedom: ratios of sums of squares follow F.
     Estimated(f64),
-    /// Estimated from residuals that contain a smooth misfit: squared residuals scatter more than
-    /// squared noise.
+    /// Estimated from residuals with a smooth misfit: their squares scatter more than the squares
+    /// of noise.
     Misfit {
         /// Effective degrees of freedom.
         degrees: f64,

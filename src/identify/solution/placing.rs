@@ -355,8 +355,8 @@ impl Placing<'_> {
         placed.left_mm.is_finite().then_some(placed)
     }
 
-    /// Solution from `x` in which what the poses hardly determine stays within a rough estimate,
-    /// not where errors of the nominal robot (`error_mm`) carry it.
+    /// Solution from `x`. Parameters that the poses hardly determine stay within a rough estimate,
+    /// whereas errors of the nominal robot (`error_mm`) could move them far.
     fn kept_near(&self, rough: Rough, x: &[f64], error_mm: f64, loss: Loss) -> Solution {
         let prior = |(k, &i): (usize, &usize)| {
             let u = DIFFUSE * rough.robot.parameters()[i].known_within();

@@ -27,8 +27,8 @@ const ANCHOR_MM: f64 = 0.01;
 const LEAST_NOISE_MM: f64 = 1e-4;
 /// Share of the parameters determined by nominal values above which these may keep residuals large.
 const BY_NOMINAL: f64 = 0.2;
-/// Standard deviation of the residuals, in standard uncertainties, above which a solution with held
-/// geometry is sought from another start.
+/// Residuals over their standard uncertainty from which another start is tried for a solution with
+/// held geometry.
 const UNEXPLAINED: f64 = 1.1;
 /// Ratio of the standard deviations of residuals below which another solution is better.
 const BETTER: f64 = 0.99;
@@ -125,8 +125,8 @@ impl Estimation<'_> {
     }
 
     /// Solution from the one in which the geometry that the settings hold is free; `None` if it is
-    /// not better than the solution `found`, if this one leaves nothing to explain, or if the held
-    /// geometry may well be what the residuals show.
+    /// not better than the solution `found`, if that solution explains the data, or if the held
+    /// geometry may cause the residuals.
     ///
     /// The link between nearly parallel axes has its length only at one height. With a held length
     /// the data determine this height through the small tilt: from a start with the tilt of the
@@ -301,9 +301,9 @@ impl Estimation<'_> {
         Err(Error::Unsteady)
     }
 
-    /// A first solution tied to the start, each parameter as loosely as its useful uncertainty
-    /// permits, and the parameters to hold there: undetermined ones keep their values instead of
-    /// diverging.
+    /// A first solution near the start, and the parameters to hold there. Each parameter has its
+    /// useful uncertainty as prior uncertainty, so undetermined parameters keep their values
+    /// instead of diverging.
     fn anchored(&self, start: &[f64]) -> Result<(Vec<f64>, Vec<Group>)> {
         let Self { robot, observations, settings, wanted } = *self;
         let all = Residuals::new(robot, observations, settings, &by_rank(robot, wanted), start)?;

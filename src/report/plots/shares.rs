@@ -21,7 +21,7 @@ pub(crate) fn picture(budget: &[FigureBudget], name_of: fn(&FigureBudget) -> Phr
         let of = f.contributions.iter().filter(|c| c.source == source);
         of.map(|c| square(c.standard_uncertainty_mm)).sum::<f64>() / whole
     };
-    // what no figure shows is not in the legend
+    // the legend contains only the sources in the figure
     sources.retain(|source| budget.iter().any(|f| share(f, *source) >= DRAWN));
     let parts = |f: &FigureBudget| sources.iter().filter(|s| share(f, **s) >= VISIBLE).count();
     if sources.len() > COLOURS.len() || !budget.iter().any(|f| parts(f) > 1) {

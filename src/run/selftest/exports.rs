@@ -170,7 +170,7 @@ fn hexapod(item: &Data, rows: &mut Rows) -> Result<()> {
 fn five_bar(item: &Data, rows: &mut Rows) -> Result<()> {
     let own = robot(item.text("/robot"), "", &["ball"])?;
     let mut nominal = own.nominal();
-    // the tool is on the line of its link, beyond the joint: what the format holds
+    // the tool is on the line of its link, beyond the joint, as the format requires
     let value = |name: &str| own.index(name).map_or(f64::NAN, |i| own.parameters()[i].nominal);
     for (i, p) in own.parameters().iter().enumerate() {
         if p.name == "gamma" {

@@ -37,8 +37,7 @@ impl<'a> Expected<'a> {
     /// instrument's uncertainty in `settings`.
     pub fn new(prediction: ToolPrediction<'a>, settings: &Settings, accuracy: &AccuracyDocument) -> Self {
         let dimension = prediction.robot.dimension() as f64;
-        // what is measured beyond the instrument's own error, where the residuals show that there
-        // is something
+        // the measured error beyond the error of the instrument, if the residuals show one
         let position = accuracy.sets.last().and_then(|set| set.leading());
         let measured = position.map_or(0.0, |e| e.after.rms);
         let instrument = dimension * settings.coordinate_uncertainty_mm().powi(2);

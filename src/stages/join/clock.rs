@@ -188,7 +188,7 @@ fn distinct(times_s: &[f64]) -> Result<Vec<f64>, Message> {
 /// The ranges of offsets at which every time lies within a standstill.
 ///
 /// An offset suits a time t if it is within [t - to, t - from] of some standstill; one that suits
-/// all is in what the sets of all times share.
+/// all times is in the intersection of their sets.
 fn shared(times: &[f64], standstills: &[(f64, f64)]) -> Result<Vec<(f64, f64)>, Message> {
     let suits =
         |t: &f64| -> Vec<(f64, f64)> { standstills.iter().rev().map(|(from, to)| (t - to, t - from)).collect() };

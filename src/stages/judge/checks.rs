@@ -196,7 +196,7 @@ mod tests {
     use super::*;
     use etalon_base::noise::Noise;
 
-    /// Errors of 40 poses with two repeats, and what a wave of joint 2 adds (mm).
+    /// Errors of 40 poses with two repeats, and the contribution of a wave of joint 2 (mm).
     fn errors(trial: u64, wave_mm: f64) -> Vec<PointError> {
         let mut noise = Noise::new(20, trial);
         let mut pose = |i: i64| {

@@ -1,5 +1,5 @@
-//! Tilt of the base of an arm, and tilt of its first joint across the axis: each may explain what
-//! the other does.
+//! Tilt of the base of an arm, and tilt of its first joint across the axis: each may explain the
+//! same errors as the other.
 
 use crate::stages::calibrate::solution::{Basis, Solution};
 use etalon_base::message::Message;
@@ -13,8 +13,8 @@ use std::collections::BTreeSet;
 /// deviations.
 const ALIKE: f64 = 9.0;
 
-/// Remark that the identified tilt of the base may be a tilt of the first joint, or the other way
-/// round; `None` if the data tell them apart, or if both or neither are identified.
+/// Remark that the identified tilt of the base may be a tilt of the first joint, or the reverse;
+/// `None` if the data distinguish them, or if both or neither are identified.
 pub(crate) fn ambiguity(robot_file: &RobotFile, robot: &dyn Robot, solution: &Solution) -> Option<Message> {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     let is_base = |p: &Parameter| p.effect == Effect::Pedestal;

@@ -81,7 +81,8 @@ pub(crate) fn plausibility(
         Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
         None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms,
     };
-    // a robot within its tolerances that leaves what the instrument leaves explains the data
+    // a robot within its tolerances, with residuals of the size of the instrument's uncertainty,
+    // explains the data
     let explains = found.residuals.chi_square.is_some() && !misfit && messages.iter().all(is_no_error);
     messages.extend(untested(judged));
     if !explains {

@@ -57,7 +57,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub enum Others<'t> {
     /// Row of a table, by its index.
     Row(&'t Table, usize),
-    /// Statements of a truth.
+    /// Values of a truth.
     Truth(ByColumn),
 }
 

@@ -113,7 +113,7 @@ impl<'t> Row<'t> {
         Ok(self.xyz_mm)
     }
 
-    /// Adds the statements of the row to `settings`, unless it is only the position of a target.
+    /// Adds the data of the row to `settings`, unless it is only the position of a target.
     pub fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> Result<()> {
         let kind = kind(&self.cells.kind)?;
         if let Some(name) = &self.cells.station {

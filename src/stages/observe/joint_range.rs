@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Allowance of a joint beyond its given limits, as a share of their distance: limits are nominal,
-/// the zero of the joint is off by what homing leaves, and a drive overshoots.
+/// the zero of the joint has the error of homing, and a drive overshoots.
 const OVERSHOOT: f64 = 0.01;
 /// Largest angle (rad) of a joint without given limits: joints of arms turn by up to 1.3 turns to
 /// either side.

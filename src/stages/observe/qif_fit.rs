@@ -68,7 +68,7 @@ fn probe_and_source(feature: &MeasuredFeature, centres: &Fit, stated: ProbeState
     Ok(Some((Probe { radius_mm, side }, from)))
 }
 
-/// The side of the probe as far as the file gives it, and its source.
+/// The side of the probe, if the file contains it, and its source.
 fn side_and_source(feature: &MeasuredFeature, centres: &Fit, probe_mm: f64) -> Option<(Side, Phrase)> {
     let known = [(&feature.nominal, "nominal"), (&feature.stated, "stated")];
     let first = |side: &dyn Fn(&FeatureGeometry) -> Option<Side>, of: &str| {

@@ -69,7 +69,7 @@ pub enum Misplacement {
     },
 }
 
-/// Positions of one pose or of one robot, and what they should be.
+/// Positions of one pose or of one robot, and their correct values.
 #[derive(Clone, Copy)]
 struct Pair {
     attained_mm: Vector,

@@ -99,9 +99,9 @@ fn evidence(beside: &Path, name: &str, chain: &TreeChain, files: &[PathBuf]) -> 
     })
 }
 
-/// Chooses between chains that the files name or count alike, where no rows test the kinematics:
-/// the longest, or those that end in a link without joints. Joints at the end that do not move are
-/// omitted.
+/// Chooses between chains with the same names or numbers of joints as the files, if no rows test
+/// the kinematics: the longest, or the chains that end in a link without joints. Joints at the end
+/// that do not move are omitted.
 fn untested(chains: &[TreeChain], evidence: &[Evidence], fit: &[usize], by_name: bool) -> Choice {
     let longer = |at: &usize| {
         let own = names(&chains[*at]);
@@ -127,8 +127,8 @@ fn untested(chains: &[TreeChain], evidence: &[Evidence], fit: &[usize], by_name:
     }
 }
 
-/// Chooses by the names and the count of joints, then by the residual; of chains that fit alike
-/// the one with the fewest joints, if the others only add joints to it.
+/// Chooses by the names and the count of joints, then by the residual; of chains that fit equally
+/// well, the one with the fewest joints, if the others only add joints to it.
 fn choice(chains: &[TreeChain], evidence: &[Evidence], longest: &TreeChain) -> Choice {
     let all: Vec<usize> = (0..chains.len()).collect();
     let of = |fits: &dyn Fn(&Evidence) -> bool| -> Vec<usize> {

@@ -26,8 +26,7 @@ pub struct Drift {
     pub drp_mm: f64,
     /// Number of sets until AP settled.
     pub settled_after: Option<usize>,
-    /// `true` if dAP exceeds what the scatter within the sets explains, at a significance level of
-    /// 0.1 %.
+    /// `true` if dAP exceeds the scatter within the sets, at a significance level of 0.1 %.
     pub is_significant: bool,
 }
 
