@@ -83,7 +83,7 @@ pub fn text(path: &Path, bytes: Vec<u8>) -> Result<String> {
 }
 
 /// Text in one Unicode form (NFC): a letter and its accent as two characters become one, so that
-/// names compare equal however a program wrote them.
+/// equal names compare equal, independent of the program that wrote them.
 pub fn one_form(text: String) -> String {
     match text.is_ascii() || is_nfc_quick(text.chars()) == IsNormalized::Yes {
         true => text,

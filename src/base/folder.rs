@@ -135,8 +135,8 @@ fn fill(
     if durability == Durability::Now { sync(new) } else { Ok(()) }
 }
 
-/// Carries an entry of the earlier folder over: a folder is made again with its mode and owner, a
-/// file or symbolic link gets a second name. Nothing is followed.
+/// Moves an entry of the earlier folder to the new one: a folder is created again with its mode and
+/// owner, a file or symbolic link gets a second name. Nothing is followed.
 fn carry(from: &Path, to: &Path, earlier: &Metadata) -> io::Result<()> {
     let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", from.display()));
     let found = fs::symlink_metadata(from).map_err(named)?;

@@ -1,6 +1,6 @@
 //! Files for controllers: one format per file, each a pure function of [`ExportInput`].
 //!
-//! All formats write numbers that read back bit for bit, and reject data that must not reach a
+//! All formats write numbers that are read back bit for bit, and reject data that must not reach a
 //! machine: non-finite values, duplicate parameters, and parameters of a solver that did not
 //! converge or that are implausible.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`

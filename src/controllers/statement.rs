@@ -1,4 +1,4 @@
-//! Statement of a controller file: parameters that the format leaves out, values that the file
+//! Description of a controller file: parameters that the format omits, values that the file
 //! contains instead, position errors with these values, and header lines.
 
 use super::{ExportInput, Exporter};
@@ -48,8 +48,8 @@ impl Statement {
         ))
     }
 
-    /// Warning about files that are written although they improve the robot little, or not
-    /// everywhere; `None` for a file that is clearly better than nominal or rejected.
+    /// Warning about files that are written although they hardly improve the robot, or not at all
+    /// poses; `None` for a file that is clearly better than nominal or rejected.
     pub fn warning(&self, formats: &[&str]) -> Option<Message> {
         let reason = self.near_nominal().filter(|_| self.worse_than_nominal().is_none())?;
         Some(warning!("file-near-nominal", formats, formats_count = formats.len(), reason))

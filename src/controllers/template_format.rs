@@ -38,8 +38,8 @@ impl TemplateFormat {
     ///
     /// # Errors
     ///
-    /// Rejects a file name without the ending `.j2`, a template whose first line does not give the
-    /// parameters that its file contains, and a template with a syntax error.
+    /// Rejects a file name without the extension `.j2`, a template whose first line does not give
+    /// the parameters that its file contains, and a template with a syntax error.
     pub fn new(path: &str, text: String) -> Result<Self> {
         let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
         let at = |line: Option<usize>| Place { line, ..Place::file(path) };

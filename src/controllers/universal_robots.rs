@@ -120,8 +120,8 @@ const ARMS: [[f64; 6]; 8] = [
 const SAME_MM: f64 = 2.0;
 
 /// An arm in the frames of the maker's description: each joint turns about z of its frame, and the
-/// frames are those of the maker's Denavit-Hartenberg table. A chain of such frames holds the arm
-/// from its own base to wrist_3.
+/// frames follow the maker's Denavit-Hartenberg table. A chain of such frames holds the arm from
+/// its own base to wrist_3.
 struct MakersArm {
     /// Base of the description in the base of the robot file.
     base: Pose,
@@ -174,9 +174,9 @@ fn height(frame: &Pose) -> f64 {
     if x.hypot(y) < ROUNDING && axis[0].hypot(axis[1]) < ROUNDING && axis[2] > 0.0 { z } else { 0.0 }
 }
 
-/// Frames of the joints in the base, and the flange: for an arm with the axes of the maker, those
-/// of the maker's table (alpha 90, 0, 0, 90, -90 deg and negative lengths a), otherwise those of
-/// the robot file.
+/// Frames of the joints in the base, and the flange: for an arm with the axes of the maker, from
+/// the maker's table (alpha 90, 0, 0, 90, -90 deg and negative lengths a), otherwise from the robot
+/// file.
 fn frames(chain: &JointChain, of_maker: bool) -> (Vec<Pose>, Pose) {
     let (axes, flange) = chain.axes();
     if !of_maker {

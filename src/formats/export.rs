@@ -47,8 +47,8 @@ pub struct Export {
 }
 
 impl Export {
-    /// Number of columns of the file that nothing reads, and number of all columns; `None` for
-    /// formats that are not delimited text, and where computed columns or filters name columns.
+    /// Number of unused columns of the file, and number of all columns; `None` for formats that are
+    /// not delimited text, and if computed columns or filters refer to columns.
     pub fn columns_not_read(&self, text: &str) -> Option<[usize; 2]> {
         if self.format.dialect.columns.roles().is_empty() {
             return None;

@@ -106,8 +106,8 @@ pub fn read_bytes(path: &Path) -> Read<Vec<u8>> {
 /// Maximum number of bytes of a text that a proposal reads.
 const LONGEST_PROPOSED: u64 = if cfg!(test) { 64 << 10 } else { 16 << 20 };
 
-/// Bytes of a file for a proposal, and `true` if only its first lines: of a text that is longer
-/// than a proposal reads, and its last line where this is no row of numbers.
+/// Bytes of a file for a proposal, and `true` if they are only a part of it: the first lines of a
+/// long text, and its last line if that is not a row of numbers.
 pub(crate) fn read_start(path: &Path) -> Read<(Vec<u8>, bool)> {
     if !std::fs::metadata(path).is_ok_and(|of| of.is_file() && of.len() > LONGEST_PROPOSED) {
         return read_bytes(path).map(|bytes| (bytes, false));
@@ -263,9 +263,8 @@ fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
 /// Text of a file without its byte-order mark; lines end with a line feed, or with carriage return
 /// and line feed.
 ///
-/// # Errors
-/// Fails if a byte does not belong to the encoding, if the mark names another encoding than the
-/// campaign, or if the text holds a NUL.
+/// # Errors Fails if a byte does not belong to the encoding, if the mark names another encoding
+/// than the campaign, or if the text contains a NUL.
 pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Message> {
     let marked = mark(&bytes);
     let encoding = match (stated, marked) {

@@ -14,8 +14,8 @@ use std::ops::{Deref, DerefMut};
 use std::sync::{Arc, LazyLock};
 
 /// Row of an export. The reader fills in the contents of the row; data of the campaign follow.
-/// Exports have millions of rows, most of which state a label and a place only: what else a row
-/// contains is in [`Stated`], to which a point dereferences.
+/// Exports have millions of rows, and most contain only a label and a position: other data of a row
+/// are in [`Stated`], to which a point dereferences.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Point {
     /// File as named in the campaign.

@@ -369,8 +369,8 @@ impl Parametrised for WithParameters<'_> {
     }
 }
 
-/// Points of the mechanism from the directions of the proximal links, and that of the tool as seen
-/// from the distal link (thesis, eq. 4.1 to 4.7).
+/// Points of the mechanism from the directions of the proximal links, and from the direction of the
+/// tool relative to the distal link (thesis, eq. 4.1 to 4.7).
 fn closed<T: Scalar>(p: &[T], [along1, along2]: [[T; 2]; 2], tool: [T; 2], assembly: T) -> Linkage<T> {
     let [l11, l12, l21, l22, d, l23] = [0, 1, 2, 3, 4, 5].map(|i| p[i]);
     let b1 = [l11 * along1[0] - d * 0.5, l11 * along1[1]]; // eq. 4.4
@@ -419,8 +419,8 @@ fn intersect_links<T: Scalar>(base: [T; 2], near: T, far: T, side: T) -> [T; 2] 
     [along * base[0] - across * base[1], along * base[1] + across * base[0]]
 }
 
-/// Moves a tool that is on the axis of motor 2, about which a folded arm of equal links turns
-/// freely, by a nanometre, at which the arm has a direction.
+/// Moves a tool by a nanometre if it is on the axis of motor 2: there a folded arm of equal links
+/// turns freely, and has a direction only after the move.
 fn off_the_motor(p: &[f64], e: [f64; 2]) -> [f64; 2] {
     let motor = [0.5 * p[4], 0.0];
     if e == motor { [e[0] + 1e-6, e[1]] } else { e }

@@ -216,8 +216,8 @@ impl<'a> Search<'a> {
         is_attained.then_some(joints)
     }
 
-    /// `true` if joint values attain the pose to rounding, or if only a long motion removes what is
-    /// left of an error below the resolution.
+    /// `true` if joint values attain the pose to rounding, or if the remaining error is below the
+    /// resolution and only a long motion could remove it.
     fn is_attained(&self, q: &[f64]) -> bool {
         let at = self.linearise(q);
         let long = || self.step(q, &at, DAMPING, false).is_none_or(|step| step.iter().any(|s| s.abs() > LONG));
@@ -777,8 +777,8 @@ mod tests {
         }
     }
 
-    /// With q5 = 0 the axes of joints 4 and 6 coincide: all solutions are few, and that of the pose
-    /// is a family in which both joints are free.
+    /// With q5 = 0 the axes of joints 4 and 6 coincide: there are only a few solutions, and the
+    /// solution of the pose is a family in which both joints are free.
     #[test]
     fn a_wrist_singularity_is_one_family() {
         let arm = irb120();

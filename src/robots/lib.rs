@@ -237,8 +237,9 @@ pub trait Robot: Send + Sync {
         None
     }
 
-    /// Places what the nominal geometry determines, such as the frames at which links tilt; to be
-    /// called when the nominal values of a robot file have replaced the values of the model.
+    /// Places elements that follow from the nominal geometry, such as the frames at which links
+    /// tilt; to be called when the nominal values of a robot file have replaced the values of the
+    /// model.
     fn settle(&mut self) {}
 
     /// Joints in sequence, for robots that are a single chain.
@@ -463,8 +464,8 @@ pub trait Kinematics: Robot {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
 
-    /// Joints that can move without moving the flange, where the solution at these joint values is
-    /// one of a family: those of a singular pose, or all joints of a redundant arm.
+    /// Joints that can move without moving the flange, if the solution at these joint values is one
+    /// of a family: the joints of a singular pose, or all joints of a redundant arm.
     fn free_joints(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<usize> {
         Vec::new()
     }

@@ -1,5 +1,5 @@
-//! Reference poses: positions of the flange at a few joint values, which tell robots of one model
-//! apart even where their parameters have the same names and nominal values.
+//! Reference poses: positions of the flange at a few joint values, which distinguish robots of one
+//! model even if their parameters have the same names and nominal values.
 
 use super::{Circumstance, Quantity, Robot, Role};
 use etalon_base::pose::Vector;

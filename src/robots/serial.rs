@@ -108,8 +108,8 @@ enum Load {
     /// Moment of the payload of a reading about an axis, in multiples of 100 N·m.
     Payload { axis: usize },
     /// Moment of masses beyond an axis and of the payload about direction 0, 1 or 2 of the frame of
-    /// the link that the axis moves, in multiples of 100 N·m; without an axis, that of all masses
-    /// about a direction of the base.
+    /// the link that the axis moves, in multiples of 100 N·m; without an axis, the moment of all
+    /// masses about a direction of the base.
     Across { axis: Option<usize>, about: usize },
 }
 

@@ -92,8 +92,8 @@ pub fn batch<W: Write + Send>(
     Ok(Batch { document: BatchDocument::new(campaigns), figures })
 }
 
-/// Results of `work` for all items, in order. Each core has a thread with its own pool: a waiting
-/// thread of a common pool would begin the next item deeper in its stack.
+/// Results of `work` for all items, in order. Each core has a thread with its own pool: in a common
+/// pool, a waiting thread begins the next item deeper in its stack.
 fn on_all_cores<I: Sync, T: Send>(items: &[I], work: impl Fn(&I) -> T + Sync) -> Result<Vec<T>> {
     let next = AtomicUsize::new(0);
     let some = || -> std::result::Result<Vec<(usize, T)>, ThreadPoolBuildError> {

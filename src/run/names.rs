@@ -171,8 +171,8 @@ pub(super) fn robot(campaign: &Campaign, robot: &dyn Robot, not_exported: &NotEx
     }
 }
 
-/// Errors of a robot without targets: with the line that gives the targets that labels name, and
-/// none if the table that names them does not read.
+/// Errors of a robot without targets, with the line that defines the targets in the labels; no
+/// error if the table with the labels cannot be read.
 pub(super) fn targets_to_state(unbuilt: Unbuilt, imported: &Gathered, unread: bool) -> Problems {
     let Unbuilt { mut problems, without_target } = unbuilt;
     if unread {

@@ -60,8 +60,8 @@ pub struct Recommended {
     pub messages: Vec<Message>,
 }
 
-/// Identifies the recommended parameters of a campaign, and again for each of the formats that does
-/// not hold all of them, as a run does. Nothing is written.
+/// Identifies the recommended parameters of a campaign, and again for each format that cannot
+/// contain all of them, as a run does. Nothing is written.
 pub fn identify_recommended(
     campaign: &Campaign,
     formats: &[(&str, &dyn Exporter)],

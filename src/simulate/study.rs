@@ -224,9 +224,8 @@ pub struct Set {
     pub poses: Vec<Places>,
 }
 
-/// Poses from a table, by joint values, or on circles, discs and grids. Positions are those of the
-/// platform in the base frame, or of the only target in the world, in all working modes within the
-/// limits.
+/// Poses from a table, by joint values, or on circles, discs and grids. Positions of the platform
+/// in the base frame, or of the only target in the world, in all working modes within the limits.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Places {

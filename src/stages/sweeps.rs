@@ -503,8 +503,8 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     }
 }
 
-/// Least standard uncertainty of a parameter as a prior, in standard uncertainties by the sweeps: a
-/// tolerance of 4.3 of them is exceeded by error alone once in 50 000 parameters.
+/// Smallest prior standard uncertainty of a parameter, in standard uncertainties by the sweeps:
+/// error alone exceeds a tolerance of 4.3 of them once in 50 000 parameters.
 const LEAST_PRIOR: f64 = 2.5;
 
 /// Tolerance (mm, deg) of parameters that a convention fixes. Of parameters that poses cannot

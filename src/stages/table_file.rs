@@ -186,7 +186,7 @@ impl CampaignTables<'_> {
     }
 
     /// Checks that a table has the columns of joints, loads, torques and temperature that other
-    /// tables have, and no heading like that of a coordinate in its place.
+    /// tables have, and no similar heading instead of a missing coordinate.
     fn whole(&self, table: &TableFile, tables: &[TableFile]) -> Result<()> {
         let Some(robot) = robot_with(self.campaign, table) else { return Ok(()) };
         let others = || tables.iter().flat_map(|other| other.table.names());

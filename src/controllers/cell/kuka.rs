@@ -2,8 +2,8 @@
 //! Rz(A) Ry(B) Rx(C) (KUKA System Software, operating and programming instructions), and
 //! `MACHINE_DEF` of an external rotary axis.
 //!
-//! The layout of `MACHINE_DEF` is that of public backups (`docs/cell.md` has the addresses); the
-//! first axis of an external kinematic turns about z of `ROOT` where `$ET1_TA1KR` is null.
+//! The layout of `MACHINE_DEF` follows public backups (`docs/cell.md` has the addresses); the first
+//! axis of an external kinematic turns about z of `ROOT` where `$ET1_TA1KR` is null.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
 use crate::decimals::all_fixed;

@@ -1,6 +1,6 @@
-//! ABB RAPID modules (`.mod`, `.prg`): the robtargets that they declare, and those that move
-//! instructions hold, in millimetres and in the work object of the instruction. They are taught or
-//! computed, not measured.
+//! ABB RAPID modules (`.mod`, `.prg`): the robtargets in declarations and in move instructions, in
+//! millimetres and in the work object of the instruction. They are taught or computed, not
+//! measured.
 //!
 //! A robtarget is `[[x, y, z], [q1, q2, q3, q4], [configuration], [external axes]]` with the scalar
 //! `q1` first. A jointtarget has no coordinates. Source: ABB, "RAPID instructions, functions and

@@ -449,7 +449,7 @@ impl Reader<'_> {
     }
 
     /// Reads one point. Invalid numbers are reported and leave the point without a position; a row
-    /// with other columns than the given ones is reported and gives no point.
+    /// with other columns than the given ones is reported, and contributes no point.
     fn point(&self, row: &Row, shared: &mut Names, problems: &mut Problems) -> Option<Point> {
         let line = || row.place(self.file);
         let surplus = row.fields.iter().skip(self.roles.len()).any(|f| !f.is_empty());

@@ -107,8 +107,8 @@ pub struct LogRow {
 
 impl JointLog {
     /// Values of a joint in the order of the rows, without the jumps of a controller that wraps
-    /// angles. Between rows that are far apart, such as those of poses, a joint may truly move by
-    /// more than half a turn: such values are returned as they are.
+    /// angles. Between distant rows, such as rows of poses, a joint may really move by more than
+    /// half a turn: such values are returned unchanged.
     pub fn motion(&self, joint: usize) -> Vec<f64> {
         let values: Vec<f64> = self.rows.iter().map(|row| row.joints[joint]).collect();
         match turn(&self.joints[joint]).filter(|turn| is_dense(*turn, &values)) {

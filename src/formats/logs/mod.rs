@@ -267,7 +267,7 @@ impl LogKind {
         self.0.arrays(bytes)
     }
 
-    /// Returns an array of a file, and all arrays of the same length beside it, as the cells of a
+    /// Returns an array of a file, and all other arrays of the same length, as the cells of a
     /// sheet: their parts are the columns, which the first row names.
     ///
     /// # Errors

@@ -386,8 +386,8 @@ impl Flanges {
     }
 }
 
-/// Returns the residual of a hypothesis with an affine world, or `None` if the world would be
-/// mirrored, distorted, or of a scale that is no unit of lengths.
+/// Returns the residual of a hypothesis with an affine world, or `None` if the world is then
+/// mirrored, distorted, or of a scale that is no unit of length.
 ///
 /// The flange f(q) with rotation R(q) carries the target at c; the world has a position t and the
 /// matrix M of a rotation times the unit: M·p = f + R·c + t is linear in M, c and t. Six more
@@ -423,7 +423,7 @@ const STEPS: usize = 20;
 const SETTLED_RAD: f64 = 1e-10;
 
 /// Returns the residual of a hypothesis with base and targets fitted, and nothing else: the world
-/// is rotated and shifted, its scale is that of the unit. `None` as for [`affine`].
+/// is rotated and shifted, and its scale follows from the unit. `None` as for [`affine`].
 ///
 /// Gauss-Newton steps from the affine world: R·p = f + R(q)·c + t, with a small rotation of R about
 /// the axes of the base.

@@ -222,8 +222,8 @@ impl Interpretation {
         found
     }
 
-    /// Gives coordinates without a unit in their heading the unit of lengths that the head of the
-    /// file contains; two different statements are a doubt.
+    /// Gives coordinates without a unit in their heading the unit of length in the head of the
+    /// file; two different units are a doubt.
     pub fn unit_of_head(&mut self, table: &mut Table, guess: &Guess) {
         let Some(first) = guess.stated_units.first() else { return };
         if let Some(other) = guess.stated_units.iter().find(|stated| stated.unit != first.unit) {

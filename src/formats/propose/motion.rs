@@ -31,8 +31,8 @@ const WITHIN: f64 = 0.02;
 const LARGEST_RAD: f64 = 6.6;
 /// Minimum number of points whose times state an offset.
 const FEWEST: usize = 5;
-/// Largest spread of the offset, as a share of the smallest distance of two rows or points in
-/// time: a row further on would be as near.
+/// Largest spread of the offset, as a share of the smallest distance of two rows or points in time:
+/// otherwise the next row is as near.
 const SPREAD: f64 = 0.5;
 
 impl Motion {

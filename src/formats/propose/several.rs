@@ -193,7 +193,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
 }
 
-/// Takes the join from exports of a few points whose names could be poses, if another export has
+/// Removes the join of exports with a few points whose names look like poses, if another export has
 /// many more poses of other targets: balls on the floor, or on the base of a parallel robot.
 fn leave_stationary(parts: &mut [Part], found: &mut [(usize, Keys, Option<Join>)]) -> Result<()> {
     let by_pose = |join: &Option<Join>| join.as_ref().is_some_and(|join| join.by != "time");

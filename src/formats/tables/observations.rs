@@ -20,8 +20,8 @@ pub struct TableReading {
     /// `true` if columns that the file does not contain are omitted, for several tables with one
     /// layout.
     pub lenient: bool,
-    /// `true` for tables of poses, loads or joints, whose columns may have any name; others hold
-    /// observations, whose columns are known and which have a repeat.
+    /// `true` for tables of poses, loads or joints, whose columns may have any name; other tables
+    /// contain observations, with known columns and a repeat.
     pub any_columns: bool,
     /// Coverage factor of the columns of uncertainties, if they are expanded.
     pub coverage_factor: Option<f64>,

@@ -37,8 +37,8 @@ pub fn identify_again(
     ControllersDocument::new(files, messages)
 }
 
-/// Refusals of files that are worse than nominal, and warnings about files for other robots and
-/// about files that are hardly better; files with the same errors share a warning.
+/// Errors about files that are worse than nominal, and warnings about files for other robots and
+/// files that are hardly better; files with the same errors share a warning.
 fn judged(given: &ExportInput, formats: &[(&str, &dyn Exporter)]) -> Vec<Message> {
     let (mut refused, mut near) = (Vec::new(), Vec::<(Statement, Vec<&str>)>::new());
     let mut concerns = Vec::new();

@@ -1,7 +1,7 @@
 //! Cross-validation of effects: the calibration poses are cut into folds, each predicted from the
-//! others (Stone 1974). Of the effects that are left the one that predicts them best is added while
-//! its gain exceeds its standard uncertainty and the F test of nested models does not reject it.
-//! All errors are sizes of position errors: each pose counts once, by their mean square.
+//! others (Stone 1974). The remaining effect that predicts them best is added, while its gain
+//! exceeds its standard uncertainty and the F test of nested models does not reject it. All errors
+//! are sizes of position errors: each pose counts once, by their mean square.
 
 use crate::stages::calibrate::validation_targets::ValidationTargets;
 use crate::stages::evaluate::accuracy::summarise;
@@ -232,8 +232,8 @@ fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
     folds
 }
 
-/// The poses in parts of neighbouring temperatures, so that a drift in time is judged at
-/// temperatures that are not those of the identification; empty if readings state none.
+/// The poses in parts of neighbouring temperatures, so that a drift in time is judged at other
+/// temperatures than in the identification; empty if readings have no temperature.
 fn temperature_blocks(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -252,8 +252,8 @@ fn temperature_blocks(
     poses.chunks(poses.len().div_ceil(FOLDS).max(1)).map(|part| part.iter().map(|(_, pose)| *pose).collect()).collect()
 }
 
-/// Returns the readings for identification (all poses except those of a fold) and the readings for
-/// testing (those of the fold, with targets and fixtures that occur in the other poses).
+/// Returns the readings for identification (all poses except the poses of a fold) and the readings
+/// for testing (the poses of the fold, with targets and fixtures that occur in the other poses).
 fn split(robot: &dyn Robot, all: &Sets, settings: &Settings, fold: &BTreeSet<PoseName>) -> (Sets, Settings) {
     let (validation, calibration) = all.calibration.iter().cloned().partition(|o| fold.contains(&o.pose));
     let (validation_conditions, conditions): (_, Vec<Condition>) =

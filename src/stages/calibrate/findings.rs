@@ -33,8 +33,8 @@ impl Findings {
     /// All messages, with the messages of the solver.
     ///
     /// A reader stops at the first message that explains the result, so causes precede
-    /// consequences: what forbids to load the parameters, then what is wrong with the observations,
-    /// then what the solver did with them, and last what follows for errors and predictions.
+    /// consequences: first the reasons not to load the parameters, then faults of the observations,
+    /// then actions of the solver, and last the consequences for errors and predictions.
     pub fn ordered(&self, solver: &[Warning]) -> Vec<Warning> {
         let before = self.before_solver().cloned().map(Into::into);
         let after = self.after_solver().cloned().map(Into::into);

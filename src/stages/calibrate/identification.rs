@@ -101,7 +101,7 @@ pub fn identify(data: CampaignData, robot: &mut dyn Robot) -> Result<Identified>
 }
 
 /// Like [`identify`], for a chosen set of parameters: these are held at their nominal values, and
-/// all others are free, whatever effects the campaign names.
+/// all others are free, independent of the effects in the campaign.
 ///
 /// # Errors
 /// Fails like [`identify`].

@@ -100,7 +100,7 @@ fn frame_errors(world: &WorldFrame) -> Vec<FrameError> {
     world.poses.iter().filter_map(of_pose).chain(common).collect()
 }
 
-/// Observations, and the data of a campaign or of options about them.
+/// Observations, and the settings of a campaign or of options for them.
 pub(crate) struct Input<'a> {
     pub observations: &'a Observations,
     pub without: RowDefaults,

@@ -624,8 +624,8 @@ fn explaining<T: Send>(
     fits.collect()
 }
 
-/// Deviation of the scale of an axis from one, beside its uncertainty, without a warning: errors of
-/// racks and belts are smaller, and the scale is part of the answer.
+/// Deviation of the scale of an axis from one that causes no warning, in addition to its
+/// uncertainty: errors of racks and belts are smaller, and the scale is part of the answer.
 const SCALE: f64 = 0.005;
 /// Deviation without an uncertainty: a confusion of units is more than a factor of two.
 const SCALE_ALONE: f64 = 1.0;

@@ -1,4 +1,4 @@
-//! Points of all exports, and the data of a campaign about them.
+//! Points of all exports, and the settings of a campaign for them.
 
 use crate::stages::observe::resolution;
 use etalon_base::cell::is_formula;

@@ -125,8 +125,9 @@ pub fn offset_by_motion(measured: &[Speeds], logged: &[Speeds], rate: bool) -> R
     }
 }
 
-/// Offset with the largest correlation, of all at which half of the shorter recording lies within
-/// the longer one: of mean speeds of equal spans first, then ever finer about the best.
+/// Offset with the largest correlation, of all offsets at which half of the shorter recording lies
+/// within the longer one: first with mean speeds of equal intervals, then with shorter intervals
+/// about the best offset.
 fn best_offset(pairs: &[(&Speeds, &Speeds)], measured: (f64, f64), log: (f64, f64)) -> Result<f64, Message> {
     let finest = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(f64::INFINITY, f64::min);
     let spans = [measured.1 - measured.0, log.1 - log.0];

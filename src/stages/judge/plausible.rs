@@ -209,10 +209,10 @@ fn common_factor(robot: &dyn Robot, found: &Identification) -> Option<Message> {
 /// Returns a warning about gains and zeros of revolute joints that are significantly larger than
 /// encoders and homing leave.
 ///
-/// The encoder of a revolute joint counts whole turns, so that its gain is known; what harmonics
-/// add over part of a turn is below [`ENCODER_GAIN`]. A zero beyond [`ENCODER_ZERO_RAD`] is a
-/// mistake of mastering, or of a log. The data cannot tell them from a mistake in the columns of
-/// the joint.
+/// The encoder of a revolute joint counts whole turns, so that its gain is known; the contribution
+/// of harmonics over part of a turn is below [`ENCODER_GAIN`]. A zero beyond [`ENCODER_ZERO_RAD`]
+/// is a mistake of mastering, or of a log. The data cannot tell them from a mistake in the columns
+/// of the joint.
 fn beyond_encoders(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -301,9 +301,8 @@ fn outward(p: &Parameter, value: f64) -> (&str, f64, &'static str) {
 }
 
 /// Adds the contradiction of the set-up to the messages: an error if the nominal robot is farther
-/// from most measurements (`far_mm`) than its tolerances allow, and no robot within them leaves
-/// what the measurements leave; or the change that explains the measurements, as the hint of the
-/// first error.
+/// from most measurements (`far_mm`) than its tolerances allow, and no robot within them fits the
+/// measurements; or the change that explains the measurements, as the hint of the first error.
 fn contradict(far_mm: Option<[f64; 2]>, judged: &Judgement, messages: &mut Vec<Message>) {
     if let Some(far) = far_mm.and_then(|far_mm| far_problem(far_mm, judged)) {
         messages.insert(0, warning_message(&far));
@@ -401,9 +400,9 @@ fn beyond_tolerance(robot: &dyn Robot, found: &Identification) -> Option<Message
     })
 }
 
-/// Coverage factor at which one of `count` sound values lies beyond its tolerance as seldom as a
-/// single value does at [`EXPANDED`] (Bonferroni): values that the data hardly determine are beyond
-/// it by chance, one in twenty.
+/// Coverage factor at which one of `count` correct values lies beyond its tolerance as rarely as a
+/// single value at [`EXPANDED`] (Bonferroni). Without it, one in twenty poorly determined values is
+/// beyond its tolerance by chance.
 fn coverage_factor(count: usize) -> f64 {
     let normal = Normal::standard();
     -normal.inverse_cdf(normal.cdf(-EXPANDED) / count.max(1) as f64)

@@ -488,7 +488,7 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
     }
     // Each pose is a best fit to the mean places, which define the world by its origin and axes.
     // Errors of the mean places are common to all poses and independent of the errors of the fits:
-    // the excess of the covariance of that definition over that of a fit.
+    // the covariance of that definition minus the covariance of a fit.
     let fitted = rigid_covariance(&reference, &u_of);
     let excess = three_two_one_covariance(&reference, &u_of).zip(fitted).map(|(defined, fitted)| {
         let share = 1.0 / locals.len() as f64;

@@ -365,8 +365,8 @@ impl<'a> Trials<'a> {
     /// Mean and root mean square of position errors (mm), and the error of the reading that is
     /// largest in the data; nothing without errors.
     ///
-    /// The largest error of each draw would be that of other readings, and vary less than any of
-    /// them: its limit is about the true error of one reading.
+    /// The largest error of each draw belongs to another reading and varies less than the error of
+    /// one reading, but the limit applies to the true error of one reading.
     fn figures(&self, sizes: Vec<f64>) -> Vec<f64> {
         let Some(largest) = sizes.get(self.readings.largest).copied() else { return Vec::new() };
         let found = summarise(sizes);

@@ -184,7 +184,7 @@ pub fn other_nominal(robot: &dyn Robot, document: &ParametersDocument) -> Option
 pub type PoseErrors = BTreeMap<PoseName, [f64; 2]>;
 
 /// Message that errors with the given parameters are larger than with nominal ones: an error if the
-/// difference is more than noise from pose to pose explains, otherwise a warning.
+/// difference exceeds the noise from pose to pose, otherwise a warning.
 pub fn worse_than_nominal(errors: &PoseErrors, readings: usize) -> Option<Message> {
     let rms = |k: usize| (errors.values().map(|squares| squares[k]).sum::<f64>() / readings.max(1) as f64).sqrt();
     let [nominal_mm, given_mm] = [rms(0), rms(1)];

@@ -179,9 +179,9 @@ fn by_pose(robot: &dyn Robot, observations: &[Observation], values: [&Vec<f64>; 
     (all, readings)
 }
 
-/// Chooses `count` of the candidate poses for a calibration and its uncertainty: one by one the
-/// pose with the smallest product of the smallest detectable changes and of those from which a
-/// joint is named; then each is swapped for a better one (Fedorov 1972).
+/// Chooses `count` of the candidate poses for a calibration and its uncertainty: one by one, the
+/// pose with the smallest product of two changes: the smallest detectable one, and the smallest one
+/// that is attributed to a joint. Then each pose is swapped for a better one (Fedorov 1972).
 pub fn plan(
     calibration: EarlierCalibration,
     mut candidates: Vec<Observation>,

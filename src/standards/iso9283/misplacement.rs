@@ -77,7 +77,8 @@ struct Pair {
 }
 
 /// Returns the reason why the attained positions of a test are far from the commanded positions, or
-/// those of a robot from those of the first; `None` if they are near, or not comparable.
+/// the positions of one robot far from the positions of the first; `None` if they are near, or not
+/// comparable.
 pub fn misplaced_poses(test: &PoseTest) -> Option<Misplacement> {
     let robots: Vec<String> = test.robots().into_iter().map(str::to_owned).collect();
     let mean = |pose: usize, robot: &str| {

@@ -89,8 +89,8 @@ impl Layout {
         })
     }
 
-    /// Poses of the minimum posing time: from P1, each a step along the diagonal from the previous
-    /// one, as many as stay between P2 and P4.
+    /// Poses of the minimum posing time: from P1 in the steps of [`STEPS_MM`] along the diagonal,
+    /// as long as they stay between P2 and P4.
     pub fn posing(&self) -> Vec<Vector> {
         let [centre, p2, _, p4, _] = self.poses_mm;
         let Some(along) = unit(minus(p4, p2)) else { return Vec::new() };
