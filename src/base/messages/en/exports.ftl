@@ -843,7 +843,7 @@ array-part-unknown = `{ $column }` selects more than one column: `{ $name }` is 
 # Example: times at 1 kHz and joint values at 100 Hz
 array-lengths-differ = `{ $first }` has { $count } numbers and `{ $second }` has { $other }
     .expected = columns of equal length
-    .hint = use arrays of one recording; if each column of a matrix is a point in time, each row is a joint
+    .hint = use arrays of one recording; if the columns of a matrix are the times, select its rows as joints
 
 # Means: The file is damaged, or does not have the given format.
 # Matters: The numbers cannot be read.

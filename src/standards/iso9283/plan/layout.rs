@@ -89,7 +89,7 @@ impl Layout {
         })
     }
 
-    /// Poses of the minimum posing time: from P1 in the steps of [`STEPS_MM`] along the diagonal,
+    /// Poses of the minimum posing time: from P1 in fixed steps along the diagonal,
     /// as long as they stay between P2 and P4.
     pub fn posing(&self) -> Vec<Vector> {
         let [centre, p2, _, p4, _] = self.poses_mm;
