@@ -215,7 +215,8 @@ pub(super) fn keep_rights(earlier: &std::fs::Metadata, new: &Path) -> std::io::R
 }
 
 /// Writes a file under a temporary name, syncs and renames it, so that an interruption at any
-/// moment loses nothing. The mode of a replaced file is kept; links, devices and pipes are rejected.
+/// moment loses nothing. The mode of a replaced file is kept; links, devices and pipes are
+/// rejected.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     write_by(path, |file| Ok(file.write_all(bytes)?))
 }

@@ -53,7 +53,7 @@ pub struct AxisTable {
     /// Format to write.
     #[arg(long, value_enum, default_value = "csv")]
     to: Controller,
-    /// Whether the control adds or subtracts the values, for tables whose sign is not published.
+    /// Sign of the values: the control adds or subtracts them. For tables without a published sign.
     #[arg(long, value_enum)]
     sign: Option<Sign>,
     /// Numbers of the axes in the control: base axes, then the corrected axis if it is another.

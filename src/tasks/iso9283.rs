@@ -16,8 +16,8 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Default, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct PoseOptions {
-    /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals and,
-    /// as the uncertainty of a position, for the 25 % rule.
+    /// Expanded uncertainty (k = 2) of a measured coordinate in micrometres, for the intervals, and
+    /// for the 25 % rule as the uncertainty of a position.
     #[arg(long, value_name = "UM")]
     pub expanded_uncertainty_um: Option<f64>,
     /// Limit of AP: conforming, not conforming or undecided by the decision rule; exit code 1

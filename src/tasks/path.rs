@@ -25,8 +25,8 @@ pub struct StreamOptions {
     #[command(flatten)]
     #[serde(flatten)]
     pub text: TextFormat,
-    /// Sampling rate of the recording, which replaces time stamps; some exports contain full seconds
-    /// only.
+    /// Sampling rate of the recording, which replaces time stamps; some exports contain full
+    /// seconds only.
     #[arg(long, value_name = "HZ", requires = "stream")]
     pub rate_hz: Option<f64>,
     /// Standstill: largest distance of positions from their mean.

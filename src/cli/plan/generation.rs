@@ -53,9 +53,9 @@ pub(super) struct Generation {
     obstacles: Vec<StatedObstacle>,
     /// Link that a joint moves, as a capsule that blocks the view; may be repeated.
     ///
-    /// JOINT=RADIUS (mm) from the origin of the joint's frame to the origin of the next joint (of
-    /// the flange after the last), or JOINT=RADIUS,X,Y,Z,X,Y,Z by both ends in the base of the
-    /// robot at joint values zero.
+    /// JOINT=RADIUS (mm): from the origin of the joint's frame to the origin of the next joint, or
+    /// of the flange. JOINT=RADIUS,X,Y,Z,X,Y,Z: by both ends in the base of the robot at joint
+    /// values zero.
     #[arg(long = "link", value_name = "JOINT=RADIUS[,X,Y,Z,X,Y,Z]", value_parser = obstacles::link, requires = "instrument")]
     links: Vec<StatedLink>,
 }

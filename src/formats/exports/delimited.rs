@@ -278,8 +278,8 @@ fn is_length(role: &ColumnRole) -> bool {
     role.is_coordinate() && !role.is_angle()
 }
 
-/// Error if the file contains another unit of lengths than the campaign: in a heading of a length, in
-/// a row of units, or in words above the data.
+/// Error if the file contains another unit of length than the campaign: in a heading of a length,
+/// in a row of units, or in words above the data.
 fn other_unit(above: &Above, dialect: &Dialect, unit: Unit) -> Option<Message> {
     let differs = |stated: &StatedLength| stated.unit != unit.name();
     let in_heading = above.in_headings(dialect).into_iter().find(differs);

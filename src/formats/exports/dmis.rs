@@ -1,7 +1,7 @@
 //! DMIS output (ISO 22093): measured features `FA(label) = FEAT/kind, ...`; sizes are diameters.
 //!
 //! The dialect of Mitutoyo GEOPAK writes the three angles (deg) of a direction instead of a unit
-//! vector. Their cosines are the vector, so that a file shows its notation; the campaign must contain
+//! vector. Their cosines are the vector, so that a file shows its notation; the campaign must give
 //! the same notation.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, unit_agrees};

@@ -1,4 +1,5 @@
-//! PLY, text or binary: its vertices are points without labels. The file does not contain their unit.
+//! PLY, text or binary: its vertices are points without labels. The file does not contain their
+//! unit.
 
 use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writing, not_this_format};
 use crate::Point;

@@ -436,8 +436,8 @@ fn check_stations(campaign: &Campaign, imported: &Gathered) -> Result<()> {
     problems.check().map(|_| ())
 }
 
-/// The covariance of a point along the axes of its export, if its row contains one or the instrument
-/// measures range and angles.
+/// The covariance of a point along the axes of its export, if its row contains one or the
+/// instrument measures range and angles.
 fn export_covariance(campaign: &Campaign, point: &Point) -> Option<Covariance> {
     let Some(u) = point.standard_uncertainty_mm.as_ref() else {
         return campaign.file.instrument.covariance_mm2(point.xyz_mm);

@@ -1,5 +1,5 @@
-//! Conventions of orientations. A table contains orientations in a unit, an order, a handedness and a
-//! direction; each may differ from the columns. The judge of the set-up compares every way of
+//! Conventions of orientations. A table contains orientations in a unit, an order, a handedness and
+//! a direction; each may differ from the columns. The judge of the set-up compares every way of
 //! reading them.
 
 use crate::stages::orientations::{AngleOrder, Form, Written};

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 pub(crate) struct RobotFiles {
     /// Names and contents, robot.toml first.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Path that stands for robot.toml: a URDF is beside it.
+    /// Path that stands for robot.toml: a URDF is in the same folder.
     pub path: PathBuf,
     /// `q1_deg`, `lift_m` ...
     pub joints: Vec<String>,
