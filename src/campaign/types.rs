@@ -612,7 +612,7 @@ impl From<&EffectRule> for Effects {
     fn from(rule: &EffectRule) -> Self {
         match rule {
             EffectRule::Named(NamedEffects::Usual) => Self::Usual,
-            // proven effects depend on the data
+            // which effects are chosen depends on the data
             EffectRule::Named(NamedEffects::All | NamedEffects::Proven) => Self::All,
             EffectRule::These(chosen) => Self::These(chosen.iter().map(|&effect| effect.into()).collect()),
         }

@@ -67,7 +67,7 @@ pub fn targets(document: &PlanDocument, file_name: &str) -> Result<Vec<u8>> {
     )
 }
 
-/// Places of a test by ISO 9283 in base coordinates, as JSON or, for a file name that ends in `.h`,
+/// Places of a test to ISO 9283 in base coordinates, as JSON or, for a file name that ends in `.h`,
 /// as a C header.
 pub fn places(places: &Iso9283Places, file_name: &str) -> Result<Vec<u8>> {
     let target = |(number, coordinates): (i64, _)| Target {

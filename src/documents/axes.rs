@@ -39,7 +39,7 @@ pub struct AxisEntry {
     pub prismatic: bool,
     /// Number of readings.
     pub readings: usize,
-    /// Lines of readings that are set aside.
+    /// Lines of readings that are excluded.
     pub set_aside: Vec<usize>,
     /// Position and direction of the axis.
     #[serde(flatten)]

@@ -132,7 +132,7 @@ pub struct Issue {
     pub amends: Option<String>,
     /// Name and contact of the customer.
     pub customer: Option<String>,
-    /// Country in which the calibration was made, by ISO 3166-1.
+    /// Country in which the calibration was made (ISO 3166-1).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub country: Option<Country>,
     /// Date of issue.

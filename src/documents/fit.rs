@@ -30,7 +30,7 @@ pub struct FitDocument {
     /// Distances of the points from the element.
     #[serde(flatten)]
     pub deviations: FitDeviations,
-    /// Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`.
+    /// Numbers of the points that a robust fit excludes, from 1; absent without `--robust`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub set_aside: Option<Vec<usize>>,
     /// Standard uncertainties from the residuals; absent without redundancy.
@@ -265,8 +265,8 @@ impl FitDocument {
         }
     }
 
-    /// Creates the document of a least-squares fit without foreign points; `points` is the number
-    /// of all points.
+    /// Creates the document of a least-squares fit without outliers; `points` is the number of all
+    /// points.
     pub fn robust(label: Option<String>, found: &RobustElement) -> Self {
         let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
         let mut document = Self::new(label, &found.fit);

@@ -458,12 +458,12 @@ pub struct RobustSummary {
     /// Identified parameters in both fits.
     pub parameters: Vec<RobustParameter>,
     /// Critical value of `difference_over_u`: with a probability of 99 % no parameter exceeds this
-    /// value if all readings are sound.
+    /// value if all readings are correct.
     pub critical: f64,
     /// Poses of smallest weight, ascending.
     pub poses: Vec<RobustPose>,
     /// Critical value of a residual over σ: with a probability of 99 % no residual exceeds this
-    /// value if all readings are sound.
+    /// value if all readings are correct.
     pub critical_residual: f64,
     /// Number of poses with a residual beyond the critical value.
     pub disagreeing: usize,
@@ -481,7 +481,7 @@ pub struct RobustParameter {
     pub value: f64,
     /// Robust minus least-squares value.
     pub difference: f64,
-    /// Difference over its standard uncertainty if all readings are sound. For normal residuals
+    /// Difference over its standard uncertainty if all readings are correct. For normal residuals
     /// that is √(1/0.95 − 1) = 0.23 of the standard uncertainty of the parameter.
     pub difference_over_u: f64,
 }

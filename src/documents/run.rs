@@ -20,7 +20,7 @@ pub struct Results {
     pub features: FeaturesDocument,
     /// Frames made from the elements: frames.json.
     pub frames: FramesDocument,
-    /// Identification; absent if a campaign only tests by ISO 9283.
+    /// Identification; absent if a campaign only tests to ISO 9283.
     pub identified: Option<IdentifiedDocuments>,
     /// Results of the geometric method, if requested by the campaign: geometric.json.
     pub geometric: Option<GeometricDocument>,
@@ -41,7 +41,7 @@ pub struct IdentifiedDocuments {
     pub accuracy: AccuracyDocument,
     /// Errors of every observation: residuals.parquet.
     pub errors: Vec<PointError>,
-    /// Residual field, if requested and proven: field.json.
+    /// Residual field, if requested and significant: field.json.
     pub field: Option<FieldDocument>,
 }
 

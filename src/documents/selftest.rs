@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Validation of an installation: the program and its machine, comparisons with reference values,
-/// and slips that the comparisons must notice.
+/// and seeded faults that the comparisons must notice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SelftestDocument {
@@ -25,7 +25,7 @@ pub struct SelftestDocument {
     pub reference_folder: bool,
     /// Requirements with their tests.
     pub requirements: Vec<SelftestRequirement>,
-    /// Slips in the reference data, each of which must fail a comparison.
+    /// Seeded faults in the reference data, each of which must fail a comparison.
     pub must_fail: Vec<SelftestMustFail>,
     /// Comparison of the laboratory's own campaign with its stored result; null if none was given.
     #[serde(default)]
@@ -130,13 +130,13 @@ worded! {
     translated text SelftestCheckTest: test, test_phrase
 }
 
-/// A slip in the reference data, with which the tests of a requirement were repeated.
+/// A seeded fault in the reference data, with which the tests of a requirement were repeated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SelftestMustFail {
     /// Name of the requirement.
     pub id: String,
-    /// Slip, in English.
+    /// Seeded fault, in English.
     #[serde(flatten, with = "SelftestMustFailSlip")]
     pub slip: Worded,
     /// Number of tests.
@@ -148,7 +148,7 @@ pub struct SelftestMustFail {
 }
 
 worded! {
-    /// Slip, in English.
+    /// Seeded fault, in English.
     translated text SelftestMustFailSlip: slip, slip_phrase
 }
 

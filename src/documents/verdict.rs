@@ -189,7 +189,7 @@ impl Reason {
         }
     }
 
-    /// Preconditions of a test by ISO 9283 that are not fulfilled.
+    /// Preconditions of a test to ISO 9283 that are not fulfilled.
     fn from_test(document: &Iso9283Document, conditions: Option<&Conditions>) -> Vec<Self> {
         let mut all = Vec::new();
         let poses = document.poses.iter();

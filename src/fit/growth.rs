@@ -10,7 +10,7 @@
 //!
 //! H is linear. Where few points lie far from all others, the others may predict them so poorly
 //! that it does not hold: there the sum of squares with the point and without it is compared
-//! (likelihood ratio), first for all remaining points together. Points are set aside only if no
+//! (likelihood ratio), first for all remaining points together. Points are excluded only if no
 //! element explains all of them.
 
 use super::prediction::{Offsets, equations};
@@ -28,7 +28,7 @@ const COMPARED: usize = 500;
 const MORE: usize = 1;
 /// Steps of the growth.
 const STEPS: usize = 40;
-/// Expected number of sound points that are set aside in a fit.
+/// Expected number of correct points that are excluded in a fit.
 const LOST: f64 = 1e-3;
 /// Share of the points with which the growth begins.
 pub(super) const BEGIN: f64 = 0.6;

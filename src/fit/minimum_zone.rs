@@ -1,5 +1,5 @@
 //! Minimum zones of line, plane and circle: the smallest distance between two parallel elements
-//! that enclose all points (form by ISO 1101). For sphere, cylinder and cone see
+//! that enclose all points (form to ISO 1101). For sphere, cylinder and cone see
 //! [`super::round_zone`].
 //!
 //! In contrast to least squares, at most four points determine the zone, and a single wrong point

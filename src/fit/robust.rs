@@ -1,7 +1,7 @@
-//! Fits without foreign points: trimmed least squares over the points that one element explains.
+//! Fits without outliers: trimmed least squares over the points that one element explains.
 //!
-//! The result is the least-squares element of these points, with its usual covariance: so few sound
-//! points are lost that they do not change it.
+//! The result is the least-squares element of these points, with its usual covariance: so few
+//! correct points are lost that they do not change it.
 
 use super::growth::{BEGIN, Search, reduction, studentised};
 use super::prediction::equations;
@@ -10,30 +10,30 @@ use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{error, warning};
 
-/// Fewest points by minimum number of points of the element among which foreign ones can be told.
+/// Fewest points by minimum number of points of the element among which outliers can be told.
 const FEWEST: usize = 3;
 /// Residuals below this share of the size of the element are rounding.
 const ROUNDING: f64 = 1e-13;
-/// Largest number of points of a fit that is checked for foreign points without a request.
+/// Largest number of points of a fit that is checked for outliers without a request.
 const CHECKED: usize = 20_000;
-/// Largest share of foreign points that is reported without a request.
+/// Largest share of outliers that is reported without a request.
 const FEW: f64 = 0.15;
-/// Change of the element, in its standard uncertainties, beyond which foreign points are reported.
+/// Change of the element, in its standard uncertainties, beyond which outliers are reported.
 const SHIFTED: f64 = 3.0;
 
-/// Fit without foreign points.
+/// Fit without outliers.
 #[derive(Clone, Debug)]
 pub struct RobustElement {
     /// Fit of the points that are used.
     pub fit: Fit,
-    /// Indices of the points that are set aside.
+    /// Indices of the points that are excluded.
     pub set_aside: Vec<usize>,
 }
 
-/// Effect of foreign points on a fit of all points.
+/// Effect of outliers on a fit of all points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForeignPoints {
-    /// Indices of the foreign points.
+    /// Indices of the outliers.
     pub points: Vec<usize>,
     /// Largest change of point, direction or radius that they cause, in standard uncertainties of
     /// the fit without them.
@@ -41,7 +41,7 @@ pub struct ForeignPoints {
 }
 
 impl RobustElement {
-    /// Warning that lists the points that are set aside, if any.
+    /// Warning that lists the points that are excluded, if any.
     pub fn warning(&self) -> Option<Message> {
         let (count, points) = (self.set_aside.len(), listed(&self.set_aside));
         (count > 0).then(|| warning!("points-set-aside", count, points))
@@ -58,7 +58,7 @@ fn listed(indices: &[usize]) -> String {
 const MOST_LISTED: usize = 20;
 
 /// All warnings about an element and its points, whichever fit is asked for: of the least-squares
-/// fit `fit`, and about foreign points among up to 20,000.
+/// fit `fit`, and about outliers among up to 20,000.
 pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
     let foreign = foreign_points(fit, points, settings).map(|foreign| {
         let (count, points) = (foreign.points.len(), listed(&foreign.points));
@@ -95,8 +95,8 @@ fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
     FitSettings { radius_mm: settings.held_radius_mm(), probe: None, circle: CircleMethod::Orthogonal, ..*settings }
 }
 
-/// Foreign points that shift a fit of all points beyond its uncertainty; `None` without such
-/// points, and for too many points to check without a request.
+/// Outliers that shift a fit of all points beyond its uncertainty; `None` without such points, and
+/// for too many points to check without a request.
 pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Option<ForeignPoints> {
     let n = points.len();
     if n > CHECKED || n < FEWEST * fit.element.minimum_points() {

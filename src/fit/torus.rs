@@ -15,7 +15,7 @@ use etalon_math::symmetric_eigen;
 
 /// Fits a torus to at least seven non-coplanar points.
 ///
-/// Minimises orthogonal distances, as tested by ISO 10360-6:2001. Starts are searched over the
+/// Minimises orthogonal distances, as tested to ISO 10360-6:2001. Starts are searched over the
 /// hemisphere of axes, with a circle through the points projected along the axis and a circle
 /// through their section along the tube for each axis.
 pub fn torus(points: &[Vector], settings: &FitSettings) -> Result<Fit> {

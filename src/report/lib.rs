@@ -354,7 +354,7 @@ impl Renderer {
         Ok(Self::answer(contents, attached, presentation, words))
     }
 
-    /// Creates the protocol of the validation of an installation.
+    /// Creates the record of the validation of an installation.
     pub fn selftest(document: &SelftestDocument, presentation: Presentation) -> Result<Self> {
         use sections::selftest::{sections, verdict};
         let words = Words::new(presentation.language);

@@ -104,9 +104,9 @@ impl Output {
         if first { stem.to_owned() } else { format!("{stem}-{name}") }
     }
 
-    /// Replaces the folder by one with these files and the foreign files of the old one; returns
-    /// the names of the files written. Fails if the contents of an input have changed since it was
-    /// read, or if a foreign file has the same name.
+    /// Replaces the folder by one with these files and with the files of others in the old one;
+    /// returns the names of the files written. Fails if the contents of an input have changed since
+    /// it was read, or if a file of others has the same name.
     pub fn write(self, campaign: &Campaign, sources: &[Source], durability: Durability) -> Result<Vec<String>> {
         let names: Vec<String> = self.files.iter().map(|(name, _)| name.clone()).collect();
         // no other process replaces the folder from here on
@@ -126,7 +126,7 @@ impl Output {
         Ok(names)
     }
 
-    /// Names of the files that an earlier run wrote: none in a foreign folder; `None` if a power
+    /// Names of the files that an earlier run wrote: none in a folder of others; `None` if a power
     /// failure truncated the manifest.
     fn earlier(&self) -> Option<BTreeSet<String>> {
         if let Ok(earlier) = Documents::open(&self.folder) {

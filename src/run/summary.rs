@@ -1,4 +1,4 @@
-//! The campaign as its report gives it.
+//! The campaign as in its report.
 
 use etalon_campaign::{Campaign, ReportDefinition};
 use etalon_documents::{

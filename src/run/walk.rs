@@ -64,7 +64,7 @@ pub(super) struct Walk {
 pub(super) struct Inputs {
     /// Points, joint values, and the list of inputs, with warnings.
     pub gathered: Gathered,
-    /// Tables and recordings of tests by ISO 9283.
+    /// Tables and recordings of tests to ISO 9283.
     tests: TestData,
     /// Measurements of the geometric calibration, if the campaign has one.
     measured: Option<geometric::Gathered>,

@@ -62,7 +62,8 @@ impl Galil {
                 at += command.len() + 1;
                 let words = command.trim_ascii();
                 let written = String::from_utf8_lossy(words);
-                // further letters belong to a variable, except for an axis with its sign
+                // a name with further letters is a variable, except for a command with an axis and
+                // `=`
                 let (name, rest) = words.split_at(words.len().min(2));
                 let of_axis = matches!(rest, [axis, b'=', ..] if axis.is_ascii_uppercase());
                 if remark || !of_axis && rest.first().is_some_and(|b| b.is_ascii_alphanumeric() && !b.is_ascii_digit())

@@ -246,7 +246,7 @@ fn seconds_per(unit: Option<&str>) -> f64 {
     }
 }
 
-/// Kinds of tables of a test by ISO 9283.
+/// Kinds of tables of a test to ISO 9283.
 const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
 
 /// Returns one section for attained and commanded poses and reference targets.

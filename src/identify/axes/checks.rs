@@ -1,4 +1,4 @@
-//! Slips that sweeps reveal: joints that move together, units, moved targets, swapped joints.
+//! Mistakes that sweeps reveal: joints that move together, units, moved targets, swapped joints.
 
 use super::{AxesModel, JointAxis, Sweep, SweepFit, SweepReading, motion, smooth};
 use crate::MeasuredRatio;
@@ -38,7 +38,7 @@ const COMPARED: usize = 9;
 /// Misfit (standard uncertainties) beyond which sweeps or check poses disagree.
 const DISAGREE: f64 = 5.0;
 
-/// Slip in a sweep.
+/// Mistake in a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slip {
     /// Another joint moves instead of the joint of the sweep.
@@ -71,7 +71,7 @@ pub enum Slip {
     },
     /// Many readings are far from the path of the others.
     Many {
-        /// Number of readings set aside.
+        /// Number of excluded readings.
         aside: usize,
         /// Number of readings.
         readings: usize,
@@ -98,7 +98,7 @@ fn spread(sweep: &Sweep, joint: usize) -> f64 {
     (high - low).max(0.0)
 }
 
-/// Slip of the joint values of a sweep, before any fit.
+/// Mistake of the joint values of a sweep, before any fit.
 pub fn joint_slip(sweep: &Sweep) -> Option<Slip> {
     let joints = sweep.readings.first()?.joints.len();
     let own = spread(sweep, sweep.joint);
@@ -111,7 +111,7 @@ pub fn joint_slip(sweep: &Sweep) -> Option<Slip> {
     }
 }
 
-/// Slip that the axis of a sweep shows.
+/// Mistake that the axis of a sweep shows.
 pub fn axis_slip(sweep: &Sweep, axis: &JointAxis) -> Option<Slip> {
     let fit = &axis.fit;
     let aside = fit.used.iter().filter(|used| !**used).count();

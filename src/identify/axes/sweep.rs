@@ -18,7 +18,7 @@ const STEPS: usize = 60;
 const CONVERGED: f64 = 1e-10;
 /// Number of triples of readings for the search for a start.
 const STARTS: u64 = 60;
-/// Expected number of sound readings that are excluded in a whole sweep.
+/// Expected number of correct readings that are excluded in a whole sweep.
 const LOST: f64 = 0.01;
 /// Minimum number of readings of a sweep at which outliers can be detected.
 const FEWEST_TO_JUDGE: usize = 8;
@@ -73,7 +73,7 @@ pub struct SweepFit {
     pub cofactors: DMatrix<f64>,
     /// Orthogonal residuals of all readings (mm): radial and axial, or along x and y.
     pub residuals_mm: Vec<[f64; 2]>,
-    /// `false` for readings that are set aside.
+    /// `false` for readings that are excluded.
     pub used: Vec<bool>,
     /// Equations minus parameters.
     pub degrees_of_freedom: usize,

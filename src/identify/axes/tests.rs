@@ -397,7 +397,7 @@ fn a_perfect_axis_has_the_error_motions_of_noise() {
             add(0, motion.radial_mm[path], motion.noise.paths[path]);
             add(1, motion.face_mm[path], motion.noise.paths[path]);
         }
-        // a reading that is set aside leaves a step without three targets
+        // a reading that is excluded leaves a step without three targets
         let (Some(axial), Some(tilt)) = (motion.axial_mm, motion.tilt_rad) else { continue };
         add(2, axial, motion.noise.axial.unwrap());
         add(3, tilt, motion.noise.tilt.unwrap());

@@ -14,7 +14,8 @@ use rayon::prelude::*;
 const FOLDS: usize = 5;
 /// Seed of the division.
 const SEED: u64 = 45;
-/// Gain over its standard uncertainty of a proven field: 99 % of a Gaussian distribution, one side.
+/// Gain over its standard uncertainty of a significant field: 99 % of a Gaussian distribution, one
+/// side.
 const PROVEN: f64 = 2.326;
 /// Error of a pose, relative to the median, beyond which its readings are suspect.
 const FAR: f64 = 8.0;

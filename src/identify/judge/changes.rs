@@ -11,7 +11,7 @@ use etalon_robots::{Quantity, Robot};
 use std::f64::consts::FRAC_PI_2;
 
 const MM_PER_INCH: f64 = 25.4;
-/// Factors between units of length, with the slip that each corrects.
+/// Factors between units of length, with the mistake that each corrects.
 const LENGTHS: [(f64, &str); 4] =
     [(1000.0, "m-mm"), (0.001, "mm-m"), (MM_PER_INCH, "inch-mm"), (1.0 / MM_PER_INCH, "mm-inch")];
 /// Minimum number of readings of a target whose unit is questioned: its place has three unknown

@@ -400,7 +400,7 @@ mod tests {
         (1..=40).map(pose).collect()
     }
 
-    /// One of two exports in inches is named, with its target alone; sound data and data that no
+    /// One of two exports in inches is named, with its target alone; correct data and data that no
     /// unit explains are not accused.
     #[test]
     fn the_unit_of_one_target_is_named_alone() {

@@ -1,4 +1,4 @@
-//! Slips of given loads: swapped coordinates of the centre of mass, a sign, a unit.
+//! Mistakes of given loads: swapped coordinates of the centre of mass, a sign, a unit.
 //!
 //! A change c of the given loads makes a family of models, whose loads are the given ones plus λ
 //! times the change: λ = 0 as given, λ = 1 changed. To first order λ has the least-squares
@@ -15,7 +15,7 @@ use etalon_math::{Problem, linearised_at};
 use etalon_robots::{Circumstance, Effect, Robot};
 
 /// Estimate of λ in its standard uncertainties beyond which the given loads are rejected: two in
-/// 30,000 sound campaigns for one change.
+/// 30,000 correct campaigns for one change.
 const REJECTED: f64 = 4.0;
 /// Distance of the estimate of λ from one, in its standard uncertainties, up to which a change
 /// explains the data.

@@ -32,7 +32,7 @@ const BISECTIONS: usize = 60;
 /// Largest change of the length of a step from one to the next, as a factor.
 const LONGER: f64 = 100.0;
 
-/// The best choice found, and the bound that is proven for it.
+/// The best choice found, and the bound that is shown for it.
 #[derive(Clone, Debug)]
 pub struct Proven {
     /// The choice.

@@ -1,5 +1,4 @@
-//! The least-squares solution at which the held parameters are the same as those with which it was
-//! found.
+//! The least-squares solution, repeated until the held parameters no longer change.
 
 use crate::judgement::diagnosis::{diagnose_failure, nothing_left};
 use crate::model::elimination::Layout;

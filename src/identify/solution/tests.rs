@@ -1,5 +1,5 @@
 //! Tests of arms with parallel or antiparallel axes and prismatic joints: equal residuals in each
-//! convention, sound covariances, and the right minimum with a held length.
+//! convention, correct covariances, and the right minimum with a held length.
 
 use crate::{Effects, Observation, Prior, Settings, Status, identify};
 use etalon_base::noise::Noise;

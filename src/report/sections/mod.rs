@@ -112,7 +112,7 @@ fn with_measurement_point(mut section: Section, results: &Results, words: &Words
     section
 }
 
-/// Sections of a test by ISO 9283 alone.
+/// Sections of a test to ISO 9283 alone.
 pub(super) fn tested(tested: &Characteristics, words: &Words) -> Vec<Section> {
     clauses::section(tested, words).into_iter().chain(characteristics(tested, words)).collect()
 }

@@ -1,5 +1,5 @@
 //! Protocol of `etalon selftest`: program and machine with the verdict on the first page, which is
-//! signed; tests, slips, stored values and packages behind it.
+//! signed; tests, seeded faults, stored values and packages behind it.
 
 use crate::model::{Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, significant, strong_term, term};
 use crate::words::{Words, isolated, tr};
@@ -150,7 +150,7 @@ fn operation(document: &SelftestDocument, words: &Words) -> Section {
     section
 }
 
-/// Slips that must be noticed.
+/// Seeded faults that must be noticed.
 fn slips(all: &[SelftestMustFail], words: &Words) -> Section {
     let mut section = Section::new("slips", tr!(words, "selftest-slips"));
     section.push(Block::Table(slip_table(all, words).on(phrase!("sheet-slips"))));

@@ -26,7 +26,7 @@ pub(super) const SUBJECT: Subject = Subject {
     ],
 };
 
-/// Results of the campaigns, computed once for all slips in the certified values.
+/// Results of the campaigns, computed once for all seeded faults in the certified values.
 static FOUND: LazyLock<Vec<Result<IdentifiedDocuments>>> =
     LazyLock::new(|| CAMPAIGNS.par_iter().map(|(_, _, files)| identified(files)).collect());
 

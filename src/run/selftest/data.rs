@@ -1,4 +1,4 @@
-//! Reference data inside the program, their hashes, and slips in them.
+//! Reference data inside the program, their hashes, and seeded faults in them.
 
 use super::embedded::{CAMPAIGNS, FILES, SAMPLE, SHA256};
 use etalon_base::catalogue::Phrase;
@@ -117,7 +117,7 @@ fn flatten(value: &Value, into: &mut Vec<f64>) {
     }
 }
 
-/// A slip in the reference data that a comparison must notice.
+/// A seeded fault in the reference data that a comparison must notice.
 #[derive(Debug)]
 pub(super) enum Slip {
     /// A wrong digit: this significant digit of a number, from 1.
@@ -129,7 +129,7 @@ pub(super) enum Slip {
 }
 
 impl Slip {
-    /// Name of the slip.
+    /// Name of the fault.
     pub fn phrase(&self) -> Phrase {
         let place = |pointer: &str| pointer.trim_start_matches('/').replace('/', ".");
         match self {
@@ -139,7 +139,7 @@ impl Slip {
         }
     }
 
-    /// The data with the slip.
+    /// The data with the fault.
     pub fn applied(&self, data: &Data) -> Data {
         let mut value = data.0.clone();
         match self {

@@ -32,7 +32,7 @@ use row::{Row, Subject, requirement_result};
 use sample::Scratch;
 use std::collections::BTreeMap;
 
-/// All requirements, in the order of the protocol.
+/// All requirements, in the order of the record.
 const SUBJECTS: [&Subject; 12] = [
     &fits::SUBJECT,
     &solver::SUBJECT,
@@ -95,8 +95,8 @@ fn requirement(subject: &Subject, data: &Data) -> SelftestRequirement {
     requirement_result(subject.id, requirement, (subject.rows)(data))
 }
 
-/// Repeats the tests of a subject with a slip in its reference data. The slip is noticed if more
-/// tests fail than the number that fail `already`.
+/// Repeats the tests of a subject with a seeded fault in its reference data. The fault is noticed
+/// if more tests fail than the number that fail `already`.
 fn slipped(subject: &Subject, slip: &Slip, data: &Data, already: usize) -> SelftestMustFail {
     let rows: Vec<Row> = (subject.rows)(&slip.applied(data)).into_iter().flat_map(|rows| rows.all).collect();
     let failed = rows.iter().filter(|row| !row.passes()).count();

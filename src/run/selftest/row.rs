@@ -64,7 +64,7 @@ pub(super) struct Subject {
     pub id: &'static str,
     pub requirement: fn() -> Phrase,
     pub rows: fn(&Data) -> Vec<Rows>,
-    /// Slips in the reference data, each of which must fail a comparison.
+    /// Seeded faults in the reference data, each of which must fail a comparison.
     pub slips: &'static [Slip],
 }
 

@@ -63,7 +63,7 @@ impl Task<'_> {
     pub(super) fn remarks(&self, quality: &Quality, size: Size) -> Vec<Message> {
         let foreign = quality.foreign();
         let mut messages = foreign.map(|foreign| self.foreign(foreign)).unwrap_or_default();
-        // one foreign reading may be all that enlarges the residuals
+        // one outlier may be all that enlarges the residuals
         let refuted: Vec<&Component> = match foreign {
             Some(_) => Vec::new(),
             None => quality.refuted(&self.uncertain, size).collect(),

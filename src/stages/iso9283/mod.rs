@@ -1,4 +1,4 @@
-//! Tests of a campaign by ISO 9283: from tables, labelled points and recorded motions to
+//! Tests of a campaign to ISO 9283: from tables, labelled points and recorded motions to
 //! characteristics.
 
 pub mod load;

@@ -12,7 +12,7 @@ use std::path::{Component, Path, PathBuf};
 /// Answers of a trial, by key: errors of a proposal do not depend on them.
 const ANSWERS: [(&str, &str); 3] =
     [("name", "\"instrument\""), ("expanded_uncertainty_um", "20"), ("expanded_rotation_uncertainty_deg", "0.01")];
-/// Units that a trial of an open unit tries.
+/// Units to try if the unit is an open question.
 const UNITS: [&str; 4] = ["mm", "m", "inch", "um"];
 /// Stands for the units of joints among the open keys.
 pub(super) const JOINT_UNITS: &str = "UNIT";

@@ -1,4 +1,4 @@
-//! Layout of a test by ISO 9283 in a workspace: poses to command and number of cycles.
+//! Layout of a test to ISO 9283 in a workspace: poses to command and number of cycles.
 
 pub mod layout;
 pub mod programme;

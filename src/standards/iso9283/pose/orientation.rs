@@ -18,7 +18,7 @@ const REACHED: f64 = 3.0;
 /// angle, from which on the two vary together.
 const TOGETHER: f64 = 5.0;
 /// Smallest deviation (rad) of two such angles about a third one near 0° or 180°, at which many
-/// sound orientations lie: no robot scatters by half a degree.
+/// correct orientations lie: no robot scatters by half a degree.
 const IMPLAUSIBLE_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Difference (rad) of an angle beyond rounding: another solution of the same orientation.
 const OTHER_SOLUTION_RAD: f64 = 1e-6;
@@ -295,13 +295,13 @@ mod tests {
             let off = found.angles_rad.iter().zip(&sound.angles_rad).map(|(a, b)| wrapped(a - b).abs());
             assert!(off.fold(0.0, f64::max) < 1e-9, "{found:?} {sound:?}");
         }
-        // sound angles remain as they were read
+        // correct angles remain as they were read
         let mut again = sound.clone();
         again.settle_solutions();
         assert_eq!(again, sound);
     }
 
-    /// Angles of sound data of unknown order are not accused at any orientation.
+    /// Angles of correct data of unknown order are not accused at any orientation.
     #[test]
     fn sound_angles_of_unknown_order_are_separable() {
         let mut noise = Noise::new(9, 2);
