@@ -162,7 +162,7 @@ fn freed(text: &str, name: &str) -> Result<String> {
     Ok(replaced(text, part, if names.len() == 1 { "[]" } else { "" }))
 }
 
-/// States the poses of a set.
+/// The text with the poses of a set.
 fn selected(text: &str, key: &str, poses: &str) -> Result<String> {
     let identify = keys(text, key)?.identify;
     let stated = if key == "calibration" { identify.calibration } else { identify.validation };
@@ -172,7 +172,7 @@ fn selected(text: &str, key: &str, poses: &str) -> Result<String> {
     }
 }
 
-/// States the limit of the largest position error.
+/// The text with this limit of the largest position error.
 fn limited(text: &str, limit_mm: f64) -> Result<String> {
     if let Some(stated) = keys(text, "position_max_mm")?.limits.position_max_mm {
         return Ok(replaced(text, stated.span(), &limit_mm.to_string()));

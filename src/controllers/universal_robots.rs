@@ -239,8 +239,8 @@ struct Line {
 /// First difference of the axes from those of a Universal Robots arm; `None` for such an arm.
 ///
 /// Axes 2, 3 and 4 are parallel, all other neighbours perpendicular; axis 1 meets axis 2, axis 5
-/// meets axes 4 and 6 at different points, and these lie beside the plane of axis 1 and the arm
-/// (Universal Robots, "DH parameters for calculations of kinematics and dynamics"). These are
+/// meets axes 4 and 6 at different points, and these points are outside the plane of axis 1 and the
+/// arm (Universal Robots, "DH parameters for calculations of kinematics and dynamics"). These are
 /// properties of neighbouring axes, independent of the convention and the zeros of the joints.
 fn difference(chain: &JointChain) -> Option<Phrase> {
     let mut frames: Vec<Pose> = Vec::new();

@@ -146,7 +146,7 @@ pub fn parameters_document(
     }
 }
 
-/// States the mistakes of the set-up that the data do not show.
+/// Lists the mistakes of the set-up that the data do not show.
 pub fn untested_mistakes(untested: &[Untested]) -> Vec<UntestedMistake> {
     let mistake = |untested: &Untested| UntestedMistake {
         change: untested.change.clone().into(),

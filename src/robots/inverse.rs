@@ -43,8 +43,8 @@ const CHOICE: usize = 12;
 const SEARCH_SEED: u64 = 19;
 /// Distance from the start within which a solution may be the nearest without a search (rad or m).
 const NEAR: f64 = 0.5;
-/// Smallest singular value of the Jacobian per distance from the start at which the solution is the
-/// only one as near: the second derivatives of an arm of some metres are below it.
+/// Smallest singular value of the Jacobian, per distance from the start, for which no other
+/// solution is as near: the second derivatives of an arm of some metres are below it.
 const ALONE: f64 = 4.0;
 /// Number of starts about the start where several solutions may be near.
 const AROUND: usize = 6;

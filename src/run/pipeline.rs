@@ -105,7 +105,7 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     Ok(Evaluated { results: results.judged(), solution, gathered, joined, formats })
 }
 
-/// States in the residual field to which parameters it belongs.
+/// Adds the hash of its parameters to the residual field.
 fn with_hash(mut found: IdentifiedDocuments) -> Result<IdentifiedDocuments> {
     if let Some(field) = found.field {
         let parameters_sha256 = files::sha256(&to_json(&found.parameters)?);

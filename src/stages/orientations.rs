@@ -60,8 +60,8 @@ pub fn are_in(table: &Table) -> bool {
     columns().any(|name| table.has(name))
 }
 
-/// States the order of the angles of orientations for rows of a table without their own, if it has
-/// such angles.
+/// Adds the order of the angles to the rows of a table that have no order, if the table has such
+/// angles.
 pub fn state_order(table: &mut Table, order: &str) {
     let mut angles = TRIPLES.iter().filter(|(_, _, are_angles)| *are_angles).flat_map(|(names, ..)| names);
     if angles.any(|name| table.has(name)) {

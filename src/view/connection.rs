@@ -33,7 +33,7 @@ pub(crate) fn refuse_busy(shared: &Shared, stream: &mut TcpStream) {
     // nothing is waited for: the server goes on to the next connection at once
     let busy = refusal(shared, 503, error!("view-busy", most = shared.limits.connections));
     if busy.write(stream).is_ok() && stream.set_nonblocking(true).is_ok() {
-        // what has come is taken: a connection closed over unread bytes would lose its answer
+        // received bytes are read: otherwise the closing connection loses its answer
         drop(stream.read(&mut [0; 4096]));
     }
 }

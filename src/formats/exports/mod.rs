@@ -263,7 +263,8 @@ impl Format {
     /// `true` if coordinates that are all zero mean "not measured" in these rows.
     ///
     /// Trackers write such rows for a lost target in tables of rows. Formats of elements list
-    /// measured ones alone, and a frame that is built on measured points has its origin at one.
+    /// measured elements only, and a frame that is built on measured points has its origin at one
+    /// of them.
     pub fn origin_is_missing(&self, rows: &[Point]) -> bool {
         self.dialect.form.missing.origin() && self.about().by_rows && !has_frame_on_points(rows)
     }

@@ -23,7 +23,7 @@ impl LogFormat for Delimited {
     }
 }
 
-/// States how the file of a log is read.
+/// Defines how the file of a log is read.
 fn reading(log: &Log) -> Phrase {
     let format = log.kind().about().title;
     let form = log.read_form();

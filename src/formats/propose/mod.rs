@@ -63,7 +63,7 @@ fn without_points(text: &str) -> Option<(&'static str, f64)> {
 enum Known {
     /// Points in the format of this name.
     Points(&'static str, Recognised),
-    /// A document of this kind, which holds no points.
+    /// A document of this kind, which contains no points.
     Other(&'static str),
 }
 

@@ -41,7 +41,7 @@ pub struct Smooth {
     pub noise_mm: f64,
 }
 
-/// Values along an angle, and the functions of the angle that are no deviation.
+/// Values along an angle, and the functions of the angle that do not count as a deviation.
 pub(super) struct Series {
     /// Angles (rad), in any order.
     pub angles: Vec<f64>,

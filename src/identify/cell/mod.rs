@@ -150,7 +150,8 @@ impl Quality {
         }
     }
 
-    /// `true` if uncertainties are known: each measure has redundancy or an agreeing statement.
+    /// `true` if uncertainties are known: each measure has redundancy, or a given uncertainty that
+    /// agrees with the residuals.
     pub fn has_uncertainty(&self) -> bool {
         self.components.iter().all(|c| c.agrees || c.redundancy > 0.5)
     }

@@ -50,7 +50,7 @@ pub(crate) enum Listing {
     First,
     /// After others: zeros absorb most offsets.
     Last,
-    /// Nowhere: a unit of one joint shows as its sign does.
+    /// Not listed: a wrong unit of one joint is detected like its sign.
     Never,
 }
 

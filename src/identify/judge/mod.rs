@@ -358,8 +358,8 @@ impl Verdict<'_> {
         })
     }
 
-    /// `true` if a hypothesis explains the data and the set-up as given does not: its residuals
-    /// are those of a robot, and each of its mistakes makes them clearly smaller, or the given
+    /// `true` if a hypothesis explains the data and the set-up as given does not: its residuals are
+    /// as small as a robot's, and each of its mistakes makes them clearly smaller, or the given
     /// set-up needs parameters that no robot has.
     fn is_named(&self, fitted: &Fitted, mistakes: u8) -> bool {
         let Some(stated) = self.as_stated else { return is_possible(fitted) };

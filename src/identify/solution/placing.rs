@@ -83,7 +83,7 @@ pub(crate) fn place(
 ) -> Result<Option<Placed>> {
     let few = with_few_targets(robot, observations);
     let shown = few.as_ref().map_or(observations, |few| &few.0);
-    // a target without a reading has no place to find
+    // the place of a target without a reading is not sought
     let parameters: BTreeSet<usize> = measured_parameters(robot, shown).into_iter().collect();
     let places: Vec<usize> = places.iter().copied().filter(|i| parameters.contains(i)).collect();
     let mut placed = place_all(robot, arm, shown, nominal, &places)?;

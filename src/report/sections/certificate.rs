@@ -149,7 +149,7 @@ mod tests {
         contents(&results, crate::campaign::contents(&results, &words), &words)
     }
 
-    /// States every field.
+    /// Documents with every field.
     fn complete() -> Documents {
         let mut documents = Documents::demo();
         let c = &mut documents.campaign;

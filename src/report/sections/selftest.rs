@@ -1,5 +1,5 @@
-//! Protocol of `etalon selftest`: program and machine with the verdict on the first page, which is
-//! signed; tests, seeded faults, stored values and packages behind it.
+//! Record of `etalon selftest`: program and machine with the verdict on the first page, which is
+//! signed; tests, seeded faults, stored values and packages follow.
 
 use crate::model::{Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, significant, strong_term, term};
 use crate::words::{Words, isolated, tr};

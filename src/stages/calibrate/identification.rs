@@ -243,7 +243,8 @@ fn locate(
     Ok((solution, locations))
 }
 
-/// States a solution with the results of all steps, and `warnings` as its messages.
+/// Creates the document of a solution with the results of all steps, and with `warnings` as its
+/// messages.
 fn documents(
     located: LocatedSolution,
     evaluation: Evaluation,
@@ -274,7 +275,7 @@ fn documents(
     IdentifiedDocuments { parameters, accuracy, errors, field }
 }
 
-/// States the position residuals with the parameters before and after identification.
+/// Writes the position residuals before and after identification into the document.
 pub fn state_positions(
     document: &mut ParametersDocument,
     robot: &dyn Robot,

@@ -106,7 +106,7 @@ pub(crate) struct Input<'a> {
     pub without: RowDefaults,
     pub settings: Settings,
     pub exclusions: Vec<Exclusion>,
-    /// States the places of problems in the observations.
+    /// Adds the places in the observations to problems.
     pub place: Box<dyn Fn(Problems) -> Problems + 'a>,
 }
 

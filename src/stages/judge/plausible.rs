@@ -54,7 +54,7 @@ const CHANCE: f64 = 1e-3;
 /// Maximum ratio of errors after to errors before that noise of an already good robot can cause.
 const WORSE: f64 = 1.1;
 
-/// Judgement of the set-up of a solution; of swapped balls nothing else is judged.
+/// Judgement of the set-up of a solution; if balls are swapped, nothing else is judged.
 pub(crate) fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     match exchanged(robot, &found.values) {

@@ -26,7 +26,8 @@ impl<'a> Residuals<'a> {
         self.seen().map(|s| s.joints)
     }
 
-    /// Targets that are observed relative to targets of another branch, and those.
+    /// Targets that are observed relative to targets of another branch, together with these other
+    /// targets.
     pub fn related_targets(&self) -> BTreeSet<usize> {
         let related = |c: &Condition| c.kind.other_target().map(|other| [c.target, other]);
         self.conditions.items.iter().filter_map(related).flatten().collect()

@@ -13,7 +13,7 @@ pub struct UncertaintyRatio {
 /// Largest permissible ratio.
 const SHARE: f64 = 0.25;
 
-/// Applies the rule to one characteristic (both in mm); a characteristic of zero is never verified.
+/// Applies the rule to one characteristic (both in mm); a characteristic of zero never passes.
 pub fn uncertainty_ratio(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> UncertaintyRatio {
     let ratio = expanded_uncertainty_mm / characteristic_mm.abs();
     UncertaintyRatio { ratio, met: ratio <= SHARE }
