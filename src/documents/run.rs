@@ -24,7 +24,7 @@ pub struct Results {
     pub identified: Option<IdentifiedDocuments>,
     /// Results of the geometric method, if requested by the campaign: geometric.json.
     pub geometric: Option<GeometricDocument>,
-    /// Controller files with formats that leave identified parameters out: controllers.json.
+    /// Controller files in formats that omit identified parameters: controllers.json.
     pub controllers: Option<ControllersDocument>,
     /// Characteristics of ISO 9283.
     pub tested: Characteristics,

@@ -69,8 +69,9 @@ pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Messa
 
 /// Fits an element without the points that are far from all others.
 ///
-/// # Errors Fails like [`element`], and with fewer points than three times the minimum: among so
-/// few points no outlier can be found.
+/// # Errors
+/// Fails like [`element`], and with fewer points than three times the minimum: among so few points
+/// no outlier can be found.
 pub fn robust_element(kind: Element, points: &[Vector], settings: &FitSettings) -> Result<RobustElement> {
     let needed = FEWEST * kind.minimum_points();
     if points.len() < needed {

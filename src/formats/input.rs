@@ -253,7 +253,7 @@ fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
     }
 }
 
-/// The encoding that the first bytes state, and the number of these bytes.
+/// The encoding that the first bytes give, and the number of these bytes.
 fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
     let (marked, length) = encoding_rs::Encoding::for_bom(bytes)?;
     let all = [Encoding::Utf8, Encoding::Utf16Le, Encoding::Utf16Be];
@@ -263,8 +263,9 @@ fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
 /// Text of a file without its byte-order mark; lines end with a line feed, or with carriage return
 /// and line feed.
 ///
-/// # Errors Fails if a byte does not belong to the encoding, if the mark names another encoding
-/// than the campaign, or if the text contains a NUL.
+/// # Errors
+/// Fails if a byte does not belong to the encoding, if the mark names another encoding than the
+/// campaign, or if the text contains a NUL.
 pub fn decode(bytes: Vec<u8>, stated: Option<Encoding>) -> Result<String, Message> {
     let marked = mark(&bytes);
     let encoding = match (stated, marked) {

@@ -30,7 +30,7 @@ pub struct Point {
     pub label: SharedText,
     /// Position; NaN if a coordinate cannot be read.
     pub xyz_mm: Vector,
-    /// Further statements of the row; `None` if there are none.
+    /// Further data of the row, if any.
     pub more: Option<Box<Stated>>,
 }
 

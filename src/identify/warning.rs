@@ -24,7 +24,7 @@ pub enum Subject {
     Shape(Contradicted),
     /// A change of the set-up explains the measurements.
     SetUp(SetUpError),
-    /// Any other subject; the message is complete.
+    /// Any other subject; no remedy is added to the message.
     Other,
 }
 

@@ -28,7 +28,8 @@ pub trait Desk: Send + Sync {
 
     /// Proposes a campaign from the dropped files.
     ///
-    /// # Errors Rejects files without measurements.
+    /// # Errors
+    /// Rejects files without measurements.
     fn propose(&self, asked: &Asked) -> Answered<Proposal>;
 
     /// Writes the proposed campaign with these answers.

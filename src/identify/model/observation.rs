@@ -14,9 +14,10 @@ use std::collections::BTreeMap;
 /// use etalon_identify::Observation;
 /// use etalon_robots::{Prexyt, Robot};
 ///
-/// // ball K alone was measured at pose 3, 0.02 mm in x from its nominal place let (robot, joints)
-/// = (Prexyt::default(), vec![100.0, 200.0, 200.0]); // mm let [x, y, z] =
-/// robot.position(&robot.nominal(), &joints, 0); let targets = vec![Some([x + 0.02, y, z]), None];
+/// // ball K alone was measured at pose 3, 0.02 mm in x from its nominal place
+/// let (robot, joints) = (Prexyt::default(), vec![100.0, 200.0, 200.0]); // mm
+/// let [x, y, z] = robot.position(&robot.nominal(), &joints, 0);
+/// let targets = vec![Some([x + 0.02, y, z]), None];
 /// let observation = Observation { pose: 3.into(), joints, targets, ..Observation::default() };
 ///
 /// let misses: Vec<_> = observation.misses(&robot, &robot.nominal()).collect();

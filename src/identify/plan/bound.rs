@@ -234,7 +234,8 @@ fn start_weights(fixed: &[Fixed], count: usize, near: Option<&[f64]>) -> Vec<f64
     let share = |i: usize| match (fixed[i], near) {
         (Fixed::In, _) => 1.0,
         (Fixed::Out, _) => 0.0,
-        // half of what was there, half even: scaled to the sum, it stays below 1 where both are
+        // mostly the earlier share, partly an even one: scaled to the sum, the result is below 1 if
+        // both are
         (Fixed::Free, Some(w)) if sum > rest => 0.9 * w[i] * rest / sum + 0.1 * even,
         (Fixed::Free, Some(w)) if sum < free as f64 => {
             let fill = (rest - sum) / (free as f64 - sum);

@@ -178,7 +178,7 @@ mod tests {
             assert_eq!(capsule.blocks(from, to), expected, "{from:?} {to:?}");
             assert_eq!(capsule.blocks(to, from), expected, "{to:?} {from:?}");
         }
-        // of no length: a ball
+        // a capsule without length is a ball
         let ball = Shape::Capsule { ends: [[1.0; 3]; 2], radius: 2.0 };
         assert!(ball.blocks([1.0, 1.0, 2.9], [9.0; 3]) && !ball.blocks([1.0, 1.0, 3.1], [9.0; 3]));
     }

@@ -18,8 +18,8 @@ use etalon_robots::{Effect, Robot};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 /// Explains the answer of a `run` from the `selected` observations of its campaign; `report` is
-/// called with the number of choices of parameters tried and their maximum. Input files are those
-/// of the run.
+/// called with the number of choices of parameters tried and their maximum. The document lists the
+/// input files of the run.
 pub fn recommend(
     robot: &dyn Robot,
     selected: Selected,

@@ -35,7 +35,8 @@ const UNTITLED: &str = "name = \"First campaign\"";
 
 /// Proposes a campaign from files of measurements and logs.
 ///
-/// # Errors Fails without a robot, and for files without measurements.
+/// # Errors
+/// Fails without a robot, and for files without measurements.
 pub(crate) fn start(files: &[PathBuf], robot: NamedRobot) -> anyhow::Result<Started> {
     from::campaign(files, robot.files(files)?)
 }

@@ -288,7 +288,7 @@ tracim-form-name = the public documents of the Chebyshev test do not contain the
 # Do: Choose an element for which the file contains points.
 # Example: `etalon fit plane b.qif` where the file has circles only
 no-feature-fitted = no measured feature was fitted as { $kind }
-    .expected = features with points that determine them
+    .expected = features with enough points for the fit
     .hint = features with points in the file: { $seen }
 
 # Means: The side of the probe is neither inside, outside nor a direction.

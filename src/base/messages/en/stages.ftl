@@ -1875,7 +1875,7 @@ undescribed-unchecked = the calibration poses have no redundant coordinate, so o
 undescribed-other-poses = the calibration poses agree, but no motion of the frame explains the other poses: check that log and exports of the validation poses belong together (possible causes: a log of another campaign, or another numbering of poses)
 
 # Means: `--frames prior` is given for nominal parameters.
-# Matters: In this mode, the covariance of identified parameters weights base and targets.
+# Matters: In this mode, base and targets are fitted with the covariance of the identified parameters as weights.
 # Do: Add `--parameters` with identified parameters, or use `--frames refit`.
 # Example: `etalon validate --frames prior` without `--parameters`
 prior-of-nominal = nominal parameters have no covariance for `--frames prior`
