@@ -8,12 +8,11 @@ use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
 use etalon_campaign::{Campaign, ObservationsDefinition, StreamDefinition, TableDefinition};
 use etalon_documents::{Refused, Source, SourceKind};
-use etalon_formats::table::{ASSEMBLY, COVARIANCES, TEXTS, Table, UNCERTAINTIES, XYZ};
+use etalon_formats::table::{Table, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_formats::{Format, TableReading};
-use etalon_robots::{Joint, Robot};
+use etalon_robots::Robot;
 use etalon_tables::{Form, TableLayout};
-use std::collections::BTreeSet;
 use std::path::Path;
 use toml::Spanned;
 
@@ -229,25 +228,10 @@ impl CampaignTables<'_> {
         Ok(table)
     }
 
-    /// Columns of a table of observations that no kind of observation reads.
+    /// Columns of a table of observations that are not read; none if the robot cannot be built.
     fn not_read(&self, table: &TableFile) -> Vec<String> {
         let robot = robot_with(self.campaign, table);
-        let of_joint = |name: &str| {
-            robot.as_ref().is_none_or(|robot| {
-                let of = |joint: &Joint| joint.factor(name).is_some() || joint.direction_column() == name;
-                robot.joints().iter().any(of) || stated_columns(robot.as_ref()).iter().any(|own| own == name)
-            })
-        };
-        let common = ["pose", "cycle", ASSEMBLY];
-        let positions = XYZ.into_iter().chain(UNCERTAINTIES).chain(COVARIANCES);
-        let known: BTreeSet<&str> = common
-            .into_iter()
-            .chain(positions)
-            .chain(kinds::columns())
-            .chain(orientations::columns())
-            .chain(TEXTS)
-            .collect();
-        table.table.names().filter(|name| !known.contains(name) && !of_joint(name)).map(str::to_owned).collect()
+        robot.map_or_else(Vec::new, |robot| kinds::unread_columns(robot.as_ref(), &table.table))
     }
 
     /// A recorded motion: an export in its format, or a table of etalon.

@@ -24,8 +24,6 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::warning;
 use etalon_campaign::Exclude;
 use etalon_documents::{ParametersDocument, PointError, parameters_document, untested_mistakes, warning_messages};
-use etalon_formats::table::{ASSEMBLY, COVARIANCES, TIME, UNCERTAINTIES};
-use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{ResidualKind, Settings, Systematic, weigh};
 use etalon_robots::Robot;
 use serde::Deserialize;
@@ -96,7 +94,6 @@ pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Id
     let here = |problems: Problems| observed.place(problems);
     let targets = kinds::targets(&observed.table, &inputs.robot.branches()).map_err(here)?;
     let mut robot = inputs.robot.build(&targets).map_err(here)?;
-    messages.extend(unread(robot.as_ref(), &observed));
     let settings = options.settings();
     let without = RowDefaults {
         length_mm: settings.standard_uncertainty_mm,
@@ -165,19 +162,4 @@ impl IdentifyOptions {
         observed.leave_out(&left_out);
         Ok(messages)
     }
-}
-
-/// Warning about unused columns.
-pub(super) fn unread(robot: &dyn Robot, observed: &TableFile) -> Option<Message> {
-    let stated = stated_columns(robot);
-    let joints = observed.table.names().filter(|name| {
-        robot.joints().iter().any(|joint| joint.factor(name).is_some() || *name == joint.direction_column())
-    });
-    let known = ["pose", "cycle", "target", ASSEMBLY, TIME]
-        .into_iter()
-        .chain(UNCERTAINTIES)
-        .chain(COVARIANCES)
-        .chain(kinds::columns());
-    let known = known.chain(stated.iter().map(String::as_str));
-    observed.table.unread(&known.chain(joints).collect::<Vec<_>>())
 }

@@ -29,7 +29,7 @@ use cells::STATION;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_formats::table::{COVARIANCES, OF_ROWS, TEXTS, Table, UNCERTAINTIES, XYZ};
+use etalon_formats::table::{ASSEMBLY, COVARIANCES, LABEL, TEXTS, TIME, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
@@ -140,21 +140,35 @@ fn misspelt(table: &Table) -> Result<Problems> {
     Ok(problems)
 }
 
-/// Warning about columns that neither observations nor the joints of the robot have.
-fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
-    // reading has converted lengths to mm
-    let with_units = columns().into_iter().chain(XYZ).chain(UNCERTAINTIES).chain(COVARIANCES);
-    let with_units: BTreeSet<&str> = with_units.chain(orientations::columns()).collect();
-    let stated = stated_columns(robot);
-    let of_joint = |name: &str| {
-        robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == name)
+/// Columns of every observation, of any kind.
+const OF_OBSERVATIONS: [&str; 5] = ["pose", "cycle", LABEL, TIME, ASSEMBLY];
+
+/// Columns that are read: those of observations of any kind, and those of the joints of the robot.
+/// Reading has converted lengths to mm.
+fn read_columns(robot: &dyn Robot, table: &Table) -> BTreeSet<String> {
+    let of_joint = |name: &&str| {
+        robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == *name)
     };
-    let without_unit = [&OF_ROWS[..], &TEXTS].concat();
-    let is_own =
-        |name: &str| without_unit.contains(&name) || with_units.contains(name) || stated.iter().any(|own| own == name);
-    let unknown = table.names().filter(|name| !is_own(name) && !of_joint(name));
-    let columns: Vec<String> = unknown.map(|name| format!("`{name}`")).collect();
-    (!columns.is_empty()).then(|| warning!("columns-not-read", count = columns.len(), columns).routine())
+    let own = OF_OBSERVATIONS.into_iter().chain(TEXTS).chain(columns()).chain(orientations::columns());
+    let positions = XYZ.into_iter().chain(UNCERTAINTIES).chain(COVARIANCES);
+    let joints = table.names().filter(of_joint).map(str::to_owned);
+    own.chain(positions).map(str::to_owned).chain(joints).chain(stated_columns(robot)).collect()
+}
+
+/// Columns of a table of observations that are not read.
+pub fn unread_columns(robot: &dyn Robot, table: &Table) -> Vec<String> {
+    let read = read_columns(robot, table);
+    table.names().filter(|name| !read.contains(*name)).map(str::to_owned).collect()
+}
+
+/// Warning about columns that are not read.
+pub fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
+    let unread = unread_columns(robot, table);
+    let first = unread.first()?;
+    let columns: Vec<String> = unread.iter().map(|name| format!("`{name}`")).collect();
+    let message = warning!("columns-not-read", count = columns.len(), columns).routine();
+    let read = read_columns(robot, table);
+    Some(message.at(Place::file(table.file())).hint_names(first, read.iter().map(String::as_str)))
 }
 
 /// Returns an error if a target of measured positions is misspelt, as for a table.
