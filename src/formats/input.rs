@@ -33,7 +33,10 @@ pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format
     let text = match &format.dialect.form.sheet {
         _ if format.about().binary => return Ok(bytes.iter().map(|byte| char::from(*byte)).collect()),
         Some(topic) if ros_bag::is_recording(&bytes) => ros_bag::text(&bytes, topic),
-        Some(array) if arrays.is_some() => arrays.map_or(Ok(String::new()), |kind| kind.sheet(&bytes, array)),
+        Some(array) if arrays.is_some() => {
+            let kind = arrays.unwrap_or_default();
+            return Ok(kind.sheet(&kind.array_file(path, &bytes)?, array)?);
+        }
         Some(topic) if etalon_tables::is_topic(topic) => Err(error!("recording-missing", topic)),
         Some(sheet) => workbook::text(&bytes, sheet, format.dialect.form.decimal()),
         None if arrays.is_some() => return Err(arrays_not_text(path, &bytes).into()),
@@ -101,6 +104,21 @@ pub fn read_bytes(path: &Path) -> Read<Vec<u8>> {
     let file = files::open(path);
     let file = file.map_err(|e| error!("cannot-read-file", file = shown, reason = e.to_string()))?;
     Ok(bounded(file.take(files::LARGEST + 1), &shown)?)
+}
+
+/// Name and bytes of a file of numbers beside another file, whose name may be spelled in capitals.
+pub(crate) fn read_beside(folder: &Path, name: &str) -> Read<(String, Vec<u8>)> {
+    let spelled = files_in(folder).into_iter().find(|other| other.eq_ignore_ascii_case(name));
+    let path = folder.join(spelled.as_deref().unwrap_or(name));
+    let shown = path.display().to_string();
+    let Some(name) = spelled else { return Err(error!("numbers-file-missing", file = shown).into()) };
+    let failed = |e: io::Error| error!("cannot-read-file", file = shown, reason = e.to_string());
+    let mut bytes = Vec::new();
+    files::open(&path).and_then(|file| file.take(files::LARGEST + 1).read_to_end(&mut bytes)).map_err(failed)?;
+    if bytes.len() as u64 > files::LARGEST {
+        return Err(error!("file-too-large", file = shown, most_mib = files::LARGEST >> 20).into());
+    }
+    Ok((name, bytes))
 }
 
 /// Maximum number of bytes of a text that a proposal reads.

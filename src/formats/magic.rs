@@ -7,11 +7,19 @@ pub(crate) const NUMPY: &[u8] = b"\x93NUMPY";
 /// First bytes of variables of MATLAB, level 5.
 pub(crate) const MATLAB: &[u8] = b"MATLAB 5.0 MAT-file";
 
-/// Returns the name of the log format of a file of arrays: `numpy` or `matlab`.
+/// Line before each channel of a data set of DIAdem.
+const CHANNEL: &[u8] = b"#BEGINCHANNELHEADER";
+/// Number of bytes in which the first channel begins.
+const GLOBAL_HEADER: usize = 16 << 10;
+
+/// Returns the name of the log format of a file of arrays: `numpy`, `matlab` or `kuka_trace`.
 pub(crate) fn arrays(bytes: &[u8]) -> Option<&'static str> {
     match () {
         () if bytes.starts_with(NUMPY) || is_npz(bytes) => Some("numpy"),
         () if bytes.starts_with(MATLAB) => Some("matlab"),
+        () if bytes[..bytes.len().min(GLOBAL_HEADER)].windows(CHANNEL.len()).any(|at| at == CHANNEL) => {
+            Some("kuka_trace")
+        }
         () => None,
     }
 }

@@ -220,6 +220,56 @@ fn arrays_are_logs_and_slips_are_refused() {
 }
 
 #[test]
+fn a_kuka_trace_is_read_with_the_file_of_its_numbers() {
+    // two axes, measured and commanded, alternate in the file of numbers
+    let mut header = "DIAEXTENDED  {@:ENGLISH\n#BEGINGLOBALHEADER\n112,Low -> High\n#ENDGLOBALHEADER\n\
+                      #BEGINCHANNELHEADER\n200,Zeit\n202,s\n210,IMPLIZIT\n220,3\n240,0\n241,0.5\n#ENDCHANNELHEADER\n"
+        .to_owned();
+    for (name, place) in ["AxisPos_CmdIpo1", "AxisPos_CmdIpo2", "AxisPos_Act1", "AxisPos_Act2"].iter().zip(1..) {
+        header += &format!(
+            "#BEGINCHANNELHEADER\n200,{name}\n202,\u{b0}\n210,EXPLIZIT\n211,log_KRCIpo.r64\n213,BLOCK\n214,REAL64\n\
+             220,3\n221,{place}\n#ENDCHANNELHEADER\n"
+        );
+    }
+    let values: Vec<f64> = (0..12).map(f64::from).collect();
+    let numbers: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let stated = "format = \"kuka_trace\"\ncolumns = { time_s = \"Zeit\", q1_deg = \"AxisPos_Act1\" }";
+    let with_numbers = |stated: &str| {
+        let scratch = with_log(&header, stated);
+        std::fs::write(scratch.path().join("LOG_KRCIPO.R64"), &numbers).unwrap();
+        let campaign = Campaign::read(&scratch.path()).map_err(|e| e.to_string());
+        campaign.and_then(|campaign| gather(&campaign).map_err(|e| e.to_string()))
+    };
+    let gathered = with_numbers(stated).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!((column(&gathered, "time_s"), column(&gathered, "q1_deg")), (vec![0.0, 0.5, 1.0], vec![2.0, 6.0, 10.0]));
+    // both files are inputs with their hashes
+    let inputs: Vec<(&str, usize)> = gathered.document.sources.iter().map(|s| (s.file.as_str(), s.bytes)).collect();
+    assert!(inputs.ends_with(&[("encoders.csv", header.len()), ("LOG_KRCIPO.R64", 96)]), "{inputs:?}");
+    for (wrong, id) in [
+        (stated.replace("q1_deg", "q1_rad"), "column-unit-differs"),
+        (stated.replace("AxisPos_Act1", "AxisPos_Act9"), "array-missing"),
+        (stated.replace("AxisPos_Act1", "Istposition"), "array-missing"),
+    ] {
+        let said = with_numbers(&wrong).map(|_| ()).unwrap_err();
+        assert!(said.contains(&format!("[{id}]")), "{said}");
+    }
+    refused(header.as_bytes(), stated, "numbers-file-missing");
+
+    let scratch = with_log("", "");
+    let file = scratch.path().join("log_KRCIpo.dat");
+    std::fs::write(&file, &header).unwrap();
+    std::fs::write(scratch.path().join("log_KRCIpo.r64"), &numbers).unwrap();
+    let document = propose_file(&file).unwrap();
+    assert_eq!((document.kind.as_str(), document.format.as_deref(), document.rows), ("log", Some("kuka_trace"), 3));
+    let lines: toml::Table = toml::from_str(&document.toml).unwrap();
+    let columns = &lines["log"]["columns"];
+    assert_eq!(
+        (columns["time_s"].as_str(), columns["q1_deg"].as_str(), columns["q2_deg"].as_str()),
+        (Some("Zeit"), Some("AxisPos_Act1"), Some("AxisPos_Act2"))
+    );
+}
+
+#[test]
 fn real_variables_of_matlab_are_read() {
     let Some(folder) = crate::reference_data("exports/leica_motoman_mat") else { return };
     let document = propose_file(&folder.join("leica_rep_wall1_dataset.mat")).unwrap();

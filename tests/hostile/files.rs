@@ -19,6 +19,7 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
     write("empty.txt", b"");
     write("blank.txt", b"\n\n  \n");
     write("words.txt", b"no numbers here\n");
+    write("lists.txt", b"P0: [0.1, 0.2] [3, 4, 5]\nP1: [0.3, 0.4] [6, 7, 8]\n");
     write("nul.txt", b"1 2 3\n4 \x005 6\n");
     write("random.bin", &(0..9000u32).map(|i| (i * i % 251) as u8).collect::<Vec<_>>());
     write("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1");
@@ -31,6 +32,7 @@ fn what_is_no_text_with_numbers_is_an_error_with_a_reason_and_not_a_long_wait() 
         ("empty.txt", "error[file-empty]"),
         ("blank.txt", "error[no-rows-of-numbers]"),
         ("words.txt", "error[no-rows-of-numbers]"),
+        ("lists.txt", "error[numbers-in-brackets]"),
         ("nul.txt", "[nul-byte]"),
         ("random.bin", "[encoding-invalid]"),
         ("a.xls", "[file-not-text]"),

@@ -53,6 +53,28 @@ pub(super) fn encode<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) ->
     values.iter().flat_map(|value| bytes(*value)).collect()
 }
 
+/// File of arrays, and the files beside it that contain its numbers.
+pub(crate) struct ArrayFile<'a> {
+    pub bytes: &'a [u8],
+    /// Names and bytes of the files beside it.
+    pub beside: Vec<(String, Vec<u8>)>,
+}
+
+impl<'a> From<&'a [u8]> for ArrayFile<'a> {
+    fn from(bytes: &'a [u8]) -> Self {
+        Self { bytes, beside: Vec::new() }
+    }
+}
+
+impl ArrayFile<'_> {
+    /// Returns the bytes of a file beside it, whose name may be spelled in capitals; none if it is
+    /// not there.
+    pub fn beside(&self, name: &str) -> &[u8] {
+        let found = self.beside.iter().find(|(other, _)| other.eq_ignore_ascii_case(name));
+        found.map_or(&[], |(_, bytes)| bytes)
+    }
+}
+
 /// Spelling of a part of an array: `q[:,0]` of NumPy, `q(:,1)` of MATLAB.
 #[derive(Clone, Copy)]
 pub(super) struct Spelling {

@@ -4,7 +4,7 @@
 //! A column is given as in MATLAB: `t` of a vector, `q(:,1)` of a matrix, `data.q(:,1)` of a
 //! structure. Source: MathWorks, "MAT-File Format", chapter 1 (level 5).
 
-use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
+use super::arrays::{self, Array, ArrayFile, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
 use super::{About, LogFormat};
 use crate::magic;
 use crate::unpack::Budget;
@@ -41,12 +41,12 @@ impl LogFormat for Matlab {
         true
     }
 
-    fn arrays(&self, bytes: &[u8]) -> Result<Vec<ArrayParts>, Message> {
-        Ok(SPELLING.parts(&variables(bytes)?))
+    fn arrays(&self, file: &ArrayFile) -> Result<Vec<ArrayParts>, Message> {
+        Ok(SPELLING.parts(&variables(file.bytes)?))
     }
 
-    fn table(&self, bytes: &[u8], wanted: &[&str]) -> Option<Result<String, Message>> {
-        Some(variables(bytes).and_then(|arrays| arrays::table(&arrays, wanted, SPELLING)))
+    fn table(&self, file: &ArrayFile, wanted: &[&str]) -> Option<Result<String, Message>> {
+        Some(variables(file.bytes).and_then(|arrays| arrays::table(&arrays, wanted, SPELLING)))
     }
 }
 
@@ -335,7 +335,7 @@ mod tests {
     }
 
     fn text(bytes: &[u8], wanted: &[&str]) -> Result<String, Message> {
-        Matlab.table(bytes, wanted).unwrap()
+        Matlab.table(&bytes.into(), wanted).unwrap()
     }
 
     fn sample() -> Vec<Vec<u8>> {

@@ -5,6 +5,7 @@ pub mod arrays;
 mod galil;
 mod joint_log;
 mod kuka_rsi;
+mod kuka_trace;
 pub mod matlab;
 pub mod numpy;
 mod ros;
@@ -14,13 +15,14 @@ mod twincat;
 mod ur_rtde;
 mod write;
 
-pub(crate) use arrays::ArrayParts;
+pub(crate) use arrays::{ArrayFile, ArrayParts};
 pub use joint_log::{DIRECTION, is_common_column, meaning};
 pub use joint_log::{JointLog, LogRow, is_joint_column};
 pub use write::write;
 
 use super::dialect::Column;
 use super::exports::Recognised;
+use super::input::read_beside;
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
@@ -33,6 +35,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::Path;
 use toml::Spanned;
 
 /// A file of a controller.
@@ -126,11 +129,12 @@ fn default_log() -> String {
 }
 
 /// All formats. A new format needs its file and a line here.
-const FORMATS: [&dyn LogFormat; 8] = [
+const FORMATS: [&dyn LogFormat; 9] = [
     &sheet::Delimited,
     &galil::Galil,
     &ur_rtde::UrRtde,
     &kuka_rsi::KukaRsi,
+    &kuka_trace::KukaTrace,
     &twincat::TwinCat,
     &ros::Ros,
     &numpy::Numpy,
@@ -213,13 +217,18 @@ pub(crate) trait LogFormat: Sync {
         false
     }
 
+    /// Returns the names of the files beside a file of arrays that contain its numbers.
+    fn files_beside(&self, _bytes: &[u8]) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Returns the arrays of a file, with the text of each part that can be a column.
-    fn arrays(&self, _bytes: &[u8]) -> std::result::Result<Vec<ArrayParts>, Message> {
+    fn arrays(&self, _file: &ArrayFile) -> std::result::Result<Vec<ArrayParts>, Message> {
         Ok(Vec::new())
     }
 
     /// Returns the wanted parts of the arrays of a file as a text with tabs.
-    fn table(&self, _bytes: &[u8], _wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
+    fn table(&self, _file: &ArrayFile, _wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
         None
     }
 
@@ -256,15 +265,25 @@ impl LogKind {
         FORMATS.into_iter().find(|format| format.holds(bytes)).map(Self)
     }
 
+    /// Adds the files beside a file of arrays that contain its numbers.
+    ///
+    /// # Errors
+    /// A file that is missing or cannot be read.
+    pub(crate) fn array_file<'a>(self, path: &Path, bytes: &'a [u8]) -> Result<ArrayFile<'a>> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let beside = self.0.files_beside(bytes).into_iter().map(|name| read_beside(folder, &name));
+        Ok(ArrayFile { bytes, beside: beside.collect::<Result<_>>()? })
+    }
+
     /// Returns the wanted parts of the arrays of a file as a text with tabs; `None` for files of
     /// text.
-    pub(crate) fn table(self, bytes: &[u8], wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
-        self.0.table(bytes, wanted)
+    pub(crate) fn table(self, file: &ArrayFile, wanted: &[&str]) -> Option<std::result::Result<String, Message>> {
+        self.0.table(file, wanted)
     }
 
     /// Returns the arrays of a file, with the text of each part that can be a column.
-    pub(crate) fn arrays(self, bytes: &[u8]) -> std::result::Result<Vec<ArrayParts>, Message> {
-        self.0.arrays(bytes)
+    pub(crate) fn arrays(self, file: &ArrayFile) -> std::result::Result<Vec<ArrayParts>, Message> {
+        self.0.arrays(file)
     }
 
     /// Returns an array of a file, and all other arrays of the same length, as the cells of a
@@ -272,8 +291,8 @@ impl LogKind {
     ///
     /// # Errors
     /// Fails if the file cannot be read, or has no such array.
-    pub(crate) fn sheet(self, bytes: &[u8], name: &str) -> std::result::Result<String, Message> {
-        let arrays = self.arrays(bytes)?;
+    pub(crate) fn sheet(self, file: &ArrayFile, name: &str) -> std::result::Result<String, Message> {
+        let arrays = self.arrays(file)?;
         // the array of an `.npy` file has no name
         let is_meant = |array: &&ArrayParts| array.name == name || array.name.is_empty();
         let Some(meant) = arrays.iter().find(is_meant) else {
@@ -283,7 +302,7 @@ impl LogKind {
         let beside = arrays.iter().filter(|array| array.count == meant.count && array.name != meant.name);
         let parts: Vec<&str> =
             std::iter::once(meant).chain(beside).flat_map(|array| &array.parts).map(String::as_str).collect();
-        self.0.table(bytes, &parts).unwrap_or_else(|| Err(error!("array-missing", column = name)))
+        self.0.table(file, &parts).unwrap_or_else(|| Err(error!("array-missing", column = name)))
     }
 
     /// Returns the unit of the column with this name, if the format fixes it.

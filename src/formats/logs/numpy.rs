@@ -3,7 +3,7 @@
 //! A column is given as in Python: `t` of one axis, `q[:,0]` of two. The array of an `.npy` file
 //! has no name: `[:,0]`.
 
-use super::arrays::{self, Array, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
+use super::arrays::{self, Array, ArrayFile, ArrayParts, Content, LARGEST, NewArray, Numbers, Spelling, encode};
 use super::{About, LogFormat};
 use crate::magic;
 use crate::unpack::Budget;
@@ -39,12 +39,12 @@ impl LogFormat for Numpy {
         true
     }
 
-    fn arrays(&self, bytes: &[u8]) -> Result<Vec<ArrayParts>, Message> {
-        Ok(SPELLING.parts(&arrays(bytes)?))
+    fn arrays(&self, file: &ArrayFile) -> Result<Vec<ArrayParts>, Message> {
+        Ok(SPELLING.parts(&arrays(file.bytes)?))
     }
 
-    fn table(&self, bytes: &[u8], wanted: &[&str]) -> Option<Result<String, Message>> {
-        Some(arrays(bytes).and_then(|arrays| arrays::table(&arrays, wanted, SPELLING)))
+    fn table(&self, file: &ArrayFile, wanted: &[&str]) -> Option<Result<String, Message>> {
+        Some(arrays(file.bytes).and_then(|arrays| arrays::table(&arrays, wanted, SPELLING)))
     }
 }
 
@@ -212,7 +212,7 @@ mod tests {
     }
 
     fn text(bytes: &[u8], wanted: &[&str]) -> Result<String, Message> {
-        Numpy.table(bytes, wanted).unwrap()
+        Numpy.table(&bytes.into(), wanted).unwrap()
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::several::{POSE_LINE, TARGET_LINE};
 use super::table::{Column, MOST_ROWS, Table};
 use super::with_remarks;
 use crate::dialect::quoted;
-use crate::logs::{ArrayParts, LogKind};
+use crate::logs::{ArrayFile, ArrayParts, LogKind};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
@@ -16,8 +16,8 @@ use std::fmt::Write as _;
 ///
 /// # Errors
 /// Fails if the file cannot be read, or has no array of numbers with one or two axes.
-pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Result<FormatsDocument, Message> {
-    let arrays = format.arrays(bytes)?;
+pub(super) fn propose_arrays(file: &str, contents: &ArrayFile, format: LogKind) -> Result<FormatsDocument, Message> {
+    let arrays = format.arrays(contents)?;
     // joints are the parts of the array with the most parts
     let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));
     let Some(widest) = widest else { return Err(error!("no-rows-of-numbers", file = "arrays")) };
@@ -37,11 +37,11 @@ pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Resul
     let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
     let is_time = |array: &&ArrayParts| {
         let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
-        ["t", "time", "times", "timestamp", "stamp", "tout"].contains(&name.as_str())
+        ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"].contains(&name.as_str())
     };
     let time = arrays.iter().filter(beside).find(is_time);
     let times = time.map(|time| format!("time_s = {}, ", quoted(&time.name))).unwrap_or_default();
-    if let Some(columns) = columns_of_poses(bytes, format, widest) {
+    if let Some(columns) = columns_of_poses(contents, format, widest) {
         document.kind = "export".to_owned();
         document.doubt(phrase!("doubt-array-columns", array = widest.name, count = widest.parts.len()));
         document.doubt(phrase!("doubt-quaternion-order"));
@@ -64,7 +64,9 @@ pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Resul
     let mut columns: Vec<String> = Vec::new();
     if let Some(time) = time {
         columns.push(format!("time_s = {}", quoted(&time.name)));
-        document.ask(phrase!("ask-seconds", name = time.name));
+        if format.column_unit(&time.name).is_none() {
+            document.ask(phrase!("ask-seconds", name = time.name));
+        }
     }
     let joints: Vec<&String> = match widest.parts.len() {
         1 => {
@@ -73,7 +75,8 @@ pub(super) fn propose_arrays(file: &str, bytes: &[u8], format: LogKind) -> Resul
         }
         _ => widest.parts.iter().collect(),
     };
-    columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_UNIT = {}", quoted(part))));
+    let unit = |part: &str| format.column_unit(part).unwrap_or("UNIT");
+    columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_{} = {}", unit(part), quoted(part))));
     let parts = widest.parts.len();
     if !(4..=8).contains(&parts) && parts > 1 {
         document.doubt(phrase!("doubt-array-columns", array = widest.name, count = parts));
@@ -104,9 +107,9 @@ fn export_lines(file: &str, array: &ArrayParts, times: &str, columns: &str) -> S
 
 /// Columns of positions and quaternions of an array, if its values are such: four of its seven
 /// parts have the norm 1 in all rows.
-fn columns_of_poses(bytes: &[u8], format: LogKind, array: &ArrayParts) -> Option<String> {
+fn columns_of_poses(contents: &ArrayFile, format: LogKind, array: &ArrayParts) -> Option<String> {
     let parts: Vec<&str> = array.parts.iter().map(String::as_str).collect();
-    let text = format.table(bytes, &parts)?.ok()?;
+    let text = format.table(contents, &parts)?.ok()?;
     let mut columns = vec![Column::default(); parts.len()];
     let rows = text.lines().skip(1).take(MOST_ROWS);
     for (cells, column) in rows.flat_map(|line| line.split('\t').zip(0..)) {
@@ -142,12 +145,15 @@ mod tests {
             [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
         };
         let values: Vec<f64> = (0..20).flat_map(row).collect();
-        let format = LogKind::from_array_file(&npy(&values)).unwrap();
-        let document = propose_arrays("p.npy", &npy(&values), format).unwrap();
+        let proposed = |values: &[f64]| {
+            let bytes = npy(values);
+            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap()).unwrap()
+        };
+        let document = proposed(&values);
         assert_eq!(document.kind, "export", "{}", document.toml);
         assert!(document.toml.contains("x = ") && document.toml.contains("qw = "), "{}", document.toml);
         let joints: Vec<f64> = values.iter().map(|v| 1.3 * v).collect();
-        let document = propose_arrays("p.npy", &npy(&joints), format).unwrap();
+        let document = proposed(&joints);
         assert_eq!(document.kind, "log", "{}", document.toml);
     }
 }

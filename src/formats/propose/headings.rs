@@ -76,7 +76,7 @@ const WORDS: [(Word, &str); 20] = [
     ),
     (
         Word::Commanded,
-        "設計 設計値 公称 公称値 基準値 理論値 设计 设计值 理论 理论值 名义 名义值 标称 标称值 sollwerte goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint plan planned theoretical \
+        "設計 設計値 公称 公称値 基準値 理論値 设计 设计值 理论 理论值 名义 名义值 标称 标称值 sollwerte goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint ipo plan planned theoretical \
          theoretisch theor theorique consigne nominale teorico teorica objetivo programmed prog rsol expected obiettivo",
     ),
     (

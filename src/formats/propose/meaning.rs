@@ -532,6 +532,9 @@ const NAMED_JOINTS: [&str; 13] = [
     "gelenk",
 ];
 
+/// Words of a position or a value between a joint and its number.
+const POSITIONS: [&str; 8] = ["pos", "position", "positions", "angle", "angles", "winkel", "value", "wert"];
+
 /// Returns the words and the number of a joint in a heading.
 fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     if heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w)) {
@@ -541,7 +544,13 @@ fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     let number = numbers.last().and_then(|i| heading.words[*i].parse().ok()).filter(|n| *n < 100);
     let tag = numbers.last().map_or(heading.words.clone(), |i| heading.without(*i));
     let named = heading.words.iter().any(|word| NAMED_JOINTS.contains(&word.as_str()));
-    let before = numbers.last().and_then(|i| i.checked_sub(1)).map(|i| heading.words[i].as_str());
+    // `axis pos act 1`: words of the state and of positions stand between the joint and its number
+    let before = heading.words[..numbers.last().copied().unwrap_or(0)].iter().map(String::as_str);
+    let is_state = |word: &&str| {
+        word.len() > 1 && (stands_for(word, Word::Measured) || stands_for(word, Word::Commanded))
+            || POSITIONS.contains(word)
+    };
+    let before = before.rev().find(|word| !is_state(word));
     let is_joint = named || number.is_some() && before.is_some_and(|word| stands_for(word, Word::Joint));
     is_joint.then(|| (tag.join(" "), number))
 }

@@ -49,9 +49,7 @@ use table::{Column, Table};
 fn without_points(text: &str) -> Option<(&'static str, f64)> {
     let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
     let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
-    let is_diadem = head(text).lines().any(|line| line.trim() == "#BEGINCHANNELHEADER");
     match (is_xml(text), roughness) {
-        _ if is_diadem => Some(("diadem", 1.0)),
         (_, true) => Some(("roughness", 1.0)),
         (true, _) if certificate => Some(("certificate", 0.9)),
         (true, _) => Some(("xml", 0.1)),
@@ -120,7 +118,8 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
         return recording::propose_recording(&name, &bytes, robot).map_err(|message| here(message).into());
     }
     if let Some(format) = LogKind::from_array_file(&bytes) {
-        return arrays::propose_arrays(&name, &bytes, format).map_err(|message| here(message).into());
+        let file = format.array_file(path, &bytes)?;
+        return arrays::propose_arrays(&name, &file, format).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
         return propose_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
@@ -134,12 +133,19 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
         Some(Known::Other(kind)) => Some(kind),
         None => structure::structured(&text),
     };
+    if other == Some("yaml") && structure::is_of_lists(&text) {
+        return Err(here(error!("numbers-in-brackets")).into());
+    }
     if let Some(kind) = other {
         return Err(here(error!("file-without-points", kind)).into());
     }
     let mut document = propose_in(&name, &text, None, correct);
     if document.readings.is_empty() && document.format.is_none() {
-        return Err(here(error!("no-rows-of-numbers", file = "text")).into());
+        let message = match structure::is_of_lists(&text) {
+            true => error!("numbers-in-brackets"),
+            false => error!("no-rows-of-numbers", file = "text"),
+        };
+        return Err(here(message).into());
     }
     if is_cut && !document.reasons.iter().any(|reason| reason.phrase().is_some_and(|of| of.id == "because-sampled")) {
         document.because(phrase!("because-sampled", rows = document.rows));

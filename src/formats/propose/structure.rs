@@ -36,6 +36,21 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
     (sections && lines.iter().filter(toml).count() * 10 >= lines.len() * 8).then_some("toml")
 }
 
+/// `true` if most lines contain a list of numbers in brackets, as Python prints them; lists of YAML
+/// begin with a dash.
+pub(super) fn is_of_lists(text: &str) -> bool {
+    let is_list = |line: &str| {
+        line.split(['[', '(']).skip(1).any(|behind| {
+            let end = behind.find([']', ')']).unwrap_or(0);
+            let mut values = behind[..end].split([',', ' ', ';']).filter(|value| !value.is_empty());
+            behind[..end].contains([',', ' ', ';']) && values.all(|value| value.parse::<f64>().is_ok())
+        })
+    };
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(400).collect();
+    let lists = lines.iter().filter(|line| !line.trim_start().starts_with("- ") && is_list(line));
+    2 * lists.count() > lines.len()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,6 +67,16 @@ mod tests {
         }
         assert_eq!(structured("{\n\"a\": [1, 2]\n}\n"), Some("json"));
         assert_eq!(structured("[robot]\nx = 1.5\ny = 2.5\n"), Some("toml"));
+        for text in [
+            "[0.1, 0.2]\n[0.3, -0.4]\n",
+            "P0: [1, 2] [3, 4, 5]\nP1: [6, 7] [8, 9, 1e-3]\n",
+            "pose;position\n1;(0.1, 0.2, 0.3)\n2;(0.4, 0.5, 0.6)\n",
+        ] {
+            assert!(is_of_lists(text), "{text}");
+        }
+        for text in ["- [0.1, 0.2]\n- [0.3, 0.4]\n", "X [mm],Y (mm)\n1,2\n", "a (1)\nb (2)\n", "[a, b]\n"] {
+            assert!(!is_of_lists(text), "{text}");
+        }
         for text in [
             "x,y,z\n1,2,3\n",
             "Plate: 5\nDate: today\n\nX Y Z\n1.5 2.5 3.5\n4.5 5.5 6.5\n7.5 8.5 9.5\n1.5 2.5 3.5\n",

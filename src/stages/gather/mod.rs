@@ -22,7 +22,7 @@ use etalon_base::worded::Worded;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
 use etalon_documents::{ImportDocument, Source, SourceKind};
-use etalon_formats::{Export, JointLog, Line, Log, LogRow, Point, SharedText};
+use etalon_formats::{Export, JointLog, Line, Log, LogFile, LogRow, Point, SharedText};
 use points::PointColumns;
 pub use points::Stationed;
 use std::collections::BTreeMap;
@@ -166,18 +166,18 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
     let (mut logs, mut said) = (Vec::new(), Vec::new());
     for stated in campaign.file.logs.iter().filter(|log| !log.file.get_ref().is_empty()) {
         let here = campaign.place(&stated.file);
-        let read = campaign.resolve(&stated.file).and_then(|path| stated.text(&path).map_err(|more| more.at(&here)));
-        match read.and_then(|(text, bytes)| {
+        let read = campaign.resolve(&stated.file).and_then(|path| stated.load(&path).map_err(|more| more.at(&here)));
+        match read.and_then(|file| {
             if campaign.unread.affects(&["log"]) {
                 return Ok(None);
             }
-            let mut source = statement(SourceKind::Log, stated.file.get_ref(), &Stamp::new(&bytes));
-            let table = etalon_formats::log(campaign.stated(), stated, &text, &mut source)?;
-            Ok(Some((source, table)))
+            let mut sources = log_sources(stated.file.get_ref(), &file);
+            let table = etalon_formats::log(campaign.stated(), stated, &file.text, &mut sources[0])?;
+            Ok(Some((sources, table)))
         }) {
             Ok(None) => {}
-            Ok(Some((source, (table, more)))) => {
-                sources.push(source);
+            Ok(Some((read, (table, more)))) => {
+                sources.extend(read);
                 logs.push(table);
                 said.extend(more);
             }
@@ -186,6 +186,14 @@ fn logs(campaign: &Campaign, sources: &mut Vec<Source>, problems: &mut Problems)
     }
     let mixed = campaign.file.exports.iter().any(|export| !export.joints.is_empty());
     (if mixed && logs.len() > 1 { vec![together(logs)] } else { logs }, said)
+}
+
+/// Statements of the file of a log, and of the files beside it that contain its numbers.
+fn log_sources(name: &str, file: &LogFile) -> Vec<Source> {
+    let folder = name.rfind('/').map_or("", |end| &name[..=end]);
+    let beside = file.beside.iter().map(|(name, bytes)| (format!("{folder}{name}"), bytes));
+    let all = std::iter::once((name.to_owned(), &file.bytes)).chain(beside);
+    all.map(|(name, bytes)| statement(SourceKind::Log, &name, &Stamp::new(bytes))).collect()
 }
 
 /// One log of the joints of several exports, whose rows keep their numbers in their files.

@@ -493,9 +493,23 @@ array-lengths-differ = `{ $first }` hat { $count } Zahlen und `{ $second }` hat 
 
 arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
         [numpy] NumPy (.npz, .npy)
+        [kuka_trace] KUKA.Trace (.dat mit Kanälen, und .r64)
        *[matlab] MATLAB (.mat im Format -v6 oder -v7)
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
+
+numbers-file-missing = `{ $file }` fehlt: der Kopf daneben enthält keine Zahlen
+    .hint = alle Dateien der Aufzeichnung in einen Ordner kopieren
+
+trace-of-motor = `Istposition` und `Sollposition` sind Positionen eines Motors, nicht eines Gelenks
+    .hint = die Aufzeichnung `..._KRCIpo.dat` verwenden, mit `q1_deg = "AxisPos_Act1"`
+
+trace-storage-unknown = Kanal `{ $channel }` ist als `{ $storage }` gespeichert
+    .expected = REAL64, REAL32, INT32, INT16, WORD32 oder WORD16
+    .hint = den Datensatz mit REAL64 speichern oder in CSV umwandeln
+
+trace-values-missing = die Datei der Zahlen hat weniger als die { $count } Werte des Kanals `{ $channel }`
+    .hint = die Dateien der Aufzeichnung erneut kopieren
 
 sheet-not-stated = das Blatt der Arbeitsmappe ist nicht angegeben; die Arbeitsmappe enthält { $sheets }
     .hint = das Blatt (`sheet`) angeben

@@ -391,16 +391,18 @@ file-without-points = das ist { $kind ->
         [toml] ein TOML- oder INI-Dokument
         [certificate] ein digitaler Kalibrierschein: Ergebnisse einer Kalibrierung ohne Messpunkte
         [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
-        [diadem] ein Kopf von DIAdem: seine Werte stehen in einer Datei `.r64` daneben
        *[xml] ein XML-Dokument unbekannter Art
     }
     .expected = Messpunkte oder ein Protokoll, als Texttabelle oder Arbeitsmappe
     .hint = { $kind ->
         [certificate] die Datei der Messpunkte angeben
         [roughness] die Datei der Messpunkte angeben
-        [diadem] Kopf und Werte in CSV umwandeln, wie KUKA.Trace sie exportiert
        *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
     }
+
+numbers-in-brackets = die Zahlen stehen in Listen mit Klammern
+    .expected = eine Zahl je Spalte
+    .hint = die Zahlen ohne Klammern schreiben, zum Beispiel mit `numpy.savetxt`
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat

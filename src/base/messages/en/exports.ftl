@@ -845,15 +845,45 @@ array-lengths-differ = `{ $first }` has { $count } numbers and `{ $second }` has
     .expected = columns of equal length
     .hint = use arrays of one recording; if the columns of a matrix are the times, select its rows as joints
 
-# Means: The file is damaged, or does not have the given format.
-# Matters: The numbers cannot be read.
-# Do: Save the file again, or correct `format`.
+# Means: The file is damaged, or has another format than stated.
+# Matters: Its numbers cannot be read.
+# Do: Save the file again.
 # Example: a copy that was interrupted
 arrays-unreadable = the file cannot be read as arrays of { $format ->
         [numpy] NumPy (.npz, .npy)
-       *[matlab] MATLAB (.mat, saved with -v6 or -v7)
+        [kuka_trace] KUKA.Trace (.dat with channels, and .r64)
+       *[matlab] MATLAB (.mat of -v6 or -v7)
     }
     .hint = save it again, or correct `format`
+
+# Means: The header of the data set names a file for its numbers, and the folder of the header lacks this file.
+# Matters: The header contains no joint values.
+# Do: Copy all files of the trace into one folder, with their names unchanged.
+# Example: `log_KRCIpo.dat` without `log_KRCIpo.r64`
+numbers-file-missing = `{ $file }` is missing: the header beside it contains no numbers
+    .hint = copy all files of the recording into one folder
+
+# Means: The trace of a drive contains the position of its motor, before the gear.
+# Matters: Ratio and direction of the gear are unknown, so that the values are no joint values.
+# Do: Use the file of the interpolator of the same trace: its name ends in `_KRCIpo.dat`.
+# Example: `q1_deg = "Istposition"` of `log_NextGenDrive#1.dat`
+trace-of-motor = `Istposition` and `Sollposition` are positions of a motor, not of a joint
+    .hint = use the trace `..._KRCIpo.dat`, with `q1_deg = "AxisPos_Act1"`
+
+# Means: A channel is stored as text, or as a type of numbers that etalon does not know.
+# Matters: Its values cannot be read.
+# Do: Save the data set with channels of type REAL64, or convert it to CSV.
+# Example: `214,ASCII` in the header
+trace-storage-unknown = channel `{ $channel }` is stored as `{ $storage }`
+    .expected = REAL64, REAL32, INT32, INT16, WORD32 or WORD16
+    .hint = save the data set with REAL64, or convert it to CSV
+
+# Means: The header states more values than the file of numbers contains.
+# Matters: The recording or its copy was interrupted, or the file belongs to another header.
+# Do: Copy the files of the trace again.
+# Example: 500 values are stated, and the file ends after 320
+trace-values-missing = the file of numbers has fewer than the { $count } values of channel `{ $channel }`
+    .hint = copy the files of the trace again
 
 # Means: The file is a workbook, and no sheet is given.
 # Matters: A workbook may have several sheets.

@@ -784,16 +784,22 @@ file-without-points = this is { $kind ->
         [toml] a TOML or INI document
         [certificate] a digital calibration certificate: it contains results, but no measured points
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
-        [diadem] a header of DIAdem: its values are in a separate file `.r64`
        *[xml] an XML document of an unknown kind
     }
     .expected = measured points or a log, as a table of text or a workbook
     .hint = { $kind ->
         [certificate] give the file with the measured points
         [roughness] give the file with the measured points
-        [diadem] convert header and values to CSV, as KUKA.Trace exports them
        *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
+
+# Means: The numbers are in lists with brackets, as Python prints them.
+# Matters: A list is one text, so that its numbers cannot be given a meaning.
+# Do: Write one number per column, for example by `numpy.savetxt` or `pandas.DataFrame.to_csv`.
+# Example: `P1: [0.10, 0.25, 0.40]`
+numbers-in-brackets = the numbers are in lists with brackets
+    .expected = one number per column
+    .hint = write the numbers without brackets, for example by `numpy.savetxt`
 
 # Means: Whatever the delimiter and the decimal mark, the rows of the file contain fewer than two
 # numbers.

@@ -493,9 +493,23 @@ array-lengths-differ = `{ $first }` a { $count } nombres et `{ $second }` en a {
 
 arrays-unreadable = le fichier ne peut pas être lu comme des tableaux de { $format ->
         [numpy] NumPy (.npz, .npy)
+        [kuka_trace] KUKA.Trace (.dat avec voies, et .r64)
        *[matlab] MATLAB (.mat au format -v6 ou -v7)
     }
     .hint = l’enregistrer de nouveau, ou corriger `format`
+
+numbers-file-missing = `{ $file }` manque : l’en-tête à côté ne contient pas de nombres
+    .hint = copier tous les fichiers de l’enregistrement dans un même dossier
+
+trace-of-motor = `Istposition` et `Sollposition` sont des positions d’un moteur, non d’une articulation
+    .hint = utiliser l’enregistrement `..._KRCIpo.dat`, avec `q1_deg = "AxisPos_Act1"`
+
+trace-storage-unknown = la voie `{ $channel }` est enregistrée comme `{ $storage }`
+    .expected = REAL64, REAL32, INT32, INT16, WORD32 ou WORD16
+    .hint = enregistrer les données avec REAL64, ou les convertir en CSV
+
+trace-values-missing = le fichier des nombres a moins que les { $count } valeurs de la voie `{ $channel }`
+    .hint = copier de nouveau les fichiers de l’enregistrement
 
 sheet-not-stated = la feuille du classeur n’est pas indiquée ; le classeur contient { $sheets }
     .hint = indiquer la feuille (`sheet`)

@@ -391,16 +391,18 @@ file-without-points = c’est { $kind ->
         [toml] un document TOML ou INI
         [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
-        [diadem] un en-tête de DIAdem : ses valeurs sont dans un fichier `.r64` à côté
        *[xml] un document XML de type inconnu
     }
     .expected = des points mesurés ou un journal, sous forme de tableau de texte ou de classeur
     .hint = { $kind ->
         [certificate] indiquer le fichier des points mesurés
         [roughness] indiquer le fichier des points mesurés
-        [diadem] convertir l’en-tête et les valeurs en CSV, comme KUKA.Trace les exporte
        *[other] écrire les nombres en CSV : une ligne par point ou par pose, sous une ligne avec les noms des colonnes
     }
+
+numbers-in-brackets = les nombres sont dans des listes entre crochets
+    .expected = un nombre par colonne
+    .hint = écrire les nombres sans crochets, par exemple avec `numpy.savetxt`
 
 no-rows-of-numbers = { $file ->
         [workbook] aucune feuille du classeur ne contient
