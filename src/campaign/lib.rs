@@ -13,6 +13,7 @@ mod robot_keys;
 mod robot_text;
 mod selection;
 mod table;
+mod title;
 mod toml_file;
 mod types;
 mod urdf;
@@ -123,7 +124,7 @@ impl Campaign {
             .and_then(|path| Ok((files::read_statement(&path)?, path)));
         let (robot, more, robot_stamp) = match read {
             // reported with the campaign
-            _ if unread.affects(&["robot"]) => (None, Problems::default(), Stamp::default()),
+            _ if unread.affects(&["robot"]) || !file.states_robot() => (None, Problems::default(), Stamp::default()),
             Ok(((text, stamp), path)) => {
                 let questions = open_questions(&path.display().to_string(), &text);
                 let (robot, more) = match questions.0.is_empty() {
@@ -136,6 +137,9 @@ impl Campaign {
         };
         problems.0.extend(more.0);
         let robot = robot.unwrap_or_else(RobotFile::unreadable);
+        if file.name.trim().is_empty() && !unread.affects(&["name"]) {
+            file.name = title::composed(&file, robot.name.as_deref(), &folder);
+        }
         let stamps = [stamp, robot_stamp];
         let campaign = Self { file, robot, folder, location: path, path: name, text, stamps, unread };
         Ok((Some(campaign), problems))
@@ -352,9 +356,11 @@ fn missing_keys(text: &str) -> Vec<&'static str> {
     // leads, bars, balls and a complete geometric calibration need no log
     let identifies = !(tests || geometric) || ["log", "join", "identify", "observations"].iter().any(stated);
     let needed: &[&str] = match identifies {
-        true if stated(&"observations") => &["identify"],
-        true => &["export", "log", "join", "identify"],
-        false if geometric || stated(&"repeatability") => &["export"],
+        true if stated(&"observations") => &["robot", "identify"],
+        true => &["robot", "export", "log", "join", "identify"],
+        false if geometric || stated(&"repeatability") => &["robot", "export"],
+        // a feature or a frame is of points of exports
+        false if stated(&"export") => &["robot"],
         false => &[],
     };
     needed.iter().copied().filter(|key| !stated(key)).collect()

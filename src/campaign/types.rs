@@ -21,9 +21,13 @@ use toml::Spanned;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CampaignFile {
-    /// Name of the campaign.
+    /// Name of the campaign, the title of its report. By default composed of the kind of campaign,
+    /// the robot and the date.
+    #[serde(default)]
     pub name: String,
-    /// File of the robot (robot.toml).
+    /// File of the robot (robot.toml). Only tests of commanded poses, recorded motions and static
+    /// compliance need none.
+    #[serde(default = "unstated")]
     #[schemars(with = "String")]
     pub robot: Spanned<String>,
     /// Folder for the documents, which is replaced as a whole.
@@ -127,6 +131,11 @@ impl CampaignFile {
         self.valid_until.clone().or_else(by_months)
     }
 
+    /// `true` if the campaign names the file of its robot.
+    pub fn states_robot(&self) -> bool {
+        !self.robot.get_ref().is_empty() || !self.robot.span().is_empty()
+    }
+
     /// Definition of the world frame.
     pub fn world(&self) -> Option<&WorldDefinition> {
         Some(&self.frame.as_ref()?.world)
@@ -152,6 +161,11 @@ impl CampaignFile {
         let tables = streams.chain(poses).chain(others).flatten().flat_map(TableDefinition::files);
         measured.chain(self.streams.iter().map(|s| &s.file)).chain(tables)
     }
+}
+
+/// A file that is not stated.
+fn unstated() -> Spanned<String> {
+    Spanned::new(0..0, String::new())
 }
 
 fn default_output() -> Spanned<String> {

@@ -53,7 +53,7 @@ impl Init {
         if !self.from.is_empty() {
             let robot = NamedRobot { urdf: self.urdf.as_deref(), name: self.robot.as_deref() };
             let started = start(&self.from, robot)?;
-            let files = described_by(&self.folder, [started.written, started.copied].concat());
+            let files = described_by([started.written, started.copied].concat());
             out.print_written(files::write_new(&self.folder, &files)?, self.json)?;
             let (_, text) = &files[0];
             if !self.json {
@@ -81,7 +81,7 @@ impl Init {
     /// Writes the files, and says what comes next.
     fn write(&self, texts: &[(&str, Vec<u8>)], out: &Output) -> anyhow::Result<Verdict> {
         let texts = texts.iter().map(|(name, text)| ((*name).to_owned(), text.clone())).collect();
-        let all = described_by(&self.folder, texts);
+        let all = described_by(texts);
         out.print_written(files::write_new(&self.folder, &all)?, self.json)?;
         let folder = shell_word(&self.folder);
         match self.synthetic {

@@ -79,16 +79,19 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
     })?;
     let Walk { problems, inputs, robot, features, frames, joined, geometric, identified, tested, .. } = walk;
     let Inputs { mut gathered, mut formats, presentation, .. } = inputs;
-    let (Some(features), Some(frames), Some(presentation), Some(robot)) = (features, frames, presentation, robot)
-    else {
+    let (Some(features), Some(frames), Some(presentation)) = (features, frames, presentation) else {
         return Err(problems);
     };
+    let robot = robot.as_deref();
+    if robot.is_none() && campaign.file.states_robot() {
+        return Err(problems);
+    }
     gathered.document.sources.append(&mut formats.sources);
     // formats that omit parameters contain the values that are identified without them
     let mut summary = summary(campaign, presentation);
     summary.temperature.range_c = gather::temperature_range(&gathered.points);
-    let again = |found| identified_again(campaign, robot.as_ref(), found, &summary, &formats.all());
-    let controllers = identified.as_ref().and_then(again);
+    let again = |(found, robot)| identified_again(campaign, robot, found, &summary, &formats.all());
+    let controllers = identified.as_ref().zip(robot).and_then(again);
     let (identified, solution) = identified.map(|found| (found.documents, found.solution)).unzip();
     let mut results = Results {
         campaign: summary,
@@ -101,7 +104,8 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
         tested,
         verdict: VerdictDocument::default(),
     };
-    results.campaign.controller_files = written(campaign, robot.as_ref(), &results, &formats);
+    results.campaign.controller_files =
+        robot.map_or_else(Vec::new, |robot| written(campaign, robot, &results, &formats));
     Ok(Evaluated { results: results.judged(), solution, gathered, joined, formats })
 }
 

@@ -74,7 +74,9 @@ pub(super) fn listed(folder: &Path, campaign: Option<&Campaign>, dropped: &Dropp
     if let Some(campaign) = campaign {
         let file = &campaign.file;
         add(campaign.file_name(), Some("campaign"));
-        add(file.robot.get_ref(), Some("robot"));
+        if file.states_robot() {
+            add(file.robot.get_ref(), Some("robot"));
+        }
         file.exports.iter().for_each(|export| add(export.file.get_ref(), Some("export")));
         file.logs.iter().for_each(|log| add(log.file.get_ref(), Some("log")));
         file.observations.iter().for_each(|table| add(table.file.get_ref(), Some("observations")));

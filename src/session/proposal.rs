@@ -175,7 +175,7 @@ pub(super) fn accept(folder: &Path, dropped: &files::Dropped, asked: &Asked) -> 
         }
     }
     // the user's own robot.toml and URDF are in the folder already
-    let mut files = described_by(folder, written);
+    let mut files = described_by(written);
     files.retain(|(name, _)| !folder.join(name).exists());
     write_new(folder, &files)?;
     Ok(())

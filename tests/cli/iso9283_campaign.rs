@@ -48,6 +48,28 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert!(of_campaign.reference[2].moved_mm > of_campaign.reference[1].moved_mm);
 }
 
+/// A test of poses says nothing about the geometry of the robot, and needs no file of it; without a name its title is what it tests, and when.
+#[test]
+fn a_test_of_poses_needs_no_robot_and_no_name() {
+    let (with, without) = (copy_sample("pose-test"), copy_sample("pose-test"));
+    ran(&with);
+    without.replace("campaign.toml", "robot = \"robot.toml\"\n", "");
+    without.replace("campaign.toml", "name = \"Test of poses by ISO 9283 (synthetic)\"\n", "");
+    std::fs::remove_file(without.path().join("robot.toml")).unwrap();
+    let checked = etalon(without.root(), &["check", "campaign"]);
+    assert!(checked.status.success(), "{}", text_of(&checked));
+    let shown = ran(&without);
+    let title = shown.lines().next().unwrap();
+    assert_eq!(title, "Test of six axes, rated load 3 kg (invented), 2026-03-02");
+    let [one, other]: [Iso9283Document; 2] = [&with, &without].map(|scratch| read(scratch, "iso9283.json"));
+    assert_eq!(one, other);
+    // an identification does need it
+    let calibrated = copy_sample("prexyt-cmm");
+    calibrated.replace("campaign.toml", "robot = \"robot.toml\"\n", "");
+    let refused = etalon(calibrated.root(), &["check", "campaign"]);
+    assert!(text_of(&refused).says("error[key-missing] key=robot"), "{}", text_of(&refused));
+}
+
 #[test]
 fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
     let scratch = copy_sample("pose-test");

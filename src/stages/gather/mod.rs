@@ -64,10 +64,10 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
 /// with an unreadable coordinate are kept without it.
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
-    let mut sources = vec![
-        statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]),
-        statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]),
-    ];
+    let mut sources = vec![statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0])];
+    if campaign.file.states_robot() {
+        sources.push(statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]));
+    }
     let described = campaign.robot_description();
     sources.extend(described.map(|(file, stamp)| statement(SourceKind::Robot, &file, stamp)));
     let mut columns = PointColumns::default();

@@ -32,6 +32,9 @@ pub(crate) struct NamedRobot<'a> {
 
 /// Line of a proposed campaign that its folder names.
 const UNTITLED: &str = "name = \"First campaign\"";
+/// Line in its place.
+const TITLED_BY_DEFAULT: &str =
+    "# name = \"...\"                              # title; by default kind, robot and date";
 
 /// Proposes a campaign from files of measurements and logs.
 ///
@@ -68,19 +71,18 @@ impl NamedRobot<'_> {
     }
 }
 
-/// Adds the schemas that the first lines name; a campaign is named after its folder.
-pub(crate) fn described_by(folder: &Path, mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Vec<u8>)> {
+/// Adds the schemas that the first lines name; the title of a campaign follows from its robot and
+/// its date.
+pub(crate) fn described_by(mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Vec<u8>)> {
     let schemas = etalon_campaign::schemas();
-    let folder = std::path::absolute(folder).unwrap_or_default();
-    let folder = folder.file_name().map(|name| toml::Value::from(&*name.to_string_lossy()).to_string());
     for (name, text) in &mut files {
         if !schemas.iter().any(|(of, _)| of == name) {
             continue;
         }
         let own = String::from_utf8_lossy(text);
-        let titled = match &folder {
-            Some(folder) if name == "campaign.toml" => own.replacen(UNTITLED, &format!("name = {folder}"), 1),
-            _ => own.into_owned(),
+        let titled = match name == "campaign.toml" {
+            true => own.replacen(UNTITLED, TITLED_BY_DEFAULT, 1),
+            false => own.into_owned(),
         };
         *text = format!("#:schema ./{}\n{titled}", schema_file(name)).into_bytes();
     }

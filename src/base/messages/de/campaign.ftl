@@ -193,6 +193,18 @@ key-missing = der Schlüssel `{ $key }` fehlt{ $has_section ->
        *[no] {""}
     }
 
+campaign-title = { $kind ->
+        [calibration] Kalibrierung:
+        [geometry] Geometrische Kalibrierung:
+       *[test] Prüfung:
+    } { $robot }
+
+campaign-title-dated = { $kind ->
+        [calibration] Kalibrierung:
+        [geometry] Geometrische Kalibrierung:
+       *[test] Prüfung:
+    } { $robot }, { $date }
+
 state-unit = `unit = "mm"`, "m", "um" oder "inch" angeben, je nach Einheit der Datei; sie wird nie geraten
 
 state-instrument = in [instrument] name, expanded_uncertainty_um und coverage_factor angeben: Werte aus dem Kalibrierschein des Messgeräts

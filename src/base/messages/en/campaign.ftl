@@ -436,6 +436,18 @@ key-missing = the key `{ $key }` is missing{ $has_section ->
        *[no] {""}
     }
 
+campaign-title = { $kind ->
+        [calibration] Calibration of
+        [geometry] Geometric calibration of
+       *[test] Test of
+    } { $robot }
+
+campaign-title-dated = { $kind ->
+        [calibration] Calibration of
+        [geometry] Geometric calibration of
+       *[test] Test of
+    } { $robot }, { $date }
+
 state-unit = set `unit = "mm"`, or "m", "um" or "inch" as the file was written; it is never guessed
 
 state-instrument = [instrument] needs name, expanded_uncertainty_um and coverage_factor: take them from its calibration certificate

@@ -193,6 +193,18 @@ key-missing = la clé `{ $key }` manque{ $has_section ->
        *[no] {""}
     }
 
+campaign-title = { $kind ->
+        [calibration] Étalonnage :
+        [geometry] Étalonnage géométrique :
+       *[test] Essai :
+    } { $robot }
+
+campaign-title-dated = { $kind ->
+        [calibration] Étalonnage :
+        [geometry] Étalonnage géométrique :
+       *[test] Essai :
+    } { $robot }, { $date }
+
 state-unit = indiquer `unit = "mm"`, ou "m", "um" ou "inch", l’unité dans laquelle le fichier a été écrit ; elle n’est jamais devinée
 
 state-instrument = [instrument] indique name, expanded_uncertainty_um et coverage_factor : les prendre dans son certificat d’étalonnage
