@@ -84,8 +84,9 @@ pub struct ScaleBarDefinition {
     pub length_mm: f64,
     /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate of the bar.
     pub length_uncertainty_um: Option<f64>,
-    /// Maximum permissible error of the instrument for a distance; by default computed from its
-    /// given uncertainty for two points (k = 2).
+    /// Maximum permissible error of the instrument for a distance. By default the largest of all
+    /// measured distances exceeds it with a probability of 5 %, by the stated uncertainty of two
+    /// points.
     pub permissible_error_um: Option<f64>,
 }
 

@@ -159,7 +159,8 @@ pub struct ScaleBarResult {
     pub largest_error_mm: f64,
     /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate.
     pub length_uncertainty_mm: Option<f64>,
-    /// Maximum permissible error of the instrument for this distance.
+    /// Maximum permissible error of the instrument for this distance. By default the largest of the
+    /// distances exceeds it with a probability of 5 %.
     pub permissible_error_mm: f64,
     /// Maximum permissible error over the certificate's uncertainty; at least 4 is required.
     pub uncertainty_ratio: Option<f64>,

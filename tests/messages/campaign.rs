@@ -212,6 +212,7 @@ const GEOMETRIC: &[Case] = &[
         &[(C, "length_mm = 300.0", "length_mm = 300.4\npermissible_error_um = 50.0\nlength_uncertainty_um = 1.0")],
         "run @",
     ),
+    ("scale-bar-deviates", GEOMETRY, &[(C, "length_mm = 300.0", "length_mm = 300.4")], "run @"),
     (
         "scale-bar-uncertain",
         GEOMETRY,

@@ -21,6 +21,7 @@ use etalon_identify::{Identification, Observation};
 use etalon_math::statistics::rms;
 use etalon_robots::{self as robots, Parameter, Platform, RailTable, Robot, Role};
 use etalon_standards::iso9283::pose::repeatability::pose_repeatability;
+use statrs::distribution::{ContinuousCDF, Normal};
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
@@ -124,7 +125,8 @@ fn fits(found: &Steps) -> Vec<GeometricStep> {
 fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64) -> Option<ScaleBarResult> {
     let bar = scale_bar(definition.length_mm, pairs)?;
     // a distance has the uncertainty of two points along it
-    let permissible_mm = definition.permissible_error_um.map_or(2.0 * SQRT_2 * u_mm, |um| um / 1e3);
+    let expected = || largest_error_factor(pairs.len()) * SQRT_2 * u_mm;
+    let permissible_mm = definition.permissible_error_um.map_or_else(expected, |um| um / 1e3);
     let certificate_mm = definition.length_uncertainty_um.map(|um| um / 1e3);
     let ratio = certificate_mm.map(|certificate| permissible_mm / certificate);
     let largest_error_mm =
@@ -153,15 +155,24 @@ fn bar_result(definition: &ScaleBarDefinition, pairs: &[[Vector; 2]], u_mm: f64)
 /// rule of ANSI/NCSL Z540).
 const LEAST_RATIO: f64 = 4.0;
 
+/// Size that the largest of `count` independent normal errors exceeds with a probability of 5 %, in
+/// their standard deviations (Šidák, 1967).
+fn largest_error_factor(count: usize) -> f64 {
+    let each = 0.95f64.powf(1.0 / count.max(1) as f64);
+    Normal::standard().inverse_cdf(0.5 + 0.5 * each)
+}
+
 /// Returns a warning about the instrument or its verification.
 fn bar_message(bar: &ScaleBarResult) -> Option<Message> {
     let name = &bar.name;
+    let (error_mm, limit_mm) = (bar.largest_error_mm, bar.permissible_error_mm);
+    let u_mm = bar.length_uncertainty_mm.unwrap_or(0.0);
     match bar.verdict {
-        BarVerdict::Conforming | BarVerdict::NoCertificate => None,
-        BarVerdict::NotConforming => {
-            let (error_mm, limit_mm) = (bar.largest_error_mm, bar.permissible_error_mm);
-            Some(warning!("scale-bar-error", name, error_mm, limit_mm))
+        BarVerdict::NotConforming => Some(warning!("scale-bar-error", name, error_mm, limit_mm)),
+        BarVerdict::NoCertificate | BarVerdict::BarTooUncertain if error_mm > limit_mm + u_mm => {
+            Some(warning!("scale-bar-deviates", name, error_mm, limit_mm, u_mm))
         }
+        BarVerdict::Conforming | BarVerdict::NoCertificate => None,
         BarVerdict::BarTooUncertain => {
             let ratio = bar.uncertainty_ratio.unwrap_or_default();
             Some(warning!("scale-bar-uncertain", name, ratio, least = LEAST_RATIO))

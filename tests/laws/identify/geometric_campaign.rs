@@ -219,17 +219,27 @@ fn each_step_of_a_technician_is_a_campaign_of_its_own() {
 
 #[test]
 fn a_scale_bar_has_a_verdict_by_its_certificate() {
-    let bar = |more: &str| {
+    let bar_of = |length_mm: f64, more: &str| {
         let keys = format!(
-            "[[geometric.scale_bar]]\nname = \"along x\"\nlabel = \"bar1-{{target}}-{{cycle}}\"\nlength_mm = 300.0\n{more}\n"
+            "[[geometric.scale_bar]]\nname = \"along x\"\nlabel = \"bar1-{{target}}-{{cycle}}\"\nlength_mm = {length_mm:?}\n{more}\n"
         );
         let found = run(&alone(&keys));
         (found.scale_bars[0].clone(), found.messages.len())
     };
+    let bar = |more: &str| bar_of(300.0, more);
     let (plain, messages) = bar("");
     assert_eq!((plain.verdict, messages), (BarVerdict::NoCertificate, 0));
-    // 12.73 um for a coordinate are 18 um for a distance
-    assert!((plain.permissible_error_mm - 0.018).abs() < 1e-5 && plain.largest_error_mm > 0.005, "{plain:?}");
+    // 12.73 um for a coordinate are 18 um for a distance, k = 2; of ten, the largest is within 2.800 standard
+    // deviations with a probability of 95 % (table of the studentised maximum modulus, infinite degrees of freedom)
+    assert_eq!(plain.count, 10);
+    assert!((plain.permissible_error_mm - 0.009 * 2.800).abs() < 2e-5 && plain.largest_error_mm > 0.005, "{plain:?}");
+    // a bar that differs from its stated length by more than the limit and U is named, whatever its certificate
+    for (more, verdict) in
+        [("", BarVerdict::NoCertificate), ("length_uncertainty_um = 20.0", BarVerdict::BarTooUncertain)]
+    {
+        let (wrong, messages) = bar_of(300.1, more);
+        assert_eq!((wrong.verdict, messages), (verdict, 1), "{wrong:?}");
+    }
     let error_um = 1e3 * plain.largest_error_mm;
     for (certificate, permissible, verdict) in [
         (1.0, error_um + 1.0, BarVerdict::Conforming),

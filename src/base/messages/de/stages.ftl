@@ -219,7 +219,6 @@ rigid-pairs-sampled = von den { $pairs } Abständen zwischen { $targets } Zielma
 point-pairs-many = { $pairs } Paare von Namen haben Punkte an derselben Stelle; die ersten { $named } sind aufgeführt
     .hint = die Bezeichnungen des Exports prüfen
 
-
 pose-misspelt = Pose `{ $pose }` { $of ->
         [log] des Protokolls `{ $log }` wurde nicht gemessen, und gemessene Posen fehlen im Protokoll
        *[points] ist nicht in Protokoll `{ $log }`, und Posen des Protokolls wurden nicht gemessen
@@ -722,6 +721,9 @@ geometric-other-robot = [geometric] ist nur für einen PreXYT verfügbar
 
 scale-bar-error = Kalibrierstab `{ $name }`: die Abweichung von { FIXED($error_mm, 4) } mm überschreitet die Fehlergrenze von { FIXED($limit_mm, 4) } mm
     .hint = Taster, Temperatur und Aufstellung des Messgeräts prüfen und den Kalibrierstab neu messen
+
+scale-bar-deviates = Kalibrierstab `{ $name }`: ein Abstand weicht um { FIXED($error_mm, 4) } mm von der angegebenen Länge ab; zulässig sind { FIXED($limit_mm, 4) } mm und U = { FIXED($u_mm, 4) } mm der Länge
+    .hint = Länge und Unsicherheit aus dem Kalibrierschein des Stabs angeben, Taster und Temperatur prüfen und den Stab neu messen
 
 scale-bar-uncertain = Kalibrierstab `{ $name }`: die Fehlergrenze ist das { FIXED($ratio, 1) }-Fache der erweiterten Messunsicherheit seines Kalibrierscheins, gefordert ist mindestens das { $least }-Fache
     .hint = einen Kalibrierstab mit kleinerer Messunsicherheit im Kalibrierschein verwenden: dieser Stab kann das Messgerät nicht prüfen

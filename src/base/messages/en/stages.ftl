@@ -1472,6 +1472,15 @@ geometric-other-robot = [geometric] is available only for a PreXYT
 scale-bar-error = scale bar `{ $name }`: an error of { FIXED($error_mm, 4) } mm exceeds the permissible { FIXED($limit_mm, 4) } mm
     .hint = check probe, temperature and mounting of the instrument, and measure the bar again
 
+# Means: A measured length of a scale bar is off by more than the permissible error plus the
+# uncertainty of the bar. Without a good certificate, instrument or bar may be wrong.
+# Matters: Lengths of this campaign may have errors of similar size.
+# Do: State the length from the bar's certificate; check probe, temperature and mounting of the
+# instrument, and measure the bar again.
+# Example: a bar with a nominal length of 300 mm that is 300.4 mm long
+scale-bar-deviates = scale bar `{ $name }`: a distance deviates by { FIXED($error_mm, 4) } mm from the stated length; permissible are { FIXED($limit_mm, 4) } mm and U = { FIXED($u_mm, 4) } mm of the length
+    .hint = state length and uncertainty from the bar's certificate, check probe and temperature, and measure the bar again
+
 # Means: The maximum permissible error of the instrument is less than four times the expanded
 # uncertainty of the bar (4:1 rule of ANSI/NCSL Z540).
 # Matters: The bar is not accurate enough to verify the instrument.

@@ -219,7 +219,6 @@ rigid-pairs-sampled = { $compared } des { $pairs } distances entre { $targets } 
 point-pairs-many = { $pairs } paires de noms ont des points au même endroit ; les { $named } premières sont indiquées
     .hint = vérifier les étiquettes de l’export
 
-
 pose-misspelt = la pose `{ $pose }` { $of ->
         [log] du journal `{ $log }` n’a pas été mesurée, et des poses mesurées ne sont pas dans le journal
        *[points] n’est pas dans le journal `{ $log }`, et des poses du journal n’ont pas été mesurées
@@ -726,6 +725,9 @@ geometric-other-robot = [geometric] n’est disponible que pour un PreXYT
 
 scale-bar-error = barre étalon `{ $name }` : l’erreur de { FIXED($error_mm, 4) } mm dépasse l’erreur maximale tolérée de { FIXED($limit_mm, 4) } mm
     .hint = vérifier palpeur, température et fixation de l’instrument, et mesurer la barre de nouveau
+
+scale-bar-deviates = barre étalon `{ $name }` : une distance s’écarte de { FIXED($error_mm, 4) } mm de la longueur indiquée ; sont tolérés { FIXED($limit_mm, 4) } mm et U = { FIXED($u_mm, 4) } mm de la longueur
+    .hint = indiquer la longueur et l’incertitude du certificat de la barre, vérifier palpeur et température, et mesurer la barre de nouveau
 
 scale-bar-uncertain = barre étalon `{ $name }` : l’erreur maximale tolérée vaut { FIXED($ratio, 1) } fois l’incertitude élargie du certificat de la barre ; au moins { $least } fois sont exigées
     .hint = utiliser une barre dont le certificat a une plus petite incertitude : cette barre ne permet pas de vérifier l’instrument
