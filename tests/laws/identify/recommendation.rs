@@ -1,13 +1,19 @@
 //! What is recommended for a real robot, by poses that were left out.
 
-use super::drawn::number;
-use crate::controllers::drawn::drawn;
+use super::drawn::{between_logs, number, one_of, whole};
+use crate::controllers::drawn::{drawn, universal_robot};
 use crate::support::root;
-use crate::support::scratch::copy_sample;
+use crate::support::scratch::{Scratch, copy_sample};
+use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::documents::{Effect, LOADING_RATIO, LoadAnswer, LoadVerdict, Results};
+use etalon::documents::{
+    AccuracyDocument, ActionKind, Effect, FrameOrigin, LOADING_RATIO, LoadAnswer, LoadVerdict, Results,
+};
+use etalon::robots::Role;
 use etalon::run::pipeline::evaluate;
-use etalon::run::validation::recommend;
+use etalon::run::validation::{recommend, validate};
+use etalon::simulate::{Truth, simulate};
+use etalon::stages::verify::validation::Validation;
 use rayon::prelude::*;
 
 #[test]
@@ -66,39 +72,61 @@ fn every_kind_of_observation_is_judged() {
     }
 }
 
-/// Error of what a run recommends for a drawn arm at poses that it has not seen, over the smallest error of nominal parameters, those of the run,
-/// and those of all effects. The arm is measured at some of 60 poses; half of the arms have gains that the run does not identify by itself.
-fn ratio_at_fresh_poses(seed: u64) -> (f64, String) {
-    let folder = drawn(seed);
+/// Error of what a run recommends at poses that it has not seen, over the smallest error of nominal parameters, of those of the run, of those of
+/// all effects and of a residual field, if the campaign searches one. `set_up` changes the table of the campaign; its `validation` are the new poses.
+fn ratio_at_fresh_poses(folder: &Scratch, set_up: impl Fn(&mut toml::Table)) -> (f64, String) {
     let path = folder.path().join("campaign.toml");
-    let stated = std::fs::read_to_string(&path).unwrap();
-    let poses = 12 + 8 * (seed % 7);
-    let run = |effects: &str, fresh: &str| -> Results {
-        let kept: Vec<&str> = stated
-            .lines()
-            .filter(|line| !["effects", "calibration", "validation"].iter().any(|key| line.starts_with(key)))
-            .collect();
-        let text = format!("{}\neffects = \"{effects}\"\ncalibration = \"1-{poses}\"\n{fresh}\n", kept.join("\n"));
-        std::fs::write(&path, text).unwrap();
+    let mut stated: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+    set_up(&mut stated);
+    let run = |effects: Option<&str>, is_judged: bool| -> Results {
+        let mut table = stated.clone();
+        let identify = table["identify"].as_table_mut().unwrap();
+        effects.and_then(|effects| identify.insert("effects".to_owned(), effects.into()));
+        if !is_judged {
+            identify.remove("validation");
+        }
+        std::fs::write(&path, toml::to_string(&table).unwrap()).unwrap();
         evaluate(&Campaign::read(&folder.path()).unwrap()).unwrap().results
     };
-    let errors = |effects: &str| {
-        let identified = run(effects, "validation = \"61-90\"").identified.unwrap();
-        let leading = identified.accuracy.sets.last().unwrap().leading().unwrap().clone();
-        [leading.before.rms, leading.after.rms]
+    let leading = |accuracy: &AccuracyDocument| accuracy.sets.last().unwrap().leading().unwrap().clone();
+    let errors = |effects: Option<&str>| {
+        let found = leading(&run(effects, true).identified.unwrap().accuracy);
+        [found.before.rms, found.after.rms]
     };
-    let loading = run("usual", "").verdict.loading.unwrap();
-    let ([nominal, usual], [_, all]) = (errors("usual"), errors("all"));
+    let answered = run(None, false);
+    let loading = answered.verdict.loading.unwrap();
+    let ([nominal, own], [_, all]) = (errors(None), errors(Some("all")));
+    let identified = answered.identified.unwrap();
+    let field = identified.field.as_ref().map(|field| {
+        run(None, true);
+        let judged =
+            Validation { document: Some(&identified.parameters), field: Some(field), frames: FrameOrigin::Refit };
+        leading(&validate(&Campaign::read(&folder.path()).unwrap(), judged).unwrap().accuracy).after.rms
+    });
+    let corrects = answered.verdict.actions.iter().any(|action| action.action == ActionKind::Compensate);
     let loaded = match loading.answer {
         LoadAnswer::KeepNominal => nominal,
-        LoadAnswer::IdentifyFurther => errors("proven")[1],
-        LoadAnswer::Load | LoadAnswer::Resolve => usual,
+        LoadAnswer::IdentifyFurther => errors(Some("proven"))[1],
+        LoadAnswer::Load | LoadAnswer::Resolve => field.filter(|_| corrects).unwrap_or(own),
     };
-    let ratio = loaded / nominal.min(usual).min(all);
-    (
-        ratio,
-        format!("{seed}: {poses} poses, {:?}, nominal {nominal:.3}, usual {usual:.3}, all {all:.3}", loading.answer),
-    )
+    let ratio = loaded / nominal.min(own).min(all).min(field.unwrap_or(f64::INFINITY));
+    (ratio, format!("{:?}, nominal {nominal:.4}, own {own:.4}, all {all:.4}, field {field:?}", loading.answer))
+}
+
+/// Keys of `[identify]` of a campaign.
+fn identify_keys(campaign: &mut toml::Table, keys: &[(&str, String)]) {
+    let identify = campaign["identify"].as_table_mut().unwrap();
+    for (key, value) in keys {
+        identify.insert((*key).to_owned(), value.clone().into());
+    }
+}
+
+/// A drawn arm, measured at some of 60 poses; half of the arms have gains that the run does not identify by itself.
+fn arm_at_fresh_poses(seed: u64) -> (f64, String) {
+    let poses = 12 + 8 * (seed % 7);
+    let keys = [("effects", "usual".into()), ("calibration", format!("1-{poses}")), ("validation", "61-90".into())];
+    let (ratio, what) = ratio_at_fresh_poses(&drawn(seed), |campaign| identify_keys(campaign, &keys));
+    (ratio, format!("{seed}: {poses} poses, {what}"))
 }
 
 /// What a run recommends is at new poses as good as each other set of parameters (synthetic). A decision by left-out poses has a scatter: one arm in
@@ -106,8 +134,89 @@ fn ratio_at_fresh_poses(seed: u64) -> (f64, String) {
 #[test]
 fn what_is_recommended_is_best_at_fresh_poses() {
     let arms = number("ETALON_CAMPAIGNS", 40);
-    let all: Vec<(f64, String)> = (0..arms).into_par_iter().map(ratio_at_fresh_poses).collect();
+    let all: Vec<(f64, String)> = (0..arms).into_par_iter().map(arm_at_fresh_poses).collect();
     let worse: Vec<_> = all.iter().filter(|(ratio, _)| *ratio > LOADING_RATIO).collect();
     worse.iter().for_each(|(ratio, what)| println!("{ratio:.3} {what}"));
     assert!(worse.len() as f64 <= 0.05 * arms as f64, "{worse:#?}");
+}
+
+/// Samples, one of each model and kind of measurement.
+const MODELS: [&str; 11] = [
+    "prexyt-cmm",
+    "dextar",
+    "hexapod",
+    "delta",
+    "linear-delta",
+    "rail-arm",
+    "column-arm",
+    "two-arms",
+    "second-encoders",
+    "turntable",
+    "field-arm",
+];
+
+/// A campaign like that of a sample, of another robot of its model: drawn within the tolerances or a part of them, with another noise.
+fn drawn_of_model(sample: &str, noise: &mut Noise) -> Scratch {
+    let folder = copy_sample(sample);
+    let path = folder.path().join("truth.toml");
+    let mut truth: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+    let campaign = Campaign::read(&folder.path()).unwrap();
+    let robot = campaign.build_robot().unwrap();
+    // small errors make nominal parameters the better answer at times
+    let share = between_logs(noise, 0.02, 1.0);
+    let stated = truth["parameters"].as_table_mut().unwrap();
+    let of_robot = robot.parameters().iter().filter(|p| p.role == Role::Robot && p.tolerance.is_finite());
+    for p in of_robot {
+        if stated.contains_key(&p.name) {
+            let value = p.quantity.outward(p.nominal + share * noise.uniform(p.tolerance));
+            stated.insert(p.name.clone(), value.into());
+        }
+    }
+    truth.insert("seed".to_owned(), i64::try_from(whole(noise, 1, 1_000_000)).unwrap().into());
+    std::fs::write(&path, toml::to_string(&truth).unwrap()).unwrap();
+    simulate(&campaign, &Truth::read(&path).unwrap()).unwrap();
+    folder
+}
+
+/// Some of the poses of a selection such as `1-8, 20`.
+fn some(selection: &str, share: f64, noise: &mut Noise) -> String {
+    let ends = |range: &str| {
+        let (from, to) = range.trim().split_once('-').unwrap_or((range.trim(), range.trim()));
+        from.parse::<u64>().unwrap()..=to.parse::<u64>().unwrap()
+    };
+    let kept = selection.split(',').flat_map(ends).filter(|_| 0.5 + noise.uniform(0.5) < share);
+    kept.map(|pose| pose.to_string()).collect::<Vec<_>>().join(", ")
+}
+
+/// A robot of each model, measured at all calibration poses of its sample or at some of them.
+fn model_at_fresh_poses(draw: u64) -> (f64, String) {
+    let mut noise = Noise::new(65, draw);
+    let share = one_of(&mut noise, &[1.0, 1.0, 0.8, 0.7]);
+    let sample = (draw as usize).checked_rem(MODELS.len() + 1).and_then(|i| MODELS.get(i));
+    let Some(sample) = sample else {
+        let (ratio, what) = ratio_at_fresh_poses(&universal_robot(draw), |_| ());
+        return (ratio, format!("{draw}: UR10, {what}"));
+    };
+    let folder = drawn_of_model(sample, &mut noise);
+    let text = std::fs::read_to_string(folder.path().join("campaign.toml")).unwrap();
+    let stated: toml::Table = text.parse().unwrap();
+    // the thesis' robots have as few calibration poses as determine them
+    let share = if sample.starts_with("prexyt") { 1.0 } else { share };
+    let calibration = some(stated["identify"]["calibration"].as_str().unwrap(), share, &mut noise);
+    let keys = [("calibration", calibration)];
+    let (ratio, what) = ratio_at_fresh_poses(&folder, |campaign| identify_keys(campaign, &keys));
+    (ratio, format!("{draw}: {sample}, {share} of the poses, {what}"))
+}
+
+/// Like [`what_is_recommended_is_best_at_fresh_poses`], of robots of every model (synthetic): PreXYT, five-bar, hexapod, deltas, an arm on a rail and
+/// on a column, two arms, encoders at the links, a turntable, an arm with errors that no parameter describes, and a UR10 by its Denavit-Hartenberg
+/// table. `ETALON_CAMPAIGNS` states how many robots are drawn.
+#[test]
+#[ignore = "a long law: make laws"]
+fn what_is_recommended_is_best_for_every_model() {
+    let robots = number("ETALON_CAMPAIGNS", 36);
+    let all: Vec<(f64, String)> = (0..robots).into_par_iter().map(model_at_fresh_poses).collect();
+    let worse: Vec<_> = all.iter().filter(|(ratio, _)| *ratio > LOADING_RATIO).collect();
+    worse.iter().for_each(|(ratio, what)| println!("{ratio:.3} {what}"));
+    assert!(worse.len() as f64 <= 0.05 * robots as f64, "{worse:#?}");
 }
