@@ -740,6 +740,8 @@ class DistributionEntry(Record):
     """Mean of the draws. Absent for errors: draws add scatter to the scatter of the readings, which increases sizes."""
     name: str
     """Name of the parameter or statistic."""
+    quantity: str | None
+    """Quantity of an error; absent for parameters."""
     standard_deviation: float
     """Standard deviation of the draws."""
     standard_uncertainty: float | None
@@ -1806,7 +1808,11 @@ class LimitVerdict(Record):
     decision_rule: str
     """Decision rule."""
     expanded_uncertainty: float | None
-    """Expanded uncertainty of the value (k = 2); null if unknown."""
+    """Expanded uncertainty of the value (k = 2); null if unknown. If `interval` is given, the distance from the
+    value to its upper end.
+    """
+    interval: NDArray[np.float64] | None
+    """Ends of the 95 % interval of the value, if they are not symmetric to it; absent otherwise."""
     limit: float
     """Largest permissible value."""
     margin: float | None
@@ -2017,6 +2023,20 @@ class ObservabilitySummary(Record):
     """Singular values of the Jacobian at the solution, descending, with columns scaled to unit length. The ratio of
     the largest to the smallest is the condition number; the squares add up to the number of parameters.
     """
+
+class OrientationBudget(Record):
+    """Standard uncertainty of an orientation error."""
+    contributions: Records[OrientationContribution]
+    """Contribution of each source; the squares add up."""
+    standard_uncertainty_deg: float
+    """Standard uncertainty (deg, k = 1)."""
+
+class OrientationContribution(Record):
+    """Contribution of one source to the standard uncertainty of an orientation error."""
+    source: str
+    """Source."""
+    standard_uncertainty_deg: float
+    """Contribution (deg)."""
 
 class ParameterEntry(Record):
     """One parameter."""
@@ -2456,9 +2476,13 @@ class ResidualSummary(Record):
     conditions: Records[QuantityResiduals]
     """Residuals of each quantity other than positions of targets."""
     count: int
-    """Number of residuals."""
+    """Number of residuals: of measured values, one for each coordinate, distance or angle."""
     degrees_of_freedom: int
-    """Number of residuals minus number of identified parameters."""
+    """Degrees of freedom: `count` plus `stated_values` minus `determined_parameters`, rounded."""
+    determined_parameters: float | None
+    """Number of identified parameters that the data determine: each counts by the share that its tolerance leaves to
+    the data. Absent in documents of earlier versions.
+    """
     effective_degrees_of_freedom: float | None
     """Effective degrees of freedom of the residual variance, by the scatter of the squares from pose to pose.
     Squares of a smooth misfit scatter more than squares of noise.
@@ -2486,6 +2510,10 @@ class ResidualSummary(Record):
     stated_standard_uncertainty_mm: float | None
     """Stated standard uncertainty of one coordinate (mm): of the contact if stated separately, otherwise of the
     instrument.
+    """
+    stated_values: int
+    """Number of stated values that count like measured values: shapes of rigid parts, and positions and lengths of
+    fixed points.
     """
     uncertainties_enlarged_by: float
     """Median ratio of the standard uncertainties to the uncertainties from the instrument alone. Without a stated
@@ -2577,7 +2605,9 @@ class ScaleBarResult(Record):
     name: str
     """Name of the bar's position."""
     permissible_error_mm: float
-    """Maximum permissible error of the instrument for this distance."""
+    """Maximum permissible error of the instrument for this distance. By default the largest of the distances exceeds
+    it with a probability of 5 %.
+    """
     standard_deviation_mm: float
     """Standard deviation of the distances."""
     uncertainty_ratio: float | None
@@ -3106,6 +3136,10 @@ class AccuracyDocument(Document):
     map: PredictionMap | None
     """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
     the robot reaches too few places between the poses.
+    """
+    orientation_budget: OrientationBudget | None
+    """Standard uncertainty of an orientation error, by source; absent if no orientation was measured or its
+    uncertainty is unknown.
     """
     parameter_influences: Records[ParameterInfluence]
     """Effects of the identified parameters of the robot at the measured points, the largest change first."""
@@ -3852,7 +3886,9 @@ class UncertaintyDocument(Document):
     draws: int
     """Number of Monte Carlo draws of the whole campaign: frames, readings, common errors."""
     errors: Records[DistributionEntry]
-    """Mean, root-mean-square and largest position error of the validation poses (`mean`, `rms`, `max`)."""
+    """Mean, root-mean-square and largest error of the validation poses (`mean`, `rms`, `max`), of each quantity that
+    was measured.
+    """
     messages: Records[Message]
     """Warnings of the identification."""
     parameters: Records[DistributionEntry]

@@ -62,6 +62,10 @@ pub struct AccuracyDocument {
     /// contribute nothing. Empty if no uncertainty is given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub budget: Vec<FigureBudget>,
+    /// Standard uncertainty of an orientation error, by source; absent if no orientation was
+    /// measured or its uncertainty is unknown.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation_budget: Option<OrientationBudget>,
     /// Dependence of the mean errors of the calibration poses after identification on joints, reach
     /// and time; empty with fewer than ten poses.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -215,6 +219,26 @@ pub struct FigureContribution {
     pub source: UncertaintySource,
     /// Contribution (mm).
     pub standard_uncertainty_mm: f64,
+}
+
+/// Standard uncertainty of an orientation error.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OrientationBudget {
+    /// Standard uncertainty (deg, k = 1).
+    pub standard_uncertainty_deg: f64,
+    /// Contribution of each source; the squares add up.
+    pub contributions: Vec<OrientationContribution>,
+}
+
+/// Contribution of one source to the standard uncertainty of an orientation error.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OrientationContribution {
+    /// Source.
+    pub source: UncertaintySource,
+    /// Contribution (deg).
+    pub standard_uncertainty_deg: f64,
 }
 
 /// Judgement of given parameters.

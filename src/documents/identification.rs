@@ -109,7 +109,7 @@ pub fn parameters_document(
         budget: budget(found, &written, &factor),
         residuals: ResidualSummary {
             kind: settings.kind.into(),
-            count: found.residuals.degrees_of_freedom + n,
+            count: found.residuals.count,
             rms: found.residuals.rms,
             position: PositionResiduals {
                 position_rms_mm: positions_alone.then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
@@ -122,6 +122,8 @@ pub fn parameters_document(
             test: ResidualTest {
                 stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
                 common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+                stated_values: found.residuals.stated,
+                determined_parameters: Some(found.identifiability.determined),
                 chi_square: found.residuals.chi_square,
                 chi_square_rejected: found.residuals.chi_square.is_some_and(rejected),
                 repeats: found.residuals.replicates.map(Into::into),

@@ -163,8 +163,12 @@ pub struct LimitVerdict {
     /// Measured value, at the validation poses if there are any; null if the quantity was not
     /// measured.
     pub value: Option<f64>,
-    /// Expanded uncertainty of the value (k = 2); null if unknown.
+    /// Expanded uncertainty of the value (k = 2); null if unknown. If `interval` is given, the
+    /// distance from the value to its upper end.
     pub expanded_uncertainty: Option<f64>,
+    /// Ends of the 95 % interval of the value, if they are not symmetric to it; absent otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interval: Option<[f64; 2]>,
     /// Decision rule.
     pub decision_rule: DecisionRule,
     /// Decision by the rule.
@@ -183,6 +187,9 @@ pub struct LimitVerdict {
     pub conformity_probability: Option<f64>,
 }
 
+/// Largest difference of the two sides of an interval that counts as symmetric, over its width.
+const SYMMETRIC: f64 = 0.05;
+
 impl LimitVerdict {
     /// Judges a value with its expanded uncertainty (k = 2).
     pub fn judge(name: LimitQuantity, limit: f64, value: f64, expanded: Option<f64>, rule: DecisionRule) -> Self {
@@ -198,6 +205,12 @@ impl LimitVerdict {
         judged.with(decision::DecisionRule::from(rule).judge(value, interval, limit).into())
     }
 
+    /// Adds the 95 % interval of the value, if its ends are not symmetric to the value.
+    pub fn within_interval(self, low: f64, high: f64) -> Self {
+        let asymmetric = |value: &f64| ((high - value) - (value - low)).abs() > SYMMETRIC * (high - low);
+        Self { interval: self.value.filter(asymmetric).map(|_| [low, high]), ..self }
+    }
+
     /// Limit of a quantity that was not measured.
     pub fn not_assessable(name: LimitQuantity, limit: f64, rule: DecisionRule) -> Self {
         Self {
@@ -206,6 +219,7 @@ impl LimitVerdict {
             limit,
             value: None,
             expanded_uncertainty: None,
+            interval: None,
             decision_rule: rule,
             conformity: Conformity::NotAssessable,
             met: false,
@@ -264,6 +278,19 @@ mod tests {
         assert!((simple.risk().unwrap() - 0.447).abs() < 5e-4, "{simple:?}");
         let far = LimitVerdict { limit: 0.2, ..simple }.with(Conformity::Conforming);
         assert_eq!(far.acceptance, Acceptance::Pass);
+    }
+
+    /// RP and AP of pose 5 of the sample pose-test: 57.8 to 90.2 µm about 71.6 µm, 328.7 to 355.1
+    /// µm about 342.0 µm.
+    #[test]
+    fn an_interval_is_kept_where_its_ends_are_not_symmetric() {
+        let of = |value, [low, high]: [f64; 2]| {
+            let rule = DecisionRule::Guarded;
+            LimitVerdict::judge(LimitQuantity::RepeatabilityMaxMm, 0.4, value, Some(high - value), rule)
+                .within_interval(low, high)
+        };
+        assert_eq!(of(0.0716, [0.0578, 0.0902]).interval, Some([0.0578, 0.0902]));
+        assert_eq!(of(0.342, [0.3287, 0.3551]).interval, None);
     }
 
     #[test]

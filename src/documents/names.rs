@@ -49,6 +49,8 @@ impl UncertaintySource {
         match self {
             Self::Instrument => phrase!("instrument"),
             Self::Contact => phrase!("contact"),
+            Self::SingleCoordinates => phrase!("single-coordinates"),
+            Self::Encoders => phrase!("encoders"),
             Self::RigidParts => phrase!("rigid-parts"),
             Self::KnownPoints => phrase!("known-points"),
             Self::NominalValues => phrase!("nominal-values"),

@@ -268,7 +268,7 @@ pub enum ParameterStatus {
 pub struct ResidualSummary {
     /// Residuals of targets or of the pose.
     pub kind: ResidualKind,
-    /// Number of residuals.
+    /// Number of residuals: of measured values, one for each coordinate, distance or angle.
     pub count: usize,
     /// Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26).
     pub rms: f64,
@@ -277,7 +277,7 @@ pub struct ResidualSummary {
     pub position: PositionResiduals,
     /// Largest absolute residual.
     pub max: f64,
-    /// Number of residuals minus number of identified parameters.
+    /// Degrees of freedom: `count` plus `stated_values` minus `determined_parameters`, rounded.
     pub degrees_of_freedom: usize,
     /// Effective degrees of freedom of the residual variance, by the scatter of the squares from
     /// pose to pose. Squares of a smooth misfit scatter more than squares of noise.
@@ -331,7 +331,15 @@ pub struct ResidualTest {
     /// Standard uncertainty common to all observations of the same coordinates (mm): of the
     /// instrument, if the uncertainty of the contact is given separately.
     pub common_standard_uncertainty_mm: Option<f64>,
-    /// Chi-square with both given uncertainties.
+    /// Number of stated values that count like measured values: shapes of rigid parts, and
+    /// positions and lengths of fixed points.
+    #[serde(default)]
+    pub stated_values: usize,
+    /// Number of identified parameters that the data determine: each counts by the share that its
+    /// tolerance leaves to the data. Absent in documents of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub determined_parameters: Option<f64>,
+    /// Chi-square with both stated uncertainties.
     pub chi_square: Option<f64>,
     /// `true` if chi-square rejects the hypothesis that measurement noise explains the residuals,
     /// at a significance level of 0.1 %.

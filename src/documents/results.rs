@@ -90,9 +90,13 @@ mirror! {
     enum UncertaintySource of identify::UncertaintySource {
         /// Instrument, by its given uncertainty or the uncertainties of the readings.
         Instrument,
-        /// Given repeatability of the robot in returning to a measured point.
+        /// Contact with a socket, a surface or a measured point, by its stated uncertainty.
         Contact,
-        /// Given shape of rigid parts.
+        /// Readings of single coordinates, such as those of a dial gauge.
+        SingleCoordinates,
+        /// Readings of encoders at the links.
+        Encoders,
+        /// Stated shape of rigid parts.
         RigidParts,
         /// Given positions and lengths of sockets and other fixed points.
         KnownPoints,

@@ -1,6 +1,6 @@
 //! Answer of `etalon uncertainty`: distributions of a campaign's results.
 
-use super::{CampaignReference, Provenance, UncertaintyFrom};
+use super::{CampaignReference, ErrorQuantity, Provenance, UncertaintyFrom};
 use etalon_base::message::Message;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,8 +29,8 @@ pub struct UncertaintyDocument {
     pub uncertainties_from: UncertaintyFrom,
     /// Identified parameters.
     pub parameters: Vec<DistributionEntry>,
-    /// Mean, root-mean-square and largest position error of the validation poses (`mean`, `rms`,
-    /// `max`).
+    /// Mean, root-mean-square and largest error of the validation poses (`mean`, `rms`, `max`), of
+    /// each quantity that was measured.
     pub errors: Vec<DistributionEntry>,
     /// Warnings of the identification.
     pub messages: Vec<Message>,
@@ -44,6 +44,10 @@ pub struct UncertaintyDocument {
 pub struct DistributionEntry {
     /// Name of the parameter or statistic.
     pub name: String,
+    /// Quantity of an error; absent for parameters.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub quantity: Option<ErrorQuantity>,
     /// `mm`, `deg` or `1`.
     pub unit: String,
     /// Result of the campaign.

@@ -259,7 +259,12 @@ pub struct ResidualStatistics {
     pub rms: f64,
     /// Largest residual, likewise.
     pub max: f64,
-    /// Equations minus identified parameters.
+    /// Number of residuals of measured values.
+    pub count: usize,
+    /// Number of equations of stated shapes and fixed points, which count like measured values.
+    pub stated: usize,
+    /// Equations minus identified parameters, without parameters that only nominal values
+    /// determine.
     pub degrees_of_freedom: usize,
     /// Effective degrees of freedom of the residual variance, from the scatter of the squared
     /// residuals between poses: a smooth misfit lowers them.

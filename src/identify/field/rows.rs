@@ -86,8 +86,8 @@ impl Rows {
             Some(s) => [1.0 / s, (robot.parameters()[k].nominal - values[k]) / s],
             None => [0.0; 2],
         };
-        let equations = (found.residuals.degrees_of_freedom + free.len()) as f64;
-        let deviation_mm = found.residuals.rms * (equations / found.residuals.degrees_of_freedom.max(1) as f64).sqrt();
+        let readings = found.residuals.count as f64;
+        let deviation_mm = found.residuals.rms * (readings / found.residuals.degrees_of_freedom.max(1) as f64).sqrt();
         Self {
             deviation_mm: deviation_mm.max(f64::MIN_POSITIVE),
             poses: poses.into_iter().collect(),

@@ -8,7 +8,7 @@ use crate::model::frame_error::{FrameError, carry, response};
 use crate::model::residuals::Residuals;
 use crate::model::rigid_part::Shape;
 use crate::model::solved::Solved;
-use crate::{Observation, Settings};
+use crate::{Kind, Observation, Settings};
 use UncertaintySource as Source;
 use etalon_base::pose_name::PoseName;
 use etalon_math::Problem;
@@ -22,9 +22,13 @@ use std::collections::{BTreeMap, BTreeSet};
 pub enum UncertaintySource {
     /// The instrument: its given uncertainty, or the uncertainties given for single readings.
     Instrument,
-    /// Given repeatability of the robot at a measured point.
+    /// Contact with a socket, a surface or a measured point: its stated uncertainty.
     Contact,
-    /// Given shapes of rigid parts.
+    /// Readings of single coordinates, such as those of a dial gauge.
+    SingleCoordinates,
+    /// Readings of encoders at the links.
+    Encoders,
+    /// Stated shapes of rigid parts.
     RigidParts,
     /// Given positions and lengths of sockets and other fixed points.
     KnownPoints,
@@ -295,7 +299,9 @@ fn by_rows(solved: Solved, all: &[f64]) -> Vec<(Source, Vec<f64>)> {
     let whole = || vec![(Source::Instrument, all.to_vec())];
     let nominal = problem.nominal_rows();
     let priors = problem.shapes().next().is_some() || problem.known().next().is_some() || !nominal.is_empty();
-    if !priors && !problem.is_whitened() {
+    let source = |kind: Option<&Kind>| kind.map_or(Source::Instrument, Kind::source);
+    let one_source = problem.measured_rows().all(|(kind, _)| source(kind) == Source::Instrument);
+    if !priors && one_source && !problem.is_whitened() {
         return whole();
     }
     let n = solution.x.len();
@@ -315,9 +321,9 @@ fn by_rows(solved: Solved, all: &[f64]) -> Vec<(Source, Vec<f64>)> {
         true => Vec::new(),
         false => of(nominal.start, nominal.len(), problem.nominal_variance()),
     };
-    let readings: Vec<f64> = of(0, measured, 1.0);
     let mut parts = Vec::new();
     if problem.is_whitened() {
+        let readings: Vec<f64> = of(0, measured, 1.0);
         // what whitens u² I + c² 11ᵀ is symmetric: once more it gives the response to each
         // reading's own error
         let mut own = jacobian[..measured * n].to_vec();
@@ -326,7 +332,12 @@ fn by_rows(solved: Solved, all: &[f64]) -> Vec<(Source, Vec<f64>)> {
         let common = readings.iter().zip(&own).map(|(all, own)| all - own).collect();
         parts.extend([(Source::Instrument, common), (Source::Contact, own)]);
     } else {
-        parts.push((Source::Instrument, readings));
+        let mut by_source: BTreeMap<Source, Vec<f64>> = BTreeMap::new();
+        for (kind, rows) in problem.measured_rows() {
+            let covariance = by_source.entry(source(kind)).or_default();
+            *covariance = sum(std::mem::take(covariance), of(rows.start, rows.len(), 1.0));
+        }
+        parts.extend(by_source);
     }
     parts.extend([(Source::RigidParts, shapes), (Source::KnownPoints, known), (Source::NominalValues, nominal)]);
     parts.retain(|(_, covariance)| !covariance.is_empty());

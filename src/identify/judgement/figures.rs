@@ -10,8 +10,9 @@ use etalon_base::pose_name::PoseName;
 use etalon_math::Problem;
 use etalon_math::statistics::rms;
 use etalon_robots::Robot;
-use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector6};
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen, Vector3, Vector6};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Quantity of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,6 +42,18 @@ impl Kind {
             Self::Between(_) => Some(ErrorKind::Distance),
             Self::Coordinate(_) => Some(ErrorKind::Coordinate),
             Self::Orientation(_) | Self::Joint(_) => None,
+        }
+    }
+
+    /// Source of the uncertainty of the observed value.
+    pub(crate) fn source(&self) -> Source {
+        match self {
+            Self::Contact(_) | Self::On(_) | Self::Between(Between { apart: Separation::Touching, .. }) => {
+                Source::Contact
+            }
+            Self::Coordinate(_) => Source::SingleCoordinates,
+            Self::Joint(_) => Source::Encoders,
+            Self::Seen(_) | Self::Distance(_) | Self::Between(_) | Self::Orientation(_) => Source::Instrument,
         }
     }
 }
@@ -129,6 +142,10 @@ struct Reading {
     /// Covariance of its own, or standard uncertainty of each residual.
     own: Option<Covariance>,
     u_mm: f64,
+    /// Source of this uncertainty.
+    source: Source,
+    /// Number of the measured point, if its error is common to several readings.
+    point: Option<usize>,
 }
 
 /// Everything on which a figure depends, in linear approximation.
@@ -137,7 +154,9 @@ pub(super) struct Propagation {
     residuals: Vec<f64>,
     /// Sensitivities of a platform's pose to the coordinates of its two targets.
     platform: Option<Vec<[[f64; 4]; 3]>>,
+    /// Standard uncertainty (mm) of a coordinate, and the part that readings of one point share.
     u_mm: f64,
+    common_mm: f64,
     frames: BTreeMap<Key, Matrix6<f64>>,
     /// Pose of each residual, and its derivatives with respect to a shift and rotation of the
     /// frame; empty if no pose has a frame of its own.
@@ -154,6 +173,10 @@ struct SetUp {
     /// Derivatives of the whitened calibration residuals, and the inverse of their normal matrix.
     fitted: DMatrix<f64>,
     inverse: DMatrix<f64>,
+    /// Rows of each source, with their variance.
+    sources: Vec<(Source, Range<usize>, f64)>,
+    /// Response to the own errors of readings that share the error of a point.
+    own: Option<DMatrix<f64>>,
     keys: Vec<Option<Key>>,
     by_frame: Vec<f64>,
     /// Response to one standard uncertainty of each common error.
@@ -217,9 +240,10 @@ impl JudgedErrors<'_> {
         let fitted = (!self.set_up.is_empty() && self.set_up.len() <= MOST_FITTED).then_some(self.calibration);
         let judged = || matrix(&problem.jacobian_rows(&problem.jacobian_at(&x)).dense(), free.len());
         Ok(Propagation {
-            readings: self.readings(u_mm),
+            readings: self.readings(settings),
             platform: problem.target_sensitivities(&x),
             u_mm,
+            common_mm: settings.common_uncertainty_mm.unwrap_or(0.0),
             keys: keys(robot, self.observations, is_platform),
             by_frame: if frames.is_empty() { Vec::new() } else { problem.frame_jacobian(&x, None) },
             frames,
@@ -230,22 +254,40 @@ impl JudgedErrors<'_> {
     }
 
     /// Judged readings in the order of their residuals.
-    fn readings(&self, u_mm: f64) -> Vec<Reading> {
+    fn readings(&self, settings: &Settings) -> Vec<Reading> {
         let (dimension, is_platform) = (self.robot.dimension(), self.robot.platform().is_some());
+        let u_mm = settings.coordinate_uncertainty_mm();
+        let position = |first, rows| Reading {
+            kind: ErrorKind::Position,
+            first,
+            rows,
+            own: None,
+            u_mm,
+            source: Source::Instrument,
+            point: None,
+        };
+        // of readings that share the error of a point, the rest is the error of the contact
+        let contact_mm = settings.common_uncertainty_mm.and(settings.standard_uncertainty_mm);
+        let mut points = BTreeMap::new();
         let mut all = Vec::new();
         let mut row = 0;
         for o in self.observations {
             if is_platform {
                 if o.targets.iter().flatten().count() == 2 {
-                    all.push(Reading { kind: ErrorKind::Position, first: row, rows: 2, own: None, u_mm });
+                    all.push(position(row, 2));
                     row += 3;
                 }
                 continue;
             }
-            for k in (0..o.targets.len()).filter(|&k| o.targets[k].is_some()) {
+            for (k, at) in o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?))) {
+                let next = points.len();
+                let point = *points.entry((k, at.map(f64::to_bits))).or_insert(next);
                 let own = o.covariances_mm2.get(k).copied().flatten();
-                let u_mm = self.position_mm.unwrap_or(u_mm);
-                all.push(Reading { kind: ErrorKind::Position, first: row, rows: dimension, own, u_mm });
+                let reading = Reading { own, ..position(row, dimension) };
+                all.push(match contact_mm {
+                    Some(u_mm) => Reading { u_mm, source: Source::Contact, point: Some(point), ..reading },
+                    None => Reading { u_mm: self.position_mm.unwrap_or(u_mm), ..reading },
+                });
                 row += dimension;
             }
         }
@@ -256,7 +298,7 @@ impl JudgedErrors<'_> {
                     ErrorKind::Position => self.position_mm.unwrap_or(c.standard_uncertainty),
                     _ => c.standard_uncertainty,
                 };
-                all.push(Reading { kind, first: row, rows, own: None, u_mm });
+                all.push(Reading { kind, source: c.kind.source(), u_mm, ..position(row, rows) });
             }
             row += rows;
         }
@@ -285,7 +327,17 @@ impl JudgedErrors<'_> {
         let keys = keys(robot, calibration, false);
         let of_poses = systematic.frames.iter().any(|frame| frame.pose.is_some());
         let by_frame = if of_poses { problem.frame_jacobian(&x, None) } else { Vec::new() };
-        Ok(SetUp { judged, inverse, keys, by_frame, common, fitted })
+        let source = |kind: Option<&Kind>| kind.map_or(Source::Instrument, Kind::source);
+        let measured = problem.measured_rows().map(|(kind, rows)| (source(kind), rows, 1.0));
+        let shapes = problem.shapes().map(|(row, s)| (Source::RigidParts, row..row + s.rows(), s.variance()));
+        let known = problem.known().map(|(row, k)| (Source::KnownPoints, row..row + k.rows(), 1.0));
+        let sources = measured.chain(shapes).chain(known).collect();
+        let own = problem.is_whitened().then(|| {
+            let mut rows = fitted.transpose().as_slice().to_vec();
+            problem.whiten(&mut rows, fitted.ncols());
+            matrix(&rows, fitted.ncols())
+        });
+        Ok(SetUp { judged, inverse, sources, own, keys, by_frame, common, fitted })
     }
 }
 
@@ -331,15 +383,15 @@ impl Propagation {
     pub(super) fn variances(&self, by: &[f64]) -> Contributions {
         let mut all: BTreeMap<Source, f64> = BTreeMap::new();
         let mut add = |source, variance: f64| *all.entry(source).or_default() += variance.max(0.0);
-        add(Source::Instrument, self.noise(by));
+        self.noise(by).into_iter().for_each(|(source, variance)| add(source, variance));
         add(Source::FrameOfPoses, frame_variance(&self.frames, &self.keys, &self.by_frame, by));
         let by_vector = DVector::from_column_slice(by);
         // gradient by the fitted parameters, and what it makes of the readings they were fitted to
         let set_up = self.set_up.as_ref().map(|s| (s, s.judged.tr_mul(&by_vector)));
         if let Some((s, gradient)) = &set_up {
             let answer = &s.inverse * gradient;
-            add(Source::Instrument, gradient.dot(&answer));
-            let by_readings = &s.fitted * answer;
+            let by_readings = &s.fitted * &answer;
+            s.noise(&answer, &by_readings).into_iter().for_each(|(source, variance)| add(source, variance));
             add(Source::FrameOfPoses, frame_variance(&self.frames, &s.keys, &s.by_frame, by_readings.as_slice()));
         }
         for (e, (source, change)) in self.common.iter().enumerate() {
@@ -351,13 +403,14 @@ impl Propagation {
         all.into_iter().filter(|(_, variance)| *variance > least).collect()
     }
 
-    /// Variance from the noise of each judged reading.
-    fn noise(&self, by: &[f64]) -> f64 {
+    /// Variance from the noise of the judged readings, by its source.
+    fn noise(&self, by: &[f64]) -> Contributions {
         if let Some(all) = &self.platform {
             let of_pose = |(s, by): (&[[f64; 4]; 3], &[f64])| -> f64 {
                 (0..4).map(|c| (0..2).map(|i| s[i][c] * by[i]).sum::<f64>().powi(2)).sum()
             };
-            return self.u_mm * self.u_mm * all.iter().zip(by.chunks_exact(3)).map(of_pose).sum::<f64>();
+            let variance = self.u_mm * self.u_mm * all.iter().zip(by.chunks_exact(3)).map(of_pose).sum::<f64>();
+            return vec![(Source::Instrument, variance)];
         }
         let of_reading = |r: &Reading| -> f64 {
             let by = &by[r.first..r.first + r.rows];
@@ -367,7 +420,34 @@ impl Propagation {
                 None => r.u_mm * r.u_mm * squares,
             }
         };
-        self.readings.iter().map(of_reading).sum()
+        // readings of one point have its error in common: their derivatives are summed first
+        let mut points: BTreeMap<usize, Vector3<f64>> = BTreeMap::new();
+        for (r, point) in self.readings.iter().filter_map(|r| Some((r, r.point?))) {
+            let sum = points.entry(point).or_default();
+            by[r.first..r.first + r.rows].iter().zip(sum.iter_mut()).for_each(|(by, sum)| *sum += by);
+        }
+        let shared = self.common_mm.powi(2) * points.values().map(Vector3::norm_squared).sum::<f64>();
+        let own = self.readings.iter().map(|r| (r.source, of_reading(r)));
+        own.chain([(Source::Instrument, shared)]).collect()
+    }
+}
+
+impl SetUp {
+    /// Variance from the readings to which base, targets and fixtures were fitted, by its source.
+    /// `answer` is the response of a figure to the fitted parameters, `by_readings` to the whitened
+    /// readings.
+    fn noise(&self, answer: &DVector<f64>, by_readings: &DVector<f64>) -> Contributions {
+        let of_rows = |(source, rows, variance): &(Source, Range<usize>, f64)| {
+            (*source, variance * by_readings.rows(rows.start, rows.len()).norm_squared())
+        };
+        let mut all: Contributions = self.sources.iter().map(of_rows).collect();
+        if let (Some(own), Some((_, whole))) = (&self.own, all.first_mut()) {
+            // the coordinates are first
+            let contact = (own * answer).norm_squared().min(*whole);
+            *whole -= contact;
+            all.push((Source::Contact, contact));
+        }
+        all
     }
 }
 

@@ -117,6 +117,8 @@ pub(crate) fn with_uncertainty(
         residuals: ResidualStatistics {
             rms: rms(lengths.iter().copied()) * problem.unit,
             max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
+            count: problem.measured_count(),
+            stated: problem.nominal_rows().start - problem.measured_count(),
             degrees_of_freedom: dof,
             effective_degrees: dof as f64 * square_degrees(problem, solution),
             chi_square,

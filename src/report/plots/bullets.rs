@@ -6,11 +6,13 @@ use super::layer::*;
 use super::svg::{proportional, width};
 use crate::model::Headline;
 use crate::number::DisplayUnit;
-use crate::sections::limits::judged;
-use etalon_documents::Conformity;
+use crate::sections::limits::{judged, reached_within};
+use etalon_documents::{Conformity, DecisionRule};
 
 /// Height of a row with a line of text above and below its bar.
 const ROW_HEIGHT: f64 = 62.0;
+/// Height of a line of text.
+const LINE: f64 = 15.0;
 /// Height of a bar.
 const BAR: f64 = 14.0;
 /// Size of a bold letter, over that of others.
@@ -29,6 +31,8 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
         return None;
     }
     let reach = |l: &LimitVerdict| (l.value.unwrap_or(0.0) + l.expanded_uncertainty.unwrap_or(0.0)) / l.limit;
+    // only guarded acceptance has a guard band
+    let guarded = positive.iter().any(|l| l.decision_rule == DecisionRule::Guarded);
     let end = (1.05 * largest(positive.iter().map(|l| reach(l)))).clamp(LEAST, MOST);
     let mut svg = Svg::new(words, NARROW, ROW_HEIGHT * positive.len() as f64);
     for (i, l) in positive.iter().enumerate() {
@@ -36,10 +40,13 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
     }
     svg.legend(Look::new(Shape::Square, "value"), &tr!(words, "bullet-value"));
     svg.legend(Look::new(Shape::Square, "zone-pass"), &tr!(words, "bullet-accepted"));
-    svg.legend(Look::new(Shape::Square, "zone-guard"), &tr!(words, "bullet-guard-band"));
+    let within = if guarded { tr!(words, "bullet-guard-band") } else { tr!(words, "bullet-within-u") };
+    svg.legend(Look::new(Shape::Square, "zone-guard"), &within);
     svg.legend(Look::new(Shape::Square, "zone-fail"), &tr!(words, "bullet-beyond"));
     svg.legend_line("limit", &tr!(words, "limit"));
-    let (title, description) = (tr!(words, "limits"), tr!(words, "bullet-description"));
+    let description =
+        if guarded { tr!(words, "bullet-description") } else { tr!(words, "bullet-description-accepted") };
+    let title = tr!(words, "limits");
     Some(svg.figure("bullets", title, description))
 }
 
@@ -61,8 +68,9 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, top: f64, end: f64, words: &Words) {
         svg.rect(Look::new(Shape::Square, "value"), thin, ((at(value) - at(0.0)).max(1.5), 0.4 * BAR), &text);
         if u > 0.0 {
             let middle = y + 0.5 * BAR;
-            svg.line("mean", (at(value - u), middle), (at(value + u), middle));
-            for x in [at(value - u), at(value + u)] {
+            let ends = l.interval.map_or([value - u, value + u], |ends| ends.map(|end| end / l.limit)).map(at);
+            svg.line("mean", (ends[0], middle), (ends[1], middle));
+            for x in ends {
                 svg.line("mean", (x, middle - 4.0), (x, middle + 4.0));
             }
         }
@@ -96,10 +104,7 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
     let Some(value) = l.value.filter(|_| l.conformity != Conformity::NotAssessable) else {
         return tr!(words, "bullet-not-measured", limit = allowed, unit);
     };
-    let u = l.expanded_uncertainty.map(|u| u * factor);
-    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(value * factor, 3)).unwrap_or(1);
-    let reached = number::distinct_from_limit(value * factor, l.limit * factor, decimals);
-    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let reached = reached_within(l, value, factor, words);
     match l.risk() {
         Some(risk) => {
             let risk = number::percent(100.0 * risk);
@@ -115,10 +120,23 @@ fn before_and_after(h: &Headline, words: &Words) -> String {
     format!("{before} → {after} {}", h.unit)
 }
 
+/// Lines of a name, each within the width of the figure.
+fn lines(name: &str) -> Vec<String> {
+    let fits = |text: &str| BOLD * proportional(text) <= NARROW - 2.0 * SIDE;
+    let mut all: Vec<String> = Vec::new();
+    for word in name.split(' ') {
+        match all.last_mut() {
+            Some(line) if fits(&format!("{line} {word}")) => *line = format!("{line} {word}"),
+            _ => all.push(word.to_owned()),
+        }
+    }
+    all
+}
+
 /// Height of a row; a name that does not fit beside its numbers is above them.
 fn row(h: &Headline, words: &Words) -> f64 {
     let beside = BOLD * proportional(&h.what) + width(&before_and_after(h, words)) + 30.0 <= NARROW;
-    if beside { 40.0 } else { 55.0 }
+    if beside { 40.0 } else { 40.0 + LINE * lines(&h.what).len() as f64 }
 }
 
 /// Errors before and after calibration; errors of the same unit are on one axis.
@@ -148,7 +166,10 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
         svg.text("mid", (0.5 * NARROW, bottom + 30.0), &tr!(words, "error-in-unit", unit = shown));
         for h in of_unit {
             let ([before, after], numbers) = (h.in_documents.1, before_and_after(h, words));
-            svg.text("start name-of", (SIDE, top + 14.0), &cut(&h.what, NARROW - 2.0 * SIDE, BOLD));
+            for (i, line) in lines(&h.what).iter().enumerate() {
+                let y = top + 14.0 + LINE * i as f64;
+                svg.text("start name-of", (SIDE, y), &cut(line, NARROW - 2.0 * SIDE, BOLD));
+            }
             top += row(h, words);
             let y = top - 12.0;
             svg.text("end", (NARROW - SIDE, y - 14.0), &numbers);
@@ -167,7 +188,7 @@ pub(crate) fn before_after(all: &[Headline], title: &str, words: &Words) -> Opti
 mod tests {
     use super::super::svg::numbers;
     use super::*;
-    use etalon_documents::{DecisionRule, LimitQuantity};
+    use etalon_documents::LimitQuantity;
 
     fn guarded_verdict(limit: f64, value: f64, u: f64) -> LimitVerdict {
         LimitVerdict::judge(LimitQuantity::PositionMaxMm, limit, value, Some(u), DecisionRule::Guarded)
@@ -187,6 +208,32 @@ mod tests {
         // twice as much moves the bar and no zone
         let larger = limits(&[&guarded_verdict(0.1, 0.082, 0.01)], &Words::default()).unwrap().svg;
         assert!(numbers(&larger, "rect", "width")[3] > widths[3]);
+    }
+
+    /// RP of the sample pose-test, 57.8 to 90.2 µm about 71.6 µm: the ends are drawn, and no
+    /// symmetric form is stated.
+    #[test]
+    fn an_asymmetric_interval_is_drawn_and_stated_by_its_ends() {
+        let quantity = LimitQuantity::RepeatabilityMaxMm;
+        let l = LimitVerdict::judge(quantity, 0.1, 0.0716, Some(0.0186), DecisionRule::Guarded);
+        let text = |l: &LimitVerdict| stated(l, &Words::default());
+        assert!(text(&l).starts_with("72 ± 19 µm"), "{}", text(&l));
+        let l = l.within_interval(0.0578, 0.0902);
+        assert!(text(&l).starts_with("72 (58 to 90) µm, limit 100 µm"), "{}", text(&l));
+        let svg = limits(&[&l], &Words::default()).unwrap().svg;
+        let at = |share: f64| SIDE + (NARROW - 2.0 * SIDE) * share / LEAST;
+        let drawn = numbers(&svg, "line", "x1");
+        assert!(drawn.iter().any(|x| (x - at(0.578)).abs() < 0.1), "{drawn:?}");
+    }
+
+    /// Without a guard band the legend names none.
+    #[test]
+    fn only_guarded_acceptance_has_a_guard_band() {
+        let of = |rule| {
+            let l = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.1, 0.095, Some(0.01), rule);
+            limits(&[&l], &Words::default()).unwrap().svg.contains("guard band")
+        };
+        assert!(of(DecisionRule::Guarded) && !of(DecisionRule::SimpleAcceptance) && !of(DecisionRule::SharedRisk));
     }
 
     /// An angle to four decimals is shown to its last character; a text without end is cut.
@@ -210,6 +257,22 @@ mod tests {
         assert_eq!(svg.matches("class=\"value\"").count(), 1, "{svg}");
         assert!(svg.contains("not measured, limit 100 µm"), "{svg}");
         assert!(limits(&[], &Words::default()).is_none());
+    }
+
+    /// The name of the tool point's line is too long for one line; its end is what is compared.
+    #[test]
+    fn a_long_name_is_drawn_whole() {
+        let what = tr!(Words::default(), "tool-point-headline");
+        let headline = Headline {
+            what: what.clone(),
+            before: "1350.0".to_owned(),
+            after: "10.3".to_owned(),
+            unit: "µm",
+            in_documents: ("mm", [1.35, 0.0103]),
+        };
+        let svg = before_after(&[headline], "title", &Words::default()).unwrap().svg;
+        assert!(!svg.contains('…'), "{svg}");
+        assert!(what.split(' ').all(|word| svg.contains(&word.replace('>', "&gt;"))), "{svg}");
     }
 
     /// Two lengths and an angle: one axis for each unit, and two marks for each error.

@@ -158,6 +158,7 @@ fn radius(share: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::tests::demo::point;
+    use crate::tests::luminance;
 
     /// Colours of a palette of the page.
     fn palette(css: &str, of: impl Fn(usize) -> String) -> Vec<[f64; 3]> {
@@ -167,12 +168,6 @@ mod tests {
             [c >> 16, c >> 8 & 255, c & 255].map(f64::from)
         };
         (0..LEVELS).map(colour).collect()
-    }
-
-    /// Relative luminance (WCAG 2.2).
-    fn luminance(rgb: &[f64; 3]) -> f64 {
-        let linear = |c: f64| if c <= 10.0 { c / 255.0 / 12.92 } else { ((c / 255.0 + 0.055) / 1.055).powf(2.4) };
-        0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2])
     }
 
     #[test]

@@ -8,8 +8,8 @@ use crate::words::{Words, names, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, ParameterEntry, ParametersDocument, Results,
-    UncertaintySource as Source,
+    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, OrientationBudget, ParameterEntry,
+    ParametersDocument, Results, UncertaintySource as Source,
 };
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
@@ -25,6 +25,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         section.push(Block::note(tr!(words, "budget-of-errors-note")));
     }
     section.push(Block::Table(figures));
+    section.push(Block::Table(orientations(accuracy, words)));
     section.figures(shares::picture(&named(accuracy), figure, words));
     let of_parameters = vec![Block::facts(sources(parameters, words)), Block::Table(table(parameters, words))];
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
@@ -37,6 +38,8 @@ fn meaning(source: Source) -> Phrase {
     match source {
         Source::Instrument => phrase!("source-instrument-meaning"),
         Source::Contact => phrase!("source-contact-meaning"),
+        Source::SingleCoordinates => phrase!("source-single-coordinates-meaning"),
+        Source::Encoders => phrase!("source-encoders-meaning"),
         Source::RigidParts => phrase!("source-rigid-parts-meaning"),
         Source::KnownPoints => phrase!("source-known-points-meaning"),
         Source::NominalValues => phrase!("source-nominal-values-meaning"),
@@ -126,6 +129,21 @@ fn figures(document: &AccuracyDocument, words: &Words) -> Table {
     Table::new(words, document.budget.iter().filter(|f| is_named(f)), columns)
         .on(phrase!("sheet-budget-of-errors"))
         .without_empty_columns()
+}
+
+/// Budget of an orientation error.
+fn orientations(document: &AccuracyDocument, words: &Words) -> Table {
+    let start =
+        Columns::<OrientationBudget>::new().both(phrase!("figure"), "", |_| term(words, phrase!("orientation")));
+    let sources = document.orientation_budget.iter().flat_map(|budget| &budget.contributions).map(|c| c.source);
+    let columns = sources.fold(start, |columns, source| {
+        columns.both(names::source(source), "deg", move |budget: &OrientationBudget| {
+            let of_source = budget.contributions.iter().find(|c| c.source == source);
+            significant(of_source.map(|c| c.standard_uncertainty_deg), 2)
+        })
+    });
+    let columns = columns.both("u (k = 1)", "deg", |b: &OrientationBudget| significant(b.standard_uncertainty_deg, 2));
+    Table::new(words, &document.orientation_budget, columns).on(phrase!("sheet-budget-of-orientations"))
 }
 
 /// Sentence on repeats of poses.

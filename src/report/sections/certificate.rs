@@ -92,12 +92,14 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
 fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     let document = &results.identified.as_ref()?.parameters;
     let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));
+    // the last digit of a value is that of its expanded uncertainty
+    let expanded = |p: &ParameterEntry| p.standard_uncertainty.map(|u| 2.0 * u);
     for (title, group) in &parameters::groups(&document.parameters, words) {
         let columns = Columns::<&ParameterEntry>::new()
             .both(phrase!("name"), "", |p| p.name.as_str())
             .both(phrase!("unit"), "", |p| p.unit.as_str())
-            .both(phrase!("value"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
-            .both("U (k = 2)", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
+            .both(phrase!("value"), "", |p| with_uncertainty(p.value, expanded(p)))
+            .both("U (k = 2)", "", |p| significant(expanded(p), 2))
             .both(phrase!("status"), "", |p| parameters::status(p.status, words));
         section.table(title, "", Table::new(words, group, columns));
     }

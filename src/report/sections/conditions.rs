@@ -2,11 +2,12 @@
 //! (7.8.2.1) and ISO 9283:1998 (12, annex C).
 
 use super::checklist;
+use super::fit::measures_coordinates;
 use super::limits::name;
 use crate::model::{Block, Cell, Section};
-use crate::number;
+use crate::number::{self, DisplayUnit};
 use crate::words::{Words, tr};
-use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, Results};
+use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, QuantityResiduals, Results};
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let campaign = &results.campaign;
@@ -156,11 +157,27 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     facts
 }
 
-/// Given uncertainty of the instrument: of a coordinate, or of a reading if no position was
-/// measured.
+/// Expanded uncertainties (k = 2) of the readings of each quantity other than positions.
+fn quantity_uncertainties(found: &[QuantityResiduals], words: &Words) -> Vec<String> {
+    let of = |c: &QuantityResiduals| {
+        let DisplayUnit { unit, factor } = number::display_unit(&c.unit, c.standard_uncertainty);
+        let uncertainty = number::derived(2.0 * factor * c.standard_uncertainty);
+        let quantity = words.tr(&c.quantity.phrase());
+        tr!(words, "expanded-uncertainty-of-quantity", quantity, uncertainty, unit)
+    };
+    found.iter().map(of).collect()
+}
+
+/// Stated uncertainty of the instrument: of a coordinate, or of a reading if no position was
+/// measured. Readings of several quantities each have their own.
 fn uncertainty(results: &Results, words: &Words) -> Option<String> {
     let c = &results.campaign;
     let u = c.instrument.expanded_uncertainty_um.map(number::stated)?;
+    let residuals = results.identified.as_ref().map(|i| &i.parameters.residuals);
+    let others = residuals.map_or_else(Vec::new, |r| quantity_uncertainties(&r.conditions, words));
+    if !others.is_empty() && !residuals.is_some_and(measures_coordinates) {
+        return Some(others.join("; "));
+    }
     let sets = results.identified.as_ref().map_or(&[][..], |i| &i.accuracy.sets);
     let positions = sets.is_empty() || sets.iter().any(|s| s.error_statistics(ErrorQuantity::Position).is_some());
     let of_coordinate = match (c.instrument.coverage_factor.map(number::stated), positions) {
@@ -172,7 +189,8 @@ fn uncertainty(results: &Results, words: &Words) -> Option<String> {
     let of_position = c.instrument.expanded_position_uncertainty_um.map(number::stated);
     let of_position =
         of_position.map(|u| format!("; {}", tr!(words, "instrument-uncertainty-of-position", uncertainty = u)));
-    Some(of_coordinate + &of_position.unwrap_or_default())
+    let all = [of_coordinate + &of_position.unwrap_or_default()].into_iter().chain(others);
+    Some(all.collect::<Vec<_>>().join("; "))
 }
 
 fn contact(c: &CampaignSummary, words: &Words) -> Option<String> {

@@ -56,7 +56,9 @@ fn table(entries: &[DistributionEntry], words: &Words) -> Table {
     let end = |e: &DistributionEntry, i: usize| {
         with_uncertainty(e.interval_95.map(|ends| ends[i]), Some(e.standard_deviation))
     };
+    let quantity = |e: &DistributionEntry| e.quantity.map_or(Cell::Missing, |q| term(words, q.phrase()));
     let columns = Columns::<DistributionEntry>::new()
+        .both(phrase!("quantity"), "", quantity)
         .both(phrase!("name"), "", |e| e.name.as_str())
         .both(phrase!("unit"), "", |e| e.unit.as_str())
         .both(phrase!("value"), "", |e| with_uncertainty(e.value, Some(e.standard_deviation)))

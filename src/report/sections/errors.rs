@@ -464,6 +464,7 @@ mod tests {
             validation_distance: None,
             relative: None,
             budget: Vec::new(),
+            orientation_budget: None,
             limits: vec![],
             tool: None,
             map: None,

@@ -36,7 +36,7 @@ pub(crate) fn section_from_summary(field: &FieldSummary, words: &Words) -> Optio
         blocks.push(Block::Table(components(&field.components, words)));
         section.push(Block::Aside { title: tr!(words, "field-components"), blocks });
     }
-    section.whole()
+    section.on_terminal().whole()
 }
 
 /// Gain at held-out poses in sentences.

@@ -78,6 +78,38 @@ fn singular_values(o: &ObservabilitySummary, words: &Words) -> Table {
     Table::new(words, &rows, columns).on(phrase!("sheet-singular-values"))
 }
 
+/// Degrees of freedom, with the numbers of which they are the sum.
+fn degrees_of_freedom(r: &ResidualSummary, words: &Words) -> String {
+    match r.test.determined_parameters {
+        Some(determined) => tr!(
+            words,
+            "degrees-of-freedom-sum",
+            degrees = r.degrees_of_freedom,
+            residuals = r.count,
+            stated = r.test.stated_values,
+            determined = derived(determined)
+        ),
+        None => r.degrees_of_freedom.to_string(),
+    }
+}
+
+/// Standard uncertainty of a reading of each quantity.
+fn reading_uncertainties(r: &ResidualSummary, words: &Words) -> Option<String> {
+    let positions = r.test.stated_standard_uncertainty_mm.filter(|_| measures_coordinates(r));
+    let coordinate = positions.map(|u| tr!(words, "coordinate-uncertainty", uncertainty = derived(u)));
+    let others = r.conditions.iter().map(|c| {
+        let (quantity, uncertainty) = (words.tr(&c.quantity.phrase()), derived(c.standard_uncertainty));
+        tr!(words, "quantity-uncertainty", quantity, uncertainty, unit = c.unit.as_str())
+    });
+    let all: Vec<String> = coordinate.into_iter().chain(others).collect();
+    (!all.is_empty()).then(|| all.join("; "))
+}
+
+/// `true` if some residuals are coordinates of targets.
+pub(super) fn measures_coordinates(r: &ResidualSummary) -> bool {
+    r.count > r.conditions.iter().map(|c| c.count).sum()
+}
+
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
     // readings other than positions, for example distances
@@ -109,6 +141,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         r.test.common_standard_uncertainty_mm.map(derived),
     ) {
         (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),
+        (Some(_), None) if !r.conditions.is_empty() => reading_uncertainties(r, words),
         (Some(own), None) if readings => Some(tr!(words, "reading-uncertainty", uncertainty = own)),
         (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };
@@ -128,7 +161,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "position-residuals-before-rms"), before.into()),
         (tr!(words, "rms-and-max"), of_both.into()),
         (tr!(words, "largest-residual-of-a-coordinate"), of_max.into()),
-        (tr!(words, "degrees-of-freedom"), r.degrees_of_freedom.into()),
+        (tr!(words, "degrees-of-freedom"), degrees_of_freedom(r, words).into()),
         (tr!(words, "stated-uncertainty"), own.into()),
         (tr!(words, "chi-square"), chi_square.into()),
         (tr!(words, "uncertainties"), format!("{from}{enlarged}").into()),

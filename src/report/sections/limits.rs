@@ -23,9 +23,22 @@ pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words:
         .sheet(phrase!("limit"), "", |l| l.name.to_string())
         .both(phrase!("allowed"), "", |l| Cell::Number { value: l.limit, shown: l.limit.to_string() })
         .both(phrase!("reached"), "", |l| {
-            reached(l).map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
+            let shown = l.value.and_then(|value| match l.interval {
+                Some(_) => Some(reached_within(l, value, 1.0, words)),
+                None => reached(l),
+            });
+            shown.map_or(Cell::Missing, |shown| Cell::Number { value: l.value.unwrap_or(f64::NAN), shown })
         })
-        .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty, 2))
+        .both("U (k = 2)", "", |l| significant(l.expanded_uncertainty.filter(|_| l.interval.is_none()), 2));
+    let columns = match all.iter().any(|l| l.interval.is_some()) {
+        true => columns.sheet(phrase!("interval-from"), "", |l| l.interval.map(|[from, _]| from)).sheet(
+            phrase!("interval-to"),
+            "",
+            |l| l.interval.map(|[_, to]| to),
+        ),
+        false => columns,
+    };
+    let columns = columns
         .both(phrase!("unit"), "", |l| l.unit.as_str())
         .both(phrase!("margin"), "", |l| significant(l.margin, 2))
         .both(phrase!("risk"), "%", |l| number_cell(l.risk().map(|risk| 100.0 * risk), number::percent))
@@ -38,6 +51,26 @@ pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words:
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
     }
     section.on_terminal().whole()
+}
+
+/// Ends of the interval of a limited value, each `factor` times as large.
+fn interval(l: &LimitVerdict, ends: [f64; 2], factor: f64, words: &Words) -> String {
+    let decimals = l.expanded_uncertainty.and_then(|u| number::decimals(u * factor, 2)).unwrap_or(1);
+    let [from, to] = ends.map(|end| number::fixed(end * factor, decimals));
+    tr!(words, "range", from, to)
+}
+
+/// Value of a limited quantity with its uncertainty, each `factor` times as large: the value ± U,
+/// or the value with the ends of an asymmetric interval.
+pub(crate) fn reached_within(l: &LimitVerdict, value: f64, factor: f64, words: &Words) -> String {
+    let u = l.expanded_uncertainty.map(|u| u * factor);
+    let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(value * factor, 3)).unwrap_or(1);
+    let reached = number::distinct_from_limit(value * factor, l.limit * factor, decimals);
+    match (l.interval, u) {
+        (Some(ends), _) => format!("{reached} ({})", interval(l, ends, factor, words)),
+        (None, Some(u)) => format!("{reached} ± {}", number::fixed(u, decimals)),
+        (None, None) => reached,
+    }
 }
 
 /// Verdict on a limit.

@@ -1,6 +1,6 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
-use super::limits::{judged, name};
+use super::limits::{judged, name, reached_within};
 use super::repeatability::quarter_sentence;
 use super::{clauses, page_one};
 use crate::model::{Grade, Headline, Verdict};
@@ -174,8 +174,7 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
     let DisplayUnit { unit, factor } = number::display_unit(&e.unit, before);
     let u = l.expanded_uncertainty.map(|u| u * factor);
     let decimals = u.and_then(|u| number::decimals(u, 2)).or(number::decimals(after * factor, 3)).unwrap_or(1);
-    let reached = number::distinct_from_limit(after * factor, l.limit * factor, decimals);
-    let reached = u.map_or(reached.clone(), |u| format!("{reached} ± {}", number::fixed(u, decimals)));
+    let reached = reached_within(l, after, factor, words);
     let allowed = number::stated((1e9 * l.limit * factor).round() / 1e9);
     let judged = judged(l, words).display().plain();
     let [count, readings] = set.counts(e);
@@ -235,6 +234,7 @@ fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
     let times = number::significant(ratio, 3);
     let by = match r.test.common_standard_uncertainty_mm {
         Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
+        None if !r.conditions.is_empty() => tr!(words, "uncertainty-of-readings"),
         None => tr!(words, "uncertainty-of-instrument"),
     };
     let numbers = position_rms(&of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
@@ -479,7 +479,7 @@ mod tests {
             "Verdict: pass.",
             "largest position error at 51 validation poses (255 readings): 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
             "largest orientation error at 51 validation poses (255 readings): 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
-            "Position residuals: RMS 26.0 µm; expected from instrument and frames: 21.8 µm. Residuals are 1.19 × the \
+            "Position residuals: RMS 26.0 µm; expected from the stated uncertainties: 21.8 µm. Residuals are 1.19 × the \
              instrument's standard uncertainty: the model is incomplete.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).",
         ];

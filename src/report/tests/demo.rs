@@ -122,6 +122,7 @@ impl Documents {
                 validation_distance: Some(ValidationDistance { median: 0.62, largest: 0.81, poses: 51, outside: 3 }),
                 relative: Some(relative()),
                 budget: Vec::new(),
+                orientation_budget: None,
                 limits: vec![
                     limit(LimitQuantity::PositionMaxMm, 0.050, 0.0442),
                     limit(LimitQuantity::OrientationMaxDeg, 0.010, 0.0056),
@@ -362,6 +363,8 @@ fn residuals() -> ResidualSummary {
             common_standard_uncertainty_mm: None,
             chi_square: Some(212.4),
             chi_square_rejected: true,
+            stated_values: 0,
+            determined_parameters: None,
             repeats: Some(Replicates {
                 repeats_mm: 0.0031,
                 degrees_of_freedom: 96,

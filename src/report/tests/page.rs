@@ -32,7 +32,7 @@ fn the_demo_page_has_what_a_reader_needs() {
         "held: not separately identifiable",
         "measured minus predicted, magnified ",
         "is not a number (column y)",
-        "1.19 × the value from the instrument alone",
+        "1.19 × the value from the stated uncertainty alone",
     ];
     for text in needed {
         assert!(page.contains(text), "{text}");
@@ -365,4 +365,57 @@ fn a_laboratory_puts_its_template_and_logo_in_place() {
     assert!(unknown.contains("signatures.html:2") && unknown.contains("{{ no_such_key }}"), "{unknown}");
     let unclosed = broken("{% if true %}");
     assert!(unclosed.contains("signatures.html:1"), "{unclosed}");
+}
+
+/// Red, green and blue of `#rgb` or `#rrggbb`.
+fn colour(text: &str) -> [f64; 3] {
+    let digits: Vec<u32> = text.trim_start_matches('#').chars().filter_map(|c| c.to_digit(16)).collect();
+    match digits[..] {
+        [r, g, b] => [r, g, b].map(|c| f64::from(17 * c)),
+        [a, b, c, d, e, f] => [[a, b], [c, d], [e, f]].map(|[high, low]| f64::from(16 * high + low)),
+        _ => panic!("{text} is no colour"),
+    }
+}
+
+/// Contrast of two colours (WCAG 2.2): 21 for black on white.
+fn contrast(one: &str, other: &str) -> f64 {
+    let [one, other] = [one, other].map(|text| super::luminance(&colour(text)) + 0.05);
+    one.max(other) / one.min(other)
+}
+
+/// Text on every background of the page, and in figures, on light and dark pages: at least 4.5
+/// (WCAG 2.2, 1.4.3, level AA).
+#[test]
+fn text_has_enough_contrast_on_every_background() {
+    assert!((contrast("#000", "#fff") - 21.0).abs() < 1e-9);
+    let (style, picture) = (include_str!("../html/style.html"), include_str!("../html/picture.css"));
+    let (light, dark) = style.split_once("prefers-color-scheme: dark").unwrap();
+    let variable = |text: &str, name: &str| {
+        let value = text.split(&format!("--{name}: ")).nth(1).unwrap().split(';').next().unwrap();
+        value.trim().to_owned()
+    };
+    let fill = |text: &str, selector: &str| {
+        text.split(&format!("{selector} {{ fill: ")).nth(1).unwrap().split([';', ' ', '}']).next().unwrap().to_owned()
+    };
+    let mut poor = Vec::new();
+    for (theme, page, figure) in [("light", light, picture), ("dark", dark, dark)] {
+        let background = |name: &str| (name.to_owned(), variable(page, name));
+        let mut pairs = Vec::new();
+        for name in ["page", "tint", "good", "bad", "warn", "made"] {
+            pairs.extend(["ink", "link"].map(|text| (text.to_owned(), variable(page, text), background(name))));
+        }
+        pairs.extend(["page", "tint"].map(|name| ("soft".to_owned(), variable(page, "soft"), background(name))));
+        for text in ["svg text", "svg .name"] {
+            pairs.push((text.to_owned(), fill(figure, text), background("page")));
+        }
+        for (text, colour, (name, behind)) in pairs {
+            let ratio = contrast(&colour, &behind);
+            if ratio < 4.5 {
+                poor.push(format!("{theme}: {text} on {name}: {ratio:.2}"));
+            }
+        }
+    }
+    // the mark of a draft, on the screen
+    assert!(contrast("#fff", "#a3201d") > 4.5 && style.contains("color: #fff !important; background: #a3201d"));
+    assert!(poor.is_empty(), "{poor:#?}");
 }

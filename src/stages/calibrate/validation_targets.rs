@@ -232,8 +232,8 @@ impl TargetLocations {
     /// residuals `found`.
     pub fn mark(&self, robot: &dyn Robot, found: &Identification, document: &mut ParametersDocument) {
         let stated = document.residuals.test.stated_standard_uncertainty_mm.unwrap_or(0.0);
-        let equations = (found.residuals.degrees_of_freedom + found.free.len()) as f64;
-        let shown = found.residuals.rms * (equations / found.residuals.degrees_of_freedom.max(1) as f64).sqrt();
+        let readings = found.residuals.count as f64;
+        let shown = found.residuals.rms * (readings / found.residuals.degrees_of_freedom.max(1) as f64).sqrt();
         let unit = if stated > 0.0 { stated } else { 1.0 };
         for &i in self.groups.iter().flatten() {
             let p = &robot.parameters()[i];

@@ -11,7 +11,8 @@ use etalon_campaign::{Campaign, Limits};
 use etalon_documents::ErrorQuantity::{self, Orientation, Position};
 use etalon_documents::{
     AccuracyDocument, AccuracySet, DistanceStatistics, ErrorStatistics, Figure, FigureBudget, FigureContribution,
-    LimitQuantity, LimitVerdict, PointError, PoseSet, RelativeAccuracy, Statistics,
+    LimitQuantity, LimitVerdict, OrientationBudget, OrientationContribution, PointError, PoseSet, RelativeAccuracy,
+    Statistics, UncertaintySource,
 };
 use etalon_identify::{
     self as identify, DistanceErrors, FigureUncertainty, FrameError, JudgedErrors, Observation, Settings, Systematic,
@@ -42,8 +43,8 @@ pub struct Judged<'a> {
 pub struct ErrorUncertainty {
     /// Budget of each figure of lengths.
     pub figures: Vec<FigureBudget>,
-    /// Standard uncertainty of an orientation (deg); `None` if unknown.
-    pub orientation_deg: Option<f64>,
+    /// Budget of an orientation; `None` if unknown.
+    pub orientation: Option<OrientationBudget>,
     /// Standard uncertainty of a coordinate (mm).
     coordinate_mm: f64,
 }
@@ -79,7 +80,7 @@ impl ErrorUncertainty {
         let of_frame = frame_rotation_rad(systematic, planar).to_degrees();
         Ok(Self {
             figures: budgets(errors.figures(settings, systematic).map_err(remedied)?),
-            orientation_deg: stated.or(of_targets).map(|u| u.hypot(of_frame)),
+            orientation: stated.or(of_targets).map(|u| orientation_budget(u, of_frame)),
             coordinate_mm,
         })
     }
@@ -87,7 +88,7 @@ impl ErrorUncertainty {
     /// Expanded uncertainty (k = 2) of a figure.
     fn expanded(&self, quantity: ErrorQuantity, figure: Figure) -> Option<f64> {
         if quantity == Orientation {
-            return self.orientation_deg.map(|u| 2.0 * u);
+            return self.orientation.as_ref().map(|budget| 2.0 * budget.standard_uncertainty_deg);
         }
         let of_figure = |b: &&FigureBudget| b.quantity == quantity && b.figure == figure;
         let budget = self.figures.iter().find(of_figure).map(|b| 2.0 * b.standard_uncertainty_mm);
@@ -151,6 +152,18 @@ fn distances(errors: DistanceErrors) -> DistanceStatistics {
     }
 }
 
+/// Budget of an orientation from the standard uncertainties (deg) of its measurement and of the
+/// frame that is measured again at each pose.
+fn orientation_budget(measured_deg: f64, of_frame_deg: f64) -> OrientationBudget {
+    let all = [(UncertaintySource::Instrument, measured_deg), (UncertaintySource::FrameOfPoses, of_frame_deg)];
+    let contribution =
+        |(source, standard_uncertainty_deg)| OrientationContribution { source, standard_uncertainty_deg };
+    OrientationBudget {
+        standard_uncertainty_deg: measured_deg.hypot(of_frame_deg),
+        contributions: all.into_iter().filter(|(_, u)| *u > 0.0).map(contribution).collect(),
+    }
+}
+
 /// Largest standard uncertainty (rad) of the rotation of a frame that is measured again at each
 /// pose; the base absorbs the part that is common to all poses.
 fn frame_rotation_rad(systematic: &Systematic, planar: bool) -> f64 {
@@ -207,6 +220,7 @@ pub fn evaluate(
         }
     }
     let verdicts = verdicts(limits, sets.last(), &uncertainty);
+    let measures_orientations = sets.iter().any(|set| set.error_statistics(Orientation).is_some());
     let (point, error) = match robot.platform() {
         // parameters that shift balls and tool alike do not show in these errors
         Some(_) => (phrase!("platform-as-measured"), phrase!("error-of-platform")),
@@ -226,6 +240,7 @@ pub fn evaluate(
         placed_apart: Vec::new(),
         effects: Vec::new(),
         left_out: None,
+        orientation_budget: uncertainty.orientation.filter(|_| measures_orientations),
         budget: uncertainty.figures,
         trends: Vec::new(),
         parameter_influences: Vec::new(),

@@ -186,9 +186,14 @@ pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
         let largest = |p: &&Iso9283Pose| (of.value)(p).unwrap_or(0.0);
         let Some(worst) = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b))) else { continue };
         let value = largest(&worst);
-        let expanded = (of.interval)(worst).map(|i| i.high_mm - value);
+        let interval = (of.interval)(worst);
+        let expanded = interval.map(|i| i.high_mm - value);
         let conformity = Conformity::combine(poses.iter().filter_map(of.conformity));
-        all.push(LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity));
+        let judged = LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity);
+        all.push(match interval {
+            Some(interval) => judged.within_interval(interval.low_mm, interval.high_mm),
+            None => judged,
+        });
     }
     Ok(all)
 }

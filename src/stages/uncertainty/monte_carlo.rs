@@ -15,7 +15,7 @@ use etalon_documents::{
     DistributionEntry, ErrorQuantity, Figure, FigureBudget, FramePose, FramesDocument, Provenance, UncertaintyDocument,
 };
 use etalon_formats::Point;
-use etalon_identify::{Identification, Observation, Repeated, Settings};
+use etalon_identify::{Condition, ErrorKind, Identification, Observation, Repeated, Settings};
 use etalon_math::statistics::{mean, standard_deviation};
 use etalon_robots::{Quantity, Robot, State};
 use nalgebra::{Matrix3, Vector3};
@@ -86,8 +86,10 @@ struct Readings {
     validation: Vec<Reading>,
     /// Number of readings; a reading that is common to several targets counts once.
     count: usize,
-    /// Index of the largest position error, among the targets of the validation that are measured.
-    largest: usize,
+    /// Readings of the validation that are not positions of targets.
+    conditions: Vec<Condition>,
+    /// Index of the largest error of each quantity, among its errors.
+    largest: BTreeMap<ErrorKind, usize>,
 }
 
 /// An observation, and the scatter of its targets.
@@ -122,7 +124,13 @@ impl<'a> Trials<'a> {
         let [calibration, validation] = [&solution.sets.calibration, &solution.sets.validation].map(|of| readings(of));
         let mut trials = Self {
             frames: MeasuredFrames { points: frames::defining(campaign, points), export_T_world },
-            readings: Readings { calibration, validation, count: numbers.len(), largest: 0 },
+            readings: Readings {
+                calibration,
+                validation,
+                count: numbers.len(),
+                conditions: solution.sets.validation_conditions.clone(),
+                largest: BTreeMap::new(),
+            },
             systematic: campaign.systematic(robot, Vec::new()),
             found: &solution.found,
             campaign,
@@ -133,15 +141,16 @@ impl<'a> Trials<'a> {
             model_root: solution.found.uncertainty.budget.model_root(),
             seed: 0,
         };
-        let sizes = trials.sizes(&trials.found.values, trials.measured());
-        let largest = sizes.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1));
-        trials.readings.largest = largest.map_or(0, |(i, _)| i);
+        let largest = |(kind, sizes): (ErrorKind, Vec<f64>)| {
+            sizes.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map(|(i, _)| (kind, i))
+        };
+        trials.readings.largest = trials.measured_errors().into_iter().filter_map(largest).collect();
         trials
     }
 
-    /// Observations of the validation as measured.
-    fn measured(&self) -> impl Iterator<Item = &Observation> {
-        self.readings.validation.iter().map(|r| &r.observation)
+    /// Sizes (mm) of the errors of each quantity as measured.
+    fn measured_errors(&self) -> BTreeMap<ErrorKind, Vec<f64>> {
+        self.errors(&self.found.values, self.readings.validation.iter().map(|r| &r.observation), None)
     }
 
     /// The distributions of the results, without input files; `report` is called with the number of
@@ -177,6 +186,7 @@ impl<'a> Trials<'a> {
             };
             DistributionEntry {
                 name: p.name.clone(),
+                quantity: None,
                 unit: p.quantity.unit().to_owned(),
                 value: out(value),
                 linear: u.map(out),
@@ -188,16 +198,20 @@ impl<'a> Trials<'a> {
                 bootstrap: bootstrap.as_ref().map(|all| out(Distribution::new(all.iter().map(|t| t[k]).collect()).sd)),
             }
         };
+        let measured: Vec<(ErrorKind, [f64; 3])> = trials.figures(trials.measured_errors()).collect();
         let figure = |(i, figure): (usize, Figure)| {
+            let (kind, values) = measured[i / 3];
+            let quantity = ErrorQuantity::from(kind);
             let drawn = Distribution::new(monte_carlo.iter().map(|trial| trial[n + i]).collect());
-            let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == ErrorQuantity::Position);
+            let of_budget = trials.budget.iter().find(|b| b.figure == figure && b.quantity == quantity);
             let reported = of_budget.map(|b| b.standard_uncertainty_mm);
             // a standard deviation of this many draws has about this one itself
             let by_chance = by_chance * drawn.sd / (2.0 * monte_carlo.len() as f64).sqrt();
             DistributionEntry {
                 name: format!("{figure:?}").to_lowercase(),
+                quantity: Some(quantity),
                 unit: Quantity::Length.unit().to_owned(),
-                value: trials.figures(trials.sizes(&found.values, trials.measured()))[i],
+                value: values[i % 3],
                 linear: None,
                 standard_uncertainty: reported,
                 mean: None,
@@ -207,7 +221,7 @@ impl<'a> Trials<'a> {
                 bootstrap: None,
             }
         };
-        let figures = [Figure::Mean, Figure::Rms, Figure::Max].into_iter().enumerate().map(figure);
+        let figures = measured.iter().flat_map(|_| [Figure::Mean, Figure::Rms, Figure::Max]).enumerate().map(figure);
         Ok(UncertaintyDocument {
             schema: "etalon/uncertainty/1".to_owned(),
             robot: robot.model().to_owned(),
@@ -217,11 +231,7 @@ impl<'a> Trials<'a> {
             resamples: bootstrap.as_ref().map_or(0, Vec::len),
             uncertainties_from: found.uncertainty.from.into(),
             parameters: (0..n).map(entry).collect(),
-            errors: if trials.readings.validation.is_empty() || !positions_alone {
-                Vec::new()
-            } else {
-                figures.collect()
-            },
+            errors: figures.collect(),
             messages: etalon_documents::warning_messages(&found.warnings),
             provenance: Provenance {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -310,7 +320,8 @@ impl<'a> Trials<'a> {
             let by_row = all.iter_mut().zip(root.chunks_exact(z.len()));
             by_row.for_each(|(value, row)| *value += row.iter().zip(&z).map(|(l, z)| l * z).sum::<f64>());
         }
-        all.extend(self.figures(self.sizes(&values, validation.iter())));
+        let errors = self.errors(&values, validation.iter(), Some(&mut noise));
+        all.extend(self.figures(errors).flat_map(|(_, figures)| figures));
         Some(all)
     }
 
@@ -332,6 +343,31 @@ impl<'a> Trials<'a> {
             Some((key, f.export_T_world.inverse().then(self.frames.export_T_world.get(&key)?)))
         };
         Some(poses.iter().filter_map(of).collect())
+    }
+
+    /// Sizes (mm) of the errors of each quantity: of the positions in these observations, and of
+    /// the other readings of the validation, measured again with `noise`.
+    fn errors<'o>(
+        &self,
+        values: &[f64],
+        observations: impl Iterator<Item = &'o Observation>,
+        mut noise: Option<&mut Noise>,
+    ) -> BTreeMap<ErrorKind, Vec<f64>> {
+        let mut all = BTreeMap::from([(ErrorKind::Position, self.sizes(values, observations))]);
+        for c in &self.readings.conditions {
+            let Some(kind) = c.kind.error_kind() else { continue };
+            // noise along the error, and across it in each further direction
+            let mut size = norm(c.error(self.robot, values));
+            if let Some(noise) = &mut noise {
+                size += noise.gaussian(c.standard_uncertainty);
+                for _ in 1..c.kind.rows() {
+                    size = size.hypot(noise.gaussian(c.standard_uncertainty));
+                }
+            }
+            all.entry(kind).or_default().push(size.abs());
+        }
+        all.retain(|_, sizes| !sizes.is_empty());
+        all
     }
 
     /// Size (mm) of each position error of these observations.
@@ -362,15 +398,18 @@ impl<'a> Trials<'a> {
         sizes
     }
 
-    /// Mean and root mean square of position errors (mm), and the error of the reading that is
-    /// largest in the data; nothing without errors.
+    /// Mean and root mean square of the errors of each quantity (mm), and the error of the reading
+    /// that is largest in the data.
     ///
-    /// The largest error of each draw belongs to another reading and varies less than the error of
-    /// one reading, but the limit applies to the true error of one reading.
-    fn figures(&self, sizes: Vec<f64>) -> Vec<f64> {
-        let Some(largest) = sizes.get(self.readings.largest).copied() else { return Vec::new() };
-        let found = summarise(sizes);
-        vec![found.mean, found.rms, largest]
+    /// The largest error of each draw would be that of other readings, and vary less than any of
+    /// them: its limit is about the true error of one reading.
+    fn figures(&self, errors: BTreeMap<ErrorKind, Vec<f64>>) -> impl Iterator<Item = (ErrorKind, [f64; 3])> {
+        errors.into_iter().map(|(kind, sizes)| {
+            let index = self.readings.largest.get(&kind).copied().unwrap_or_default();
+            let largest = sizes.get(index).copied().unwrap_or(f64::NAN);
+            let found = summarise(sizes);
+            (kind, [found.mean, found.rms, largest])
+        })
     }
 
     /// Parameters identified from poses, and cycles of each pose, that are drawn from the measured

@@ -113,14 +113,14 @@ pose-residuals-correlated = die Residuen derselben Pose sind korreliert: die Sta
 
 series-not-estimated = die Unsicherheiten enthalten die Streuung zwischen den Serien nicht: es sind weniger als acht Posen, oder mehrere Posen haben gemeinsame Messwerte
 
-instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
+instrument-uncertainty-too-large = die Residuen betragen das { FIXED($ratio, 2) }-Fache der angegebenen Unsicherheit der Messwerte (Chi-Quadrat { FIXED($chi_square, 1) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind zu groß
     .hint = Unsicherheit des Messgeräts, ihre Einheit und ihren Erweiterungsfaktor prüfen; gemeinsame Abweichungen aller Posen sind in den Residuen nicht sichtbar
 
-residuals-exceed-uncertainty = die Residuen betragen das { FIXED($ratio, 1) }-Fache der Unsicherheit des Messgeräts (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind { $from ->
+residuals-exceed-uncertainty = die Residuen betragen das { FIXED($ratio, 1) }-Fache der angegebenen Unsicherheit der Messwerte (Chi-Quadrat { FIXED($chi_square, 0) }, { $degrees } Freiheitsgrade): die Standardunsicherheiten sind { $from ->
         [poses] aus der Streuung der Posen geschätzt
         [regions] aus der Streuung von Bereichen des Arbeitsraums geschätzt
        *[residuals] vergrößert, als wären die Residuen derselben Pose unabhängig
-    } (das { FIXED($inflation, 1) }-Fache der Werte aus dem Messgerät, Median)
+    } (das { FIXED($inflation, 1) }-Fache der Werte aus der angegebenen Unsicherheit, Median)
     .hint = Ausreißer und Modell prüfen: der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 
 parameters-fixed-by-frames = { $count } Parameter sind nicht getrennt von Basis und Zielmarken identifizierbar und bleiben auf ihren Nennwerten: { $parameters }

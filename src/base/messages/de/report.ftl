@@ -109,7 +109,9 @@ budget-shares-title = Anteile der Unsicherheitsquellen an der Varianz
 bullet-accepted = angenommen
 bullet-beyond = über dem Grenzwert
 bullet-description = Jeder Wert bezogen auf seinen Grenzwert, mit U (k = 2); der Schutzabstand ist so breit wie U.
+bullet-description-accepted = Jeder Wert bezogen auf seinen Grenzwert, mit U (k = 2).
 bullet-guard-band = Schutzabstand
+bullet-within-u = angenommen, um weniger als U unter dem Grenzwert: siehe Risiko
 bullet-not-measured = nicht gemessen, Grenzwert { $limit } { $unit }
 bullet-value = Wert
 bullet-value-limit = { $value } { $unit }, Grenzwert { $limit } { $unit }
@@ -272,6 +274,7 @@ conformity-neither = weder nachgewiesen noch widerlegt
 conformity-proved = nachgewiesen
 confounded-with = nicht trennbar von
 contact = Antastung
+encoders = Geber
 contents = Inhalt
 controlled-by = kontrolliert durch
 controller = Steuerung
@@ -394,6 +397,7 @@ definition-standstill-distance = Abstand des Mittels jedes Stillstands vom erste
 definition-target-displacement = Verschiebung der festen Zielmarken seit ihrer ersten Messung und verbleibende Verschiebung nach Korrektur der Positionen (nicht Teil der Norm).
 definition-vap = vAP: größter Abstand zwischen den mittleren Positionen zweier Anfahrrichtungen (ISO 9283:1998, 7.2.3).
 degrees-of-freedom = Freiheitsgrade
+degrees-of-freedom-sum = { $degrees } = { $residuals } Residuen + { $stated } angegebene Werte − { $determined } von den Daten bestimmte Parameter
 detected-from = erkannt ab
 detected-with-probability = Wahrscheinlichkeit der Erkennung: { $percent } %
 deviation = Abweichung
@@ -526,6 +530,7 @@ expected-label = erwartet:
 expected-of-parameters = erwartet, Parameter (k = 1)
 expected-standard = erwartet (k = 1)
 expected-value = { $value }, erwartet { $expected }
+expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } je Messwert (k = 2)
 expired = abgelaufen
 explained = erklärt
 explanations-of-messages = Erklärungen dieser Meldungen
@@ -582,7 +587,7 @@ from-residuals-by-region = der effektiven Parameter, aus der Streuung zwischen B
            *[other] diese tragen { $percent } % der Varianzen bei
         }
     }
-from-the-instrument = aus dem Messgerät
+from-the-instrument = aus der angegebenen Unsicherheit
 gain-over-u = Verringerung / u
 generated-candidates = erzeugte Kandidaten
 geometric = geometrisch
@@ -1011,7 +1016,7 @@ position-error-by-pose = Positionsabweichung je Pose, vor und nach der Kalibrier
 position-error-in = Positionsabweichung ({ $unit })
 position-max = Position, max.
 position-residuals-before-rms = Positionsresiduen vor der Identifikation, RMS
-position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus Messgerät und Koordinatensystemen erwartet: { $expected } { $unit }.
+position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus den angegebenen Unsicherheiten erwartet: { $expected } { $unit }.
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
 positions = Positionen
@@ -1040,6 +1045,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25-%-Regel
 radius = Radius
 range = { $from } bis { $to }
+quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) je Messwert
 rank = Rang
 rank-cut = Rangschwelle { $value }
 ratio = Verhältnis
@@ -1110,7 +1116,7 @@ reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von A
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
-reservation-model-does-not-fit = die Residuen sind { $times } × die Unsicherheit des Messgeräts: das Modell passt nicht, es gelten die Abweichungen an den Validierungsposen
+reservation-model-does-not-fit = die Residuen sind { $times } × die angegebene Unsicherheit der Messwerte: das Modell passt nicht, es gelten die Abweichungen an den Validierungsposen
 reservation-set-up-untested = { $count ->
         [one] ein Fehler des Aufbaus ist
        *[other] { $count } Fehler des Aufbaus sind
@@ -1221,6 +1227,7 @@ sheet-approach-above = { $joint } von oben
 sheet-approach-below = { $joint } von unten
 sheet-between-series = Zwischen Serien
 sheet-budget-of-errors = Budget der Abweichungen
+sheet-budget-of-orientations = Orientierungsbudget
 sheet-cell-frames = Koordinatensysteme
 sheet-cell-residuals = Residuen der Zelle
 sheet-clauses = ISO 9283, Abschnitte
@@ -1333,11 +1340,14 @@ solver-residuals-zero = konvergiert: die Residuen sind bis auf Rundung null
 solver-rounding = bis auf Rundung konvergiert: kein kürzerer Schritt verkleinert die Residuen
 solver-step-vanished = konvergiert: der letzte Schritt ließ die Parameter unverändert
 solver-too-few-equations = abgebrochen: weniger Gleichungen als Parameter; mehr Posen messen oder Parameter festhalten
-source-contact-meaning = angegebene Wiederholgenauigkeit der Antastung eines gemessenen Punkts durch den Roboter
+source-contact-meaning = angegebene Unsicherheit der Antastung eines Sockels, einer Fläche oder eines gemessenen Punkts
+source-encoders-meaning = angegebene Unsicherheit der Geber an den Gliedern
 source-frame-meaning = Punkte, die das Weltkoordinatensystem festlegen (allen Posen gemeinsam)
 source-frame-of-poses-meaning = Punkte des Koordinatensystems, das an jeder Pose neu gemessen wird
 source-homing-meaning = Gelenkwerte nach der Referenzfahrt (allen Posen gemeinsam)
-source-instrument-meaning = angegebene Unsicherheit jedes Messwerts
+source-instrument-meaning = angegebene Unsicherheit jedes Messwerts des Messgeräts
+source-single-coordinates-meaning = angegebene Unsicherheit von Messwerten einer Koordinate, zum Beispiel einer Messuhr
+single-coordinates = einzelne Koordinaten
 source-known-points-meaning = angegebene Positionen und Längen fester Punkte
 source-model-meaning = Modellfehler: Anteil der Residuen, den keine andere Quelle erklärt
 source-nominal-values-meaning = Toleranzen der Nennwerte der Parameter
@@ -1446,11 +1456,12 @@ uncertainties-of-robot = Unsicherheiten des Roboters { $robot }
 uncertainty-budget = Messunsicherheitsbudget
 uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
 uncertainty-inflation = das { $factor }-Fache des Werts aus { $beside ->
-        [instrument] dem Messgerät allein
+        [instrument] der angegebenen Unsicherheit allein
        *[residuals] unabhängigen Residuen
     } (Median)
 uncertainty-of-instrument = der Standardunsicherheit des Messgeräts
 uncertainty-of-instrument-and-contact = der Standardunsicherheit von Messgerät und Antastung
+uncertainty-of-readings = der angegebenen Standardunsicherheit der Messwerte
 uncertainty-of-rp = Unsicherheit von RP
 undecided = unentschieden
 unit = Einheit

@@ -226,28 +226,27 @@ pose-residuals-correlated = residuals of one pose are correlated: standard uncer
 # Example: `series = ["1-3", "4-6"]` with 6 poses
 series-not-estimated = the uncertainties do not include the scatter between series: there are fewer than eight poses, or a reading belongs to several poses
 
-# Means: Residuals are significantly smaller than the given uncertainty of the instrument
+# Means: Residuals are significantly smaller than the stated uncertainty of the instrument
 # (chi-square test).
-# Matters: The standard uncertainties of all results are too large.
-# Do: Check value, unit and coverage factor of the instrument's uncertainty. Residuals do not show
-# errors common to all poses.
-# Example: an expanded uncertainty given as a standard uncertainty
-instrument-uncertainty-too-large = residuals are { FIXED($ratio, 2) } times the instrument's uncertainty (chi-square { FIXED($chi_square, 1) }, { $degrees } degrees of freedom): standard uncertainties are too large
-    .hint = check the instrument's uncertainty, its unit and its coverage factor; residuals do not show errors common to all poses
+# Matters: Standard uncertainties of all results are too large.
+# Do: Check value, unit and coverage factor of the instrument's uncertainty. Errors common to all
+# poses are not visible in residuals.
+# Example: an expanded uncertainty stated as a standard uncertainty
+instrument-uncertainty-too-large = residuals are { FIXED($ratio, 2) } times the stated uncertainty of the readings (chi-square { FIXED($chi_square, 1) }, { $degrees } degrees of freedom): standard uncertainties are too large
+    .hint = check the instrument's uncertainty, its unit and its coverage factor; errors common to all poses are not visible in residuals
 
-# Means: Residuals are significantly larger than the given uncertainty of the instrument (chi-square
-# test).
-# Matters: The robot has errors that the model does not describe, or the given uncertainty is too
-# small. The standard uncertainties are increased accordingly.
-# Do: Look for outliers, then for a missing effect of the model (`etalon recommend`), then check the
-# uncertainty of the instrument.
+# Means: Residuals are significantly larger than the stated uncertainty of the instrument
+# (chi-square test).
+# Matters: The robot has errors that the model does not describe, or the stated uncertainty is too
+# small. Standard uncertainties are enlarged accordingly.
+# Do: Check outliers and the model; check the uncertainty of the instrument.
 # Example: elastic joints in a geometric model
-residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the instrument's uncertainty (chi-square { FIXED($chi_square, 0) }, { $degrees } degrees of freedom): standard uncertainties { $from ->
+residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the stated uncertainty of the readings (chi-square { FIXED($chi_square, 0) }, { $degrees } degrees of freedom): standard uncertainties { $from ->
         [poses] are estimated from the scatter of the poses
         [regions] are estimated from the scatter of regions of the workspace
-       *[residuals] are increased, assuming independent residuals within a pose
-    } ({ FIXED($inflation, 1) } times the instrument's, median)
-    .hint = check outliers and the model: the robot has errors that the model does not describe, or the given uncertainty is too small
+       *[residuals] are enlarged, with the residuals of a pose taken as independent
+    } ({ FIXED($inflation, 1) } times those from the stated uncertainty, median)
+    .hint = check outliers and the model: the robot has errors that the model does not describe, or the stated uncertainty is too small
 
 # Means: Some parameters of the robot have the same effect as the pose of the base or the positions
 # of the targets.

@@ -103,7 +103,9 @@ budget-shares-title = Shares of the uncertainty sources in the variance
 bullet-accepted = accepted
 bullet-beyond = beyond the limit
 bullet-description = Each value divided by its limit, with U (k = 2). The width of the guard band is U.
+bullet-description-accepted = Each value over its limit, with U (k = 2).
 bullet-guard-band = guard band
+bullet-within-u = accepted, within U of the limit: see its risk
 bullet-not-measured = not measured, limit { $limit } { $unit }
 bullet-value = value
 bullet-value-limit = { $value } { $unit }, limit { $limit } { $unit }
@@ -260,6 +262,7 @@ conformity-neither = neither proved nor disproved
 conformity-proved = proved
 confounded-with = confounded with
 contact = contact
+encoders = encoders
 contents = Contents
 controlled-by = controlled by
 controller = controller
@@ -373,6 +376,7 @@ definition-standstill-distance = Distance of the mean of each standstill from th
 definition-target-displacement = Displacement of the fixed targets since their first measurement, and the remaining displacement after correction of the positions (not part of the standard).
 definition-vap = vAP: largest distance between the mean positions of two approaches (ISO 9283:1998, 7.2.3).
 degrees-of-freedom = degrees of freedom
+degrees-of-freedom-sum = { $degrees } = { $residuals } residuals + { $stated } stated values − { $determined } parameters that the data determine
 detected-from = detected from
 detected-with-probability = Probability of detection: { $percent } %
 deviation = deviation
@@ -499,6 +503,7 @@ expected-label = expected:
 expected-of-parameters = expected, parameters (k = 1)
 expected-standard = expected (k = 1)
 expected-value = { $value }, expected { $expected }
+expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } per reading (k = 2)
 expired = expired
 explained = explained
 explanations-of-messages = Explanations of these messages
@@ -555,7 +560,7 @@ from-residuals-by-region = of effective parameters, from the scatter between reg
            *[other] these contribute { $percent } % of the variances
         }
     }
-from-the-instrument = from the instrument
+from-the-instrument = from the stated uncertainty
 gain-over-u = gain over u
 generated-candidates = generated candidates
 geometric = geometric
@@ -966,7 +971,7 @@ position-error-by-pose = Position error by pose, before and after calibration
 position-error-in = position error ({ $unit })
 position-max = position, max
 position-residuals-before-rms = position residuals before identification, RMS
-position-residuals-explained = Position residuals: RMS { $rms } { $unit }; expected from instrument and frames: { $expected } { $unit }.
+position-residuals-explained = Position residuals: RMS { $rms } { $unit }; expected from the stated uncertainties: { $expected } { $unit }.
 position-residuals-rms = position residuals, RMS
 position-rms = position, RMS
 positions = positions
@@ -995,6 +1000,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25 % rule
 radius = radius
 range = { $from } to { $to }
+quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) per reading
 rank = rank
 rank-cut = rank cut { $value }
 ratio = ratio
@@ -1059,7 +1065,7 @@ reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of 
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
-reservation-model-does-not-fit = residuals are { $times } × the uncertainty of the instrument: the model does not fit, and the errors at the validation poses apply
+reservation-model-does-not-fit = residuals are { $times } × the stated uncertainty of the readings: the model does not fit, and the errors at the validation poses apply
 reservation-set-up-untested = { $count ->
         [one] one mistake of the set-up is
        *[other] { $count } mistakes of the set-up are
@@ -1155,6 +1161,7 @@ sheet-approach-above = { $joint } above
 sheet-approach-below = { $joint } below
 sheet-between-series = Between series
 sheet-budget-of-errors = Budget of errors
+sheet-budget-of-orientations = Budget of orientations
 sheet-cell-frames = Frames
 sheet-cell-residuals = Cell residuals
 sheet-clauses = ISO 9283 clauses
@@ -1267,11 +1274,14 @@ solver-residuals-zero = converged: the residuals are zero within rounding
 solver-rounding = converged to rounding: no shorter step reduces the residuals
 solver-step-vanished = converged: the last step left the parameters unchanged
 solver-too-few-equations = stopped: fewer equations than parameters; measure more poses or hold parameters
-source-contact-meaning = given repeatability of the robot's contact with a measured point
+source-contact-meaning = stated uncertainty of a contact with a socket, a surface or a measured point
+source-encoders-meaning = stated uncertainty of encoders at the links
 source-frame-meaning = points that define the world frame (common to all poses)
 source-frame-of-poses-meaning = points of the frame that is measured again at each pose
 source-homing-meaning = joint values after homing (common to all poses)
-source-instrument-meaning = given uncertainty of each reading
+source-instrument-meaning = stated uncertainty of each reading of the instrument
+source-single-coordinates-meaning = stated uncertainty of readings of one coordinate, such as those of a dial gauge
+single-coordinates = single coordinates
 source-known-points-meaning = given positions and lengths of fixed points
 source-model-meaning = model error: part of the residuals that no other source describes
 source-nominal-values-meaning = tolerances of the nominal parameter values
@@ -1380,11 +1390,12 @@ uncertainties-of-robot = Uncertainties of robot { $robot }
 uncertainty-budget = Uncertainty budget
 uncertainty-for-outliers = ± { $uncertainty } µm per coordinate ({ $factor } standard deviations), independent for each observation
 uncertainty-inflation = { $factor } × the value from { $beside ->
-        [instrument] the instrument alone
+        [instrument] the stated uncertainty alone
        *[residuals] independent residuals
     } (median)
 uncertainty-of-instrument = the instrument's standard uncertainty
 uncertainty-of-instrument-and-contact = the standard uncertainty of instrument and contact
+uncertainty-of-readings = the stated standard uncertainty of the readings
 uncertainty-of-rp = Uncertainty of RP
 undecided = undecided
 unit = unit

@@ -113,14 +113,14 @@ pose-residuals-correlated = les résidus d’une même pose sont corrélés : l
 
 series-not-estimated = les incertitudes ne contiennent pas la dispersion entre séries : moins de huit poses, ou des mesures communes à plusieurs poses
 
-instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
+instrument-uncertainty-too-large = les résidus valent { FIXED($ratio, 2) } fois l’incertitude indiquée des lectures (khi-deux { FIXED($chi_square, 1) }, { $degrees } degrés de liberté) : les incertitudes-types sont trop grandes
     .hint = vérifier l’incertitude de l’instrument, son unité et son facteur d’élargissement ; les erreurs communes à toutes les poses n’apparaissent pas dans les résidus
 
-residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude de l’instrument (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
+residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l’incertitude indiquée des lectures (khi-deux { FIXED($chi_square, 0) }, { $degrees } degrés de liberté) : les incertitudes-types sont { $from ->
         [poses] estimées d’après la dispersion des poses
         [regions] estimées d’après la dispersion des régions de l’espace de travail
        *[residuals] majorées, comme si les résidus d’une même pose étaient indépendants
-    } ({ FIXED($inflation, 1) } fois les valeurs données par l’instrument, en médiane)
+    } ({ FIXED($inflation, 1) } fois celles que donne l’incertitude indiquée, en médiane)
     .hint = vérifier les valeurs aberrantes et le modèle : le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
 parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et sont fixés à leur valeur nominale : { $parameters }

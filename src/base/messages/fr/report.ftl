@@ -112,7 +112,9 @@ budget-shares-title = Parts des sources d’incertitude dans la variance
 bullet-accepted = acceptée
 bullet-beyond = au-delà de la limite
 bullet-description = Chaque valeur rapportée à sa limite, avec U (k = 2) ; la bande de garde a la largeur U.
+bullet-description-accepted = Chaque valeur rapportée à sa limite, avec U (k = 2).
 bullet-guard-band = bande de garde
+bullet-within-u = acceptée, à moins de U de la limite : voir le risque
 bullet-not-measured = non mesurée, limite { $limit } { $unit }
 bullet-value = valeur
 bullet-value-limit = { $value } { $unit }, limite { $limit } { $unit }
@@ -275,6 +277,7 @@ conformity-neither = ni prouvé ni réfuté
 conformity-proved = prouvé
 confounded-with = confondu avec
 contact = contact
+encoders = codeurs
 contents = Sommaire
 controlled-by = contrôlée par
 controller = contrôleur
@@ -397,6 +400,7 @@ definition-standstill-distance = Distance entre la moyenne de chaque arrêt et c
 definition-target-displacement = Déplacement des cibles fixes depuis leur première mesure, et déplacement restant après correction des positions (hors norme).
 definition-vap = vAP : plus grande distance entre les positions moyennes de deux directions d’approche (ISO 9283:1998, 7.2.3).
 degrees-of-freedom = degrés de liberté
+degrees-of-freedom-sum = { $degrees } = { $residuals } résidus + { $stated } valeurs indiquées − { $determined } paramètres déterminés par les données
 detected-from = détecté à partir de
 detected-with-probability = Probabilité de détection : { $percent } %
 deviation = écart
@@ -529,6 +533,7 @@ expected-label = attendu :
 expected-of-parameters = attendu, paramètres (k = 1)
 expected-standard = attendu (k = 1)
 expected-value = { $value }, attendu { $expected }
+expanded-uncertainty-of-quantity = { $quantity } : U = { $uncertainty } { $unit } par lecture (k = 2)
 expired = expiré
 explained = expliqué
 explanations-of-messages = Explications de ces messages
@@ -585,7 +590,7 @@ from-residuals-by-region = des paramètres effectifs, d’après la dispersion e
            *[other] celles-ci apportent { $percent } % des variances
         }
     }
-from-the-instrument = d’après l’instrument
+from-the-instrument = d’après l’incertitude indiquée
 gain-over-u = gain / u
 generated-candidates = poses candidates tirées
 geometric = géométrique
@@ -1017,7 +1022,7 @@ position-error-by-pose = Erreur de position par pose, avant et après étalonnag
 position-error-in = erreur de position ({ $unit })
 position-max = position, max.
 position-residuals-before-rms = résidus de position avant identification, RMS
-position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après l’instrument et les repères : { $expected } { $unit }.
+position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après les incertitudes indiquées : { $expected } { $unit }.
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
 positions = positions
@@ -1046,6 +1051,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = règle des 25 %
 radius = rayon
 range = { $from } à { $to }
+quantity-uncertainty = { $quantity } : { $uncertainty } { $unit } (k = 1) par lecture
 rank = rang
 rank-cut = seuil de rang { $value }
 ratio = rapport
@@ -1116,7 +1122,7 @@ reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
-reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude de l’instrument : le modèle ne convient pas, et les erreurs aux poses de validation font foi
+reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude indiquée des lectures : le modèle ne s’ajuste pas, et les erreurs aux poses de validation font foi
 reservation-set-up-untested = { $count ->
         [one] une erreur du montage n’est pas contrôlée
        *[other] { $count } erreurs du montage ne sont pas contrôlées
@@ -1227,6 +1233,7 @@ sheet-approach-above = { $joint } par valeurs décroissantes
 sheet-approach-below = { $joint } par valeurs croissantes
 sheet-between-series = Entre séries
 sheet-budget-of-errors = Bilan des erreurs
+sheet-budget-of-orientations = Bilan des orientations
 sheet-cell-frames = Repères
 sheet-cell-residuals = Résidus de la cellule
 sheet-clauses = Articles ISO 9283
@@ -1339,11 +1346,14 @@ solver-residuals-zero = convergence : les résidus sont nuls à l’arrondi pr�
 solver-rounding = convergence à l’arrondi près : aucun pas plus court ne réduit les résidus
 solver-step-vanished = convergence : le dernier pas a laissé les paramètres inchangés
 solver-too-few-equations = arrêt : moins d’équations que de paramètres ; mesurer plus de poses ou fixer des paramètres
-source-contact-meaning = répétabilité indiquée du contact du robot avec un point mesuré
+source-contact-meaning = incertitude indiquée du contact avec un siège, une surface ou un point mesuré
+source-encoders-meaning = incertitude indiquée des codeurs aux segments
 source-frame-meaning = points qui définissent le repère atelier (communs à toutes les poses)
 source-frame-of-poses-meaning = points du repère mesuré de nouveau à chaque pose
 source-homing-meaning = valeurs articulaires après la prise d’origine (communes à toutes les poses)
-source-instrument-meaning = incertitude indiquée de chaque lecture
+source-instrument-meaning = incertitude indiquée de chaque lecture de l’instrument
+source-single-coordinates-meaning = incertitude indiquée des lectures d’une coordonnée, par exemple d’un comparateur
+single-coordinates = coordonnées isolées
 source-known-points-meaning = positions et longueurs indiquées de points fixes
 source-model-meaning = erreur du modèle : part des résidus qu’aucune autre source n’explique
 source-nominal-values-meaning = tolérances des valeurs nominales des paramètres
@@ -1452,11 +1462,12 @@ uncertainties-of-robot = Incertitudes du robot { $robot }
 uncertainty-budget = Bilan d’incertitude
 uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
 uncertainty-inflation = { $factor } fois la valeur due { $beside ->
-        [instrument] à l’instrument seul
+        [instrument] à l’incertitude indiquée seule
        *[residuals] à des résidus indépendants
     } (médiane)
 uncertainty-of-instrument = l’incertitude-type de l’instrument
 uncertainty-of-instrument-and-contact = l’incertitude-type de l’instrument et du contact
+uncertainty-of-readings = l’incertitude-type indiquée des lectures
 uncertainty-of-rp = Incertitude de RP
 undecided = indécidé
 unit = unité

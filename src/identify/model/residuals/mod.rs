@@ -9,7 +9,7 @@ mod sensitivities;
 mod whitening;
 
 use crate::model::elimination::Layout;
-use crate::model::kinds::{Condition, Known, has_length};
+use crate::model::kinds::{Condition, Kind, Known, has_length};
 use crate::model::prior::Nominal;
 use crate::model::rigid_part::{At, Shape};
 use crate::model::size::Size;
@@ -165,6 +165,17 @@ impl<'a> Residuals<'a> {
     /// follow.
     pub fn measured_count(&self) -> usize {
         self.coordinate_count() + self.conditions.count()
+    }
+
+    /// Rows of measured values: of all coordinates, then of each condition with its kind.
+    pub fn measured_rows(&self) -> impl Iterator<Item = (Option<&Kind>, Range<usize>)> {
+        let coordinates = (None, self.coordinate_count());
+        let conditions = self.conditions.items.iter().map(|c| (Some(&c.kind), c.kind.rows()));
+        let mut next = 0;
+        std::iter::once(coordinates).chain(conditions).map(move |(kind, count)| {
+            next += count;
+            (kind, next - count..next)
+        })
     }
 
     /// Factor from scaled residuals to lengths; `None` for angles.
