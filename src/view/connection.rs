@@ -1,7 +1,7 @@
 //! One connection: a request that is allowed, and its answer.
 
 use crate::answer::Answer;
-use crate::refusals::{refusal, unreadable_answer};
+use crate::refusals::{refusal, refusal_to_read, unreadable_answer};
 use crate::request::{Request, Unreadable};
 use crate::routes;
 use crate::shared::{Counted, Shared};
@@ -71,6 +71,8 @@ fn permitted(shared: &Shared, request: &Request) -> Result<(), Answer> {
     };
     match sent.is_some_and(|sent| is_same(sent.as_bytes(), shared.token.as_bytes())) {
         true => Ok(()),
+        // an address that was typed without its token
+        false if request.path == "/" => Err(refusal_to_read(shared, 403, &error!("view-token-missing"))),
         false => Err(refusal(shared, 403, error!("view-token-missing"))),
     }
 }

@@ -12,6 +12,13 @@ pub(crate) fn refusal(shared: &Shared, status: u16, message: Message) -> Answer 
     Answer::messages(status, &[ShownMessage::new(&message, shared.desk.language())])
 }
 
+/// A message of the server as a text, for a person who opens an address.
+pub(crate) fn refusal_to_read(shared: &Shared, status: u16, message: &Message) -> Answer {
+    let ShownMessage { id, text, hint, .. } = ShownMessage::new(message, shared.desk.language());
+    let hint = hint.map(|hint| format!("\n→ {hint}")).unwrap_or_default();
+    Answer::new(status, "text/plain; charset=utf-8", format!("{text} [{id}]{hint}\n").into_bytes())
+}
+
 pub(crate) fn unreadable_answer(shared: &Shared, unreadable: Unreadable) -> Answer {
     let (status, message) = match unreadable {
         Unreadable::Silent | Unreadable::Malformed => (400, error!("view-request-malformed")),

@@ -14,15 +14,8 @@ export function exported(): State | null {
   return text ? (JSON.parse(text) as State) : null;
 }
 
-/** Takes the token from the address and removes it there. A reload finds it in the tab's history. */
-function takeToken(): string {
-  const token = new URLSearchParams(location.search).get("token");
-  if (token === null) return (history.state as { token?: string } | null)?.token ?? "";
-  history.replaceState({ token }, "", location.pathname);
-  return token;
-}
-
-const token = location.protocol === "file:" ? "" : takeToken();
+/** The token stays in the address: a reload sends it again, and no other page can read it. */
+const token = new URLSearchParams(location.search).get("token") ?? "";
 
 /** Times that a busy server is asked again, and the pause (ms) before. */
 const AGAIN = 4;
