@@ -2,9 +2,19 @@
 
 use crate::contract::State;
 use etalon_base::files::sha256;
+use flate2::read::DeflateDecoder;
+use std::io::Read;
+use std::sync::LazyLock;
+
+/// The page, packed by the build of the crate.
+const PACKED: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/page.deflate"));
 
 /// The page. `__NONCE__` stands for the nonce of its script and style.
-const PAGE: &str = include_str!("page/dist/index.html");
+static PAGE: LazyLock<String> = LazyLock::new(|| {
+    let mut page = String::new();
+    // what the build packed is whole
+    DeflateDecoder::new(PACKED).read_to_string(&mut page).map_or_else(|e| e.to_string(), |_| page)
+});
 
 /// Placeholder of the nonce.
 const NONCE: &str = "__NONCE__";
@@ -56,6 +66,8 @@ mod tests {
 
     #[test]
     fn the_page_is_whole_and_loads_nothing() {
+        assert_eq!(*PAGE, include_str!("page/dist/index.html"), "what is packed is the built page");
+        assert!(PACKED.len() < PAGE.len() / 3);
         assert!(PAGE.contains("<head>") && PAGE.contains(NONCE));
         let (page, policy) = served("abc");
         assert!(!page.contains(NONCE) && policy.starts_with("default-src 'none';"));
