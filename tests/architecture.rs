@@ -32,8 +32,8 @@ fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
     rows.collect()
 }
 
-#[test]
-fn crates_depend_on_what_the_table_of_the_architecture_states() {
+/// Dependencies of every crate of the workspace, inside the workspace and external, without those of tests.
+fn dependencies() -> BTreeMap<String, [BTreeSet<String>; 2]> {
     let metadata = Command::new(env!("CARGO"))
         .args(["metadata", "--locked", "--offline", "--no-deps", "--format-version", "1"])
         .current_dir(root())
@@ -41,16 +41,24 @@ fn crates_depend_on_what_the_table_of_the_architecture_states() {
         .unwrap();
     assert!(metadata.status.success(), "{}", String::from_utf8_lossy(&metadata.stderr));
     let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout).unwrap();
-    let short = |name: &str| name.strip_prefix("etalon-").unwrap_or(name).to_owned();
     let mut found = BTreeMap::new();
     for package in metadata["packages"].as_array().unwrap() {
         let mut dependencies = [BTreeSet::new(), BTreeSet::new()];
         for dependency in package["dependencies"].as_array().unwrap().iter().filter(|d| d["kind"].is_null()) {
             let name = dependency["name"].as_str().unwrap();
-            dependencies[usize::from(!name.starts_with("etalon-"))].insert(short(name));
+            dependencies[usize::from(!name.starts_with("etalon-"))].insert(name.to_owned());
         }
-        found.insert(short(package["name"].as_str().unwrap()), dependencies);
+        found.insert(package["name"].as_str().unwrap().to_owned(), dependencies);
     }
+    found
+}
+
+#[test]
+fn crates_depend_on_what_the_table_of_the_architecture_states() {
+    let short = |name: String| name.strip_prefix("etalon-").unwrap_or(&name).to_owned();
+    let shortened = |names: BTreeSet<String>| names.into_iter().map(short).collect::<BTreeSet<_>>();
+    let found: BTreeMap<_, _> =
+        dependencies().into_iter().map(|(name, both)| (short(name), both.map(shortened))).collect();
     let stated = table();
     let mut wrong = String::new();
     for name in found.keys().chain(stated.keys()).collect::<BTreeSet<_>>() {
@@ -64,6 +72,31 @@ fn crates_depend_on_what_the_table_of_the_architecture_states() {
         let impure: Vec<&str> = IMPURE.into_iter().filter(|name| found[pure][1].contains(*name)).collect();
         assert!(impure.is_empty(), "`{pure}` is pure mathematics and depends on {impure:?}");
     }
+}
+
+/// The module is built with a lock of its own, which has to follow the dependencies of the crates:
+/// otherwise `make python` ends before it compiles anything.
+#[test]
+fn the_lock_of_the_python_module_follows_the_crates() {
+    let lock = std::fs::read_to_string(root().join("python/Cargo.lock")).unwrap();
+    let lock: toml::Table = toml::from_str(&lock).unwrap();
+    let name = |value: &toml::Value| value.as_str().unwrap().split(' ').next().unwrap().to_owned();
+    let packages = lock["package"].as_array().unwrap().iter();
+    let locked: BTreeMap<String, BTreeSet<String>> = packages
+        .map(|package| {
+            let stated = package.get("dependencies").and_then(toml::Value::as_array);
+            (name(&package["name"]), stated.into_iter().flatten().map(name).collect())
+        })
+        .collect();
+    let mut wrong = String::new();
+    for (package, stated) in dependencies() {
+        let has = |name: &&String| locked.get(&package).is_some_and(|names| names.contains(*name));
+        let missing: Vec<&String> = stated.iter().flatten().filter(|name| !has(name)).collect();
+        if !missing.is_empty() {
+            let _ = writeln!(wrong, "{package}: {missing:?}");
+        }
+    }
+    assert!(wrong.is_empty(), "run `cargo metadata --manifest-path python/Cargo.toml`: it lacks\n{wrong}");
 }
 
 /// A path that begins with `crate::`, and the line on which it is.
