@@ -190,6 +190,35 @@ mod tests {
         }
     }
 
+    /// The table of docs/robot.md has the limits and their sources.
+    #[test]
+    fn limits_and_their_sources_are_documented() {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/robot.md");
+        let page = std::fs::read_to_string(page).unwrap();
+        let ends = |ends: &Vec<f64>| match ends[..] {
+            [low, high] if low == -high => format!("±{high}"),
+            [low, high] => format!("{low} to {high}"),
+            _ => "none".to_owned(),
+        };
+        let Known { robots } = parse("robots.toml", ROBOTS).unwrap();
+        for robot in robots.iter().filter(|robot| robot.toml.is_empty()) {
+            let limits: Vec<String> = robot.limits_deg.iter().map(ends).collect();
+            assert_eq!(limits.len(), robot.joints().len(), "{}", robot.name);
+            let source = robot.limits_source.as_deref().unwrap_or_default();
+            let row = format!("| `{}` | {} | {} | {source} |\n", robot.name, robot.title, limits.join(", "));
+            assert!(page.contains(&row), "docs/robot.md lacks\n{row}");
+        }
+    }
+
+    /// Wrist 3 of the smallest arms of Universal Robots turns without end; the others stop after a
+    /// turn.
+    #[test]
+    fn the_wrist_of_the_smallest_arms_has_no_limit() {
+        for (name, limited) in [("ur3", 5), ("ur3e", 5), ("ur5", 6), ("ur5e", 6)] {
+            assert_eq!(known_text(name).unwrap().matches("limits_deg").count(), limited, "{name}");
+        }
+    }
+
     #[test]
     fn the_name_that_is_meant_is_the_hint() {
         let refused = |name: &str| known_robot(name).err().unwrap().0.remove(0);
