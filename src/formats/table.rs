@@ -404,12 +404,14 @@ impl Table {
         // a column of the same quantity in another unit is not the column that is missing
         let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
         let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
-        // of many headings that of the same number: `J1` for `q1_deg`
+        // of many headings the one with the same number, `J1` for `q1_deg`, or the same letter, `X`
+        // for `x_mm`
         let alike: Vec<&str> = match digits(name) {
-            number if foreign.len() > 1 && !number.is_empty() => {
-                foreign.iter().copied().filter(|heading| digits(heading) == number).collect()
+            _ if foreign.len() < 2 => foreign.clone(),
+            number if number.is_empty() => {
+                foreign.iter().copied().filter(|heading| names_coordinate(heading, name)).collect()
             }
-            _ => foreign.clone(),
+            number => foreign.iter().copied().filter(|heading| digits(heading) == number).collect(),
         };
         match alike[..] {
             _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
@@ -422,7 +424,8 @@ impl Table {
                 message.hint(phrase!("state-column", column = name, heading)).into()
             }
             _ if !foreign.is_empty() && nearest(name, similar.iter().copied()).is_none() => {
-                message.hint_names(name, foreign).into()
+                let names = &foreign[..foreign.len().min(SHOWN)];
+                message.hint(phrase!("state-column-of", column = name, names)).into()
             }
             _ => message.hint_names(name, similar).into(),
         }
@@ -445,9 +448,21 @@ impl Table {
     }
 }
 
-/// Columns without a unit that a row may have, in addition to [`TEXTS`] and the columns of an
-/// orientation.
+/// Maximum number of headings in the hint about a missing column.
+const SHOWN: usize = 12;
+
+/// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
 pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction"];
+
+/// `true` if a heading without its unit ends in the letter of a coordinate: `X`, `pos_x`, `Y [mm]`
+/// for `x_mm` and `y_mm`.
+fn names_coordinate(heading: &str, name: &str) -> bool {
+    let Some((letter, _)) = name.rsplit_once('_') else { return false };
+    let heading = heading.to_lowercase();
+    let words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let is_unit = |word: &&str| ["mm", "m", "um", "inch", "in"].contains(word);
+    words.filter(|word| !is_unit(word)).next_back() == Some(letter)
+}
 
 /// Digits of a heading.
 fn digits(heading: &str) -> String {
@@ -514,7 +529,21 @@ mod tests {
         }
         let hint = |name: &str| table.missing(name).0.remove(0).hint.unwrap();
         assert_eq!(hint("q2_deg"), phrase!("state-column", column = "q2_deg", heading = "J2").to_string());
-        assert_eq!(hint("q3_deg"), phrase!("known-names", names = ["J1", "J2"]).to_string());
+        let one_of_both = phrase!("state-column-of", column = "q3_deg", names = ["J1", "J2"]);
+        assert_eq!(hint("q3_deg"), one_of_both.to_string());
+    }
+
+    /// A coordinate is looked for by its letter alone: other letters and numbers are other columns.
+    #[test]
+    fn a_missing_coordinate_is_looked_for_by_its_letter() {
+        let mut table = Table::default();
+        for name in ["J1", "Pos X [mm]", "Y", "index", "target"] {
+            table.set(name, Values::Numbers(vec![Some(1.0)]));
+        }
+        let hint = |name: &str| table.missing(name).0.remove(0).hint.unwrap();
+        assert_eq!(hint("x_mm"), phrase!("state-column", column = "x_mm", heading = "Pos X [mm]").to_string());
+        assert_eq!(hint("y_mm"), phrase!("state-column", column = "y_mm", heading = "Y").to_string());
+        assert!(hint("z_mm") != phrase!("state-column", column = "z_mm", heading = "index").to_string());
     }
 
     #[test]

@@ -110,7 +110,9 @@ pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Id
     let sets = Sets { calibration: observations, calibration_conditions, ..Sets::default() };
     messages.extend(hold_constant(robot.as_ref(), &sets, &mut settings));
     let robot: &dyn Robot = robot.as_ref();
-    let solution = Solution::new(robot, Basis { sets, settings, systematic: Systematic::default() })?;
+    let solution = Solution::new(robot, Basis { sets, settings, systematic: Systematic::default() });
+    // a column that is not read may explain the failure
+    let solution = solution.map_err(|problems| Problems(messages.iter().cloned().chain(problems.0).collect()))?;
     let Judgement { plausibility, untested, .. } = Judgement::new(robot, &solution);
     let Solution { basis: Basis { sets, settings, .. }, before, found } = &solution;
     let bound = open_set_up(robot, &sets.calibration, settings, found, options.bound.stated()?);

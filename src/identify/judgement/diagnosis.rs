@@ -130,7 +130,7 @@ const BELOW: f64 = 0.9;
 /// begins.
 const PART: usize = 60;
 /// Minimum scale (mm) of residuals: no instrument resolves less.
-const LEAST_MM: f64 = 1e-6;
+pub const LEAST_MM: f64 = 1e-6;
 
 /// Residual of every reading after a robust fit.
 #[derive(Clone, Debug)]

@@ -15,7 +15,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Identification, Judgement, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
+    Identification, Judgement, LEAST_MM, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
     chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
@@ -79,7 +79,7 @@ pub(crate) fn plausibility(
     messages.extend(unchecked);
     let misfit = match found.residuals.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
-        None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms,
+        None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms.max(LEAST_MM),
     };
     // a robot within its tolerances, with residuals of the size of the instrument's uncertainty,
     // explains the data

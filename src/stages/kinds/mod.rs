@@ -26,7 +26,7 @@ use crate::stages::observe::positions;
 use crate::stages::observe::resolution;
 use crate::stages::orientations::{self, AngleOrder, Written, unstated};
 use cells::STATION;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_formats::table::{ASSEMBLY, COVARIANCES, LABEL, TEXTS, TIME, Table, UNCERTAINTIES, XYZ};
@@ -167,8 +167,10 @@ pub fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
     let first = unread.first()?;
     let columns: Vec<String> = unread.iter().map(|name| format!("`{name}`")).collect();
     let message = warning!("columns-not-read", count = columns.len(), columns).routine();
+    let message = message.at(Place::file(table.file()));
     let read = read_columns(robot, table);
-    Some(message.at(Place::file(table.file())).hint_names(first, read.iter().map(String::as_str)))
+    let own = || read.iter().map(String::as_str);
+    Some(if nearest(first, own()).is_some() { message.hint_names(first, own()) } else { message })
 }
 
 /// Returns an error if a target of measured positions is misspelt, as for a table.

@@ -26,7 +26,7 @@ path-outside = `{ $file }` verlässt den Ordner der Kampagne
     .expected = ein Pfad im Ordner der Kampagne oder einer, der mit `$NAME/` beginnt
 
 no-target = ein räumlicher Roboter braucht mindestens eine Zielmarke
-    .hint = die Zielmarken in `targets` von [join], als `target` der Exporte oder in einer Spalte `target` der Tabelle nennen
+    .hint = `target = "NAME"` der Tabelle oder der Exporte angeben (Option --target), eine Spalte `target` der Tabelle, oder `targets` in [join]
 
 target-called-base = eine Zielmarke darf nicht `base` heißen: ihre Parameter hätten dieselben Namen wie die Parameter der Roboterbasis
     .hint = der Zielmarke in `label` oder `columns` einen anderen Namen geben

@@ -517,6 +517,7 @@ sheet-not-stated = das Blatt der Arbeitsmappe ist nicht angegeben; die Arbeitsma
 state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
 
 state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)
+state-column-of = ihre Überschrift angeben: `columns = {"{"} { $column } = "HEADING" {"}"}` (Option --column); Überschriften, die nichts liest: { $names }
 row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
 row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten

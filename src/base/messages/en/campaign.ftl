@@ -62,7 +62,7 @@ path-outside = `{ $file }` is outside the folder of the campaign
 # Do: List the targets in `targets` of [join], in `target` of the exports, or in a column `target`.
 # Example: a serial arm without `targets`
 no-target = a spatial robot needs at least one target
-    .hint = list the targets in `targets` of [join], in `target` of the exports, or in a column `target` of the table
+    .hint = give `target = "NAME"` for the table or the exports (option --target), a column `target` of the table, or `targets` in [join]
 
 # Means: A target is called `base`.
 # Matters: The parameters of the target have the same names as the parameters of the robot's base.

@@ -895,6 +895,7 @@ sheet-not-stated = the file is a workbook, and `sheet` is missing; its sheets ar
 state-sheet = set `sheet = "{ $sheet }"` (option --sheet)
 
 state-column = if it is the column `{ $heading }`, set `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
+state-column-of = state its heading: `columns = {"{"} { $column } = "HEADING" {"}"}` (option --column); headings that nothing reads: { $names }
 row-marked-deleted = excluded: it is marked as deleted (`{ $cell }`)
 row-left-out-by-cell = excluded: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates

@@ -1746,7 +1746,7 @@ remedy = { $remedy ->
         [positions] choose more positions, or hold parameters with `--hold`
         [hold-fewer] hold fewer parameters, and measure more poses
         [more-poses] measure more poses (repeats of a pose add nothing), or hold parameters with `hold` in [identify] or --hold
-        [hold] keep parameters at nominal with `hold` in [identify], or measure more poses
+        [hold] keep parameters at nominal with `hold` in [identify] or --hold, or measure more poses
         [unreachable] check unit (degrees or radians), sign and offset of the joints, and the nominal parameters
         [extent] check `unit` of the exports, the units of the joints in the log, and the lengths of the robot
         [readings] check these readings and the order of the rows of the log, or omit these poses (`exclude`, --exclude)

@@ -26,7 +26,7 @@ path-outside = `{ $file }` sort du dossier de la campagne
     .expected = un chemin dans le dossier de la campagne, ou qui commence par `$NAME/`
 
 no-target = un robot tridimensionnel exige au moins une cible
-    .hint = indiquer les cibles dans `targets` de [join], par `target` des exports, ou dans une colonne `target` du tableau
+    .hint = indiquer `target = "NAME"` du tableau ou des exports (option --target), une colonne `target` du tableau, ou `targets` dans [join]
 
 target-called-base = aucune cible ne peut s’appeler `base` : ses paramètres porteraient le nom de ceux de la base du robot
     .hint = donner un autre nom à la cible dans `label` ou `columns`

@@ -517,6 +517,7 @@ sheet-not-stated = la feuille du classeur n’est pas indiquée ; le classeur 
 state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
 
 state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
+state-column-of = indiquer son en-tête : `columns = {"{"} { $column } = "HEADING" {"}"}` (option --column) ; en-têtes que rien ne lit : { $names }
 row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesurée : pas de coordonnées
