@@ -6,8 +6,10 @@ Each element has its class: :class:`Line`, :class:`Plane`, :class:`Circle`, :cla
 
 from __future__ import annotations
 
+import inspect
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal, cast
+from typing import Any, Literal, TypeVar, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -81,6 +83,14 @@ class Fit(Document):
         return np.full(self.points, np.nan) if residuals is None else residuals
 
     @property
+    def is_set_aside(self) -> NDArray[np.bool_]:
+        """Points that a robust fit leaves out, ``(n,)``."""
+        marks = np.zeros(self.points, dtype=bool)
+        # the document counts points from 1
+        marks[np.array(self._members.get("set_aside") or [], dtype=int) - 1] = True
+        return marks
+
+    @property
     def standard_uncertainty(self) -> Uncertainty:
         """Standard uncertainties (k = 1)."""
         stated = self._members.get("standard_uncertainty") or {}
@@ -97,25 +107,22 @@ class Fit(Document):
 
 
 class Line(Fit):
-    """A line: a point and the unit axis."""
+    """A line: a point ``point_mm`` and the unit vector ``axis``."""
 
-    __slots__ = ()
     point_mm: _Vector
     axis: _Vector
 
 
 class Plane(Fit):
-    """A plane: a point and the unit normal."""
+    """A plane: a point ``point_mm`` and the unit vector ``normal``."""
 
-    __slots__ = ()
     point_mm: _Vector
     normal: _Vector
 
 
 class Circle(Fit):
-    """A circle: centre, unit normal and radius. A circle in the plane z = 0 has the normal (0, 0, 1)."""
+    """A circle: ``center_mm``, the unit vector ``normal`` and ``radius_mm``. A circle in the plane z = 0 has the normal (0, 0, 1)."""
 
-    __slots__ = ()
     center_mm: _Vector
     radius_mm: float
 
@@ -126,26 +133,24 @@ class Circle(Fit):
 
 
 class Sphere(Fit):
-    """A sphere: centre and radius."""
+    """A sphere: ``center_mm`` and ``radius_mm``."""
 
-    __slots__ = ()
     center_mm: _Vector
     radius_mm: float
 
 
 class Cylinder(Fit):
-    """A cylinder: a point of the axis, the unit axis and the radius."""
+    """A cylinder: a point ``point_mm`` of the axis, its unit vector ``axis``, and ``radius_mm``."""
 
-    __slots__ = ()
     point_mm: _Vector
     axis: _Vector
     radius_mm: float
 
 
 class Cone(Fit):
-    """A cone: apex, unit axis towards the increasing radius, full angle, and the radius at a point of the axis."""
+    """A cone: ``apex_mm``, the unit vector ``axis`` towards the increasing radius, the full angle ``apex_angle_deg``, and ``radius_mm`` at the
+    point ``point_mm`` of the axis."""
 
-    __slots__ = ()
     apex_mm: _Vector
     axis: _Vector
     apex_angle_deg: float
@@ -154,9 +159,8 @@ class Cone(Fit):
 
 
 class Torus(Fit):
-    """A torus: centre, unit normal, radius of the centre line and of the tube."""
+    """A torus: ``center_mm``, the unit vector ``normal``, ``radius_mm`` of the centre line and ``minor_radius_mm`` of the tube."""
 
-    __slots__ = ()
     center_mm: _Vector
     normal: _Vector
     radius_mm: float
@@ -174,6 +178,8 @@ _CLASSES: dict[str, type[Fit]] = {
     "cone": Cone,
     "torus": Torus,
 }
+_Fitted = TypeVar("_Fitted", bound=Fit)
+_Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
 def points_of(points: ArrayLike) -> NDArray[np.float64]:
@@ -202,6 +208,7 @@ def element(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Fit:
     """Fit an element.
 
@@ -215,6 +222,7 @@ def element(
         probe_radius_mm: The points are centres of a probe of this radius; the answer is what it touched.
         probe_side: ``"inside"``, ``"outside"``, or for a plane or line the direction ``(3,)`` to the probe.
         minimum_zone: Fits by minimum zone (Chebyshev): the form of ISO 1101.
+        robust: Leaves points out that are far from the element of all others (trimmed least squares); ``is_set_aside`` marks them.
 
     Returns:
         The element, of its class. Lengths in mm, angles in deg, uncertainties with k = 1.
@@ -225,25 +233,54 @@ def element(
     Warns:
         MessageWarning: Messages of the fit, by id.
     """
-    side = probe_side if probe_side is None or isinstance(probe_side, str) else _numbers(probe_side, "probe_side")
-    options = {
-        "weights": None if weights is None else np.array(_numbers(weights, "weights")),
-        "radius_mm": _number(radius_mm, "radius_mm"),
-        "axis": None if axis is None else _numbers(axis, "axis"),
-        "orthogonal": bool(orthogonal),
-        "probe_radius_mm": _number(probe_radius_mm, "probe_radius_mm"),
-        "probe_side": side,
-        "minimum_zone": bool(minimum_zone),
-    }
+    return _fitted(
+        _CLASSES.get(name, Fit),
+        name,
+        points,
+        weights=weights,
+        radius_mm=radius_mm,
+        axis=axis,
+        orthogonal=orthogonal,
+        probe_radius_mm=probe_radius_mm,
+        probe_side=probe_side,
+        minimum_zone=minimum_zone,
+        robust=robust,
+    )
+
+
+def _fitted(kind: type[_Fitted], name: str, points: ArrayLike, **options: Any) -> _Fitted:
+    """Fit an element of a class; an option that is None is not stated."""
     array = points_of(points)
-    if weights is not None and len(options["weights"]) != len(array):  # type: ignore[arg-type]
-        raise Error(f"`weights` has {len(options['weights'])} values: expected one for each of the {len(array)} points")  # type: ignore[arg-type]
-    text, fitted = _etalon.fit(name, array, options)
-    members = load(text)._members
-    found = _CLASSES.get(name, Fit)(members, None if fitted is None else fitted.residuals(array))
-    return cast(Fit, with_warnings(found))
+    stated: dict[str, Any] = dict.fromkeys(["weights", "radius_mm", "axis", "probe_radius_mm", "probe_side"])
+    stated |= {"minimum_zone": False, "orthogonal": False, "robust": False}
+    besides = [option for option, value in options.items() if value is not None and value is not False and option != "minimum_zone"]
+    if options["minimum_zone"] and besides:
+        raise Error(f"`minimum_zone` takes no other option: leave {', '.join(f'`{option}`' for option in besides)} out")
+    for option, value in options.items():
+        if value is None or isinstance(value, bool) or (option == "probe_side" and isinstance(value, str)):
+            stated[option] = value
+        else:
+            stated[option] = _number(value, option) if option.endswith("_mm") else _numbers(value, option)
+    if stated["weights"] is not None:
+        stated["weights"] = np.array(stated["weights"])
+        if len(stated["weights"]) != len(array):
+            raise Error(f"`weights` has {len(stated['weights'])} values: expected one for each of the {len(array)} points")
+    text, fitted = _etalon.fit(name, array, stated)
+    found = kind(load(text)._members, None if fitted is None else fitted.residuals(array))
+    with_warnings(found)
+    return found
 
 
+def _documented(function: _Function) -> _Function:
+    """Add what the docstring of :func:`element` says of the arguments of a function."""
+    summary, _, rest = (element.__doc__ or "").partition("    Args:\n")
+    arguments, _, others = rest.partition("\n\n")
+    shared = [line for line in arguments.splitlines() if line.split(":")[0].strip() in inspect.signature(function).parameters]
+    function.__doc__ = "\n".join([f"{function.__doc__}\n", "    Args:", *shared, "", others])
+    return function
+
+
+@_documented
 def line(
     points: ArrayLike,
     *,
@@ -252,12 +289,13 @@ def line(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Line:
-    """Fit a line in space; options are those of :func:`element`."""
-    found = element("line", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Line, found)
+    """Fit a line in space."""
+    return _fitted(Line, "line", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def line2d(
     points: ArrayLike,
     *,
@@ -266,12 +304,13 @@ def line2d(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Line:
-    """Fit a line in the plane z = 0; options are those of :func:`element`."""
-    found = element("line2d", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Line, found)
+    """Fit a line in the plane z = 0."""
+    return _fitted(Line, "line2d", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def plane(
     points: ArrayLike,
     *,
@@ -280,12 +319,13 @@ def plane(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Plane:
-    """Fit a plane; options are those of :func:`element`."""
-    found = element("plane", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Plane, found)
+    """Fit a plane."""
+    return _fitted(Plane, "plane", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def circle(
     points: ArrayLike,
     *,
@@ -296,12 +336,13 @@ def circle(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Circle:
-    """Fit a circle in space; options are those of :func:`element`."""
-    found = element("circle3d", points, weights=weights, radius_mm=radius_mm, axis=axis, orthogonal=orthogonal, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Circle, found)
+    """Fit a circle in space."""
+    return _fitted(Circle, "circle3d", points, weights=weights, radius_mm=radius_mm, axis=axis, orthogonal=orthogonal, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def circle2d(
     points: ArrayLike,
     *,
@@ -310,12 +351,13 @@ def circle2d(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Circle:
-    """Fit a circle in the plane z = 0; options are those of :func:`element`."""
-    found = element("circle2d", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Circle, found)
+    """Fit a circle in the plane z = 0."""
+    return _fitted(Circle, "circle2d", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def sphere(
     points: ArrayLike,
     *,
@@ -324,12 +366,13 @@ def sphere(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Sphere:
-    """Fit a sphere; options are those of :func:`element`."""
-    found = element("sphere", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Sphere, found)
+    """Fit a sphere."""
+    return _fitted(Sphere, "sphere", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def cylinder(
     points: ArrayLike,
     *,
@@ -339,12 +382,13 @@ def cylinder(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Cylinder:
-    """Fit a cylinder; options are those of :func:`element`."""
-    found = element("cylinder", points, weights=weights, radius_mm=radius_mm, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Cylinder, found)
+    """Fit a cylinder."""
+    return _fitted(Cylinder, "cylinder", points, weights=weights, radius_mm=radius_mm, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def cone(
     points: ArrayLike,
     *,
@@ -353,12 +397,13 @@ def cone(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Cone:
-    """Fit a cone; options are those of :func:`element`."""
-    found = element("cone", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Cone, found)
+    """Fit a cone."""
+    return _fitted(Cone, "cone", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
+@_documented
 def torus(
     points: ArrayLike,
     *,
@@ -366,10 +411,10 @@ def torus(
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
+    robust: bool = False,
 ) -> Torus:
-    """Fit a torus; options are those of :func:`element`."""
-    found = element("torus", points, weights=weights, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone)
-    return cast(Torus, found)
+    """Fit a torus."""
+    return _fitted(Torus, "torus", points, weights=weights, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 def enclosing_circle(points: ArrayLike) -> Circle:

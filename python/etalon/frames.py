@@ -11,7 +11,7 @@ from . import _etalon
 from .fit import points_of
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False, repr=False)
 class Rigid:
     """A rigid transform by least squares.
 
@@ -33,8 +33,16 @@ class Rigid:
         return float(np.sqrt(np.mean(np.sum(self.residuals_mm**2, axis=1))))
 
     def __call__(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Carry points ``(n, 3)``."""
-        return points_of(points) @ self.matrix[:3, :3].T + self.matrix[:3, 3]
+        """Carry points ``(n, 3)``, or a single point ``(3,)``."""
+        carried: NDArray[np.float64] = points_of(np.atleast_2d(points)) @ self.matrix[:3, :3].T + self.matrix[:3, 3]
+        return carried[0] if np.ndim(points) == 1 else carried
+
+    def __repr__(self) -> str:
+        matrix = np.array2string(self.matrix, precision=6, suppress_small=True, prefix=" " * 13)
+        return (
+            f"Rigid(matrix={matrix},\n      rms_mm={self.rms_mm:.6g}, centroid_uncertainty_mm={self.centroid_uncertainty_mm:.2g}, "
+            f"rotation_uncertainty_deg={self.rotation_uncertainty_deg:.2g})"
+        )
 
 
 def rigid(points: ArrayLike, onto: ArrayLike) -> Rigid:

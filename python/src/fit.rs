@@ -26,6 +26,7 @@ pub struct Options<'py> {
     probe_radius_mm: Option<f64>,
     probe_side: Option<ProbeSide>,
     minimum_zone: bool,
+    robust: bool,
 }
 
 /// Where the probe was.
@@ -86,6 +87,10 @@ pub fn fit(
     let circle = if options.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
     let settings = FitSettings { weights, radius_mm: options.radius_mm, axis: options.axis, circle, probe };
     let fitted = compute(py, || {
+        if options.robust {
+            let found = etalon_fit::robust_element(element, points, &settings)?;
+            return Ok((FitDocument::robust(None, &found), found.fit));
+        }
         let found = etalon_fit::element(element, points, &settings)?;
         let messages = etalon_fit::warnings(&found, &Source::from(points), &settings);
         Ok((FitDocument::new(None, &found).with_messages(messages), found))

@@ -1,5 +1,6 @@
 """Fits against NumPy, SciPy and elements that are known."""
 
+import inspect
 import pickle
 
 import numpy as np
@@ -116,3 +117,41 @@ def test_a_minimum_zone_has_the_warnings_of_least_squares():
     for minimum_zone in (False, True):
         found = fit.plane(corners, minimum_zone=minimum_zone)
         assert "element-ambiguous" in [message.id for message in found.messages]
+
+
+def test_a_robust_fit_marks_the_points_that_it_leaves_out():
+    noise = np.random.default_rng(8)
+    points = noise.normal(size=(40, 3))
+    points *= 12.7 / np.linalg.norm(points, axis=1, keepdims=True)
+    points += noise.normal(0, 0.001, (40, 3))
+    points[[3, 17]] *= 1.05
+    with pytest.warns(etalon.MessageWarning):
+        found = fit.sphere(points, robust=True)
+    assert np.flatnonzero(found.is_set_aside).tolist() == [3, 17]
+    assert found.radius_mm == pytest.approx(fit.sphere(points[~found.is_set_aside]).radius_mm, abs=1e-9)
+    # 5 % of the radius, outside
+    assert found.residuals_mm[[3, 17]] == pytest.approx(0.05 * 12.7, abs=0.01)
+    assert not fit.sphere(points[:3].repeat(4, axis=0) + noise.normal(size=(12, 3))).is_set_aside.any()
+
+
+@pytest.mark.parametrize("option", [{"radius_mm": 5.0}, {"weights": np.ones(12)}, {"probe_radius_mm": 1.0, "probe_side": "inside"}, {"robust": True}])
+def test_a_minimum_zone_refuses_what_it_would_not_use(option):
+    turn = np.linspace(0, 6, 12)
+    with pytest.raises(etalon.Error, match=f"`{next(iter(option))}`"):
+        fit.circle(np.column_stack([np.cos(turn), np.sin(turn), 0 * turn]), minimum_zone=True, **option)
+
+
+def test_functions_document_their_own_arguments():
+    assert "radius_mm: Holds" in fit.sphere.__doc__ and "axis: Holds" not in fit.sphere.__doc__
+    for function in (fit.line, fit.plane, fit.circle, fit.circle2d, fit.sphere, fit.cylinder, fit.cone, fit.torus):
+        for name in inspect.signature(function).parameters:
+            assert f"\n        {name}: " in function.__doc__, (function.__name__, name)
+
+
+def test_a_rigid_transform_carries_points_and_a_single_point():
+    points = np.array([[0.0, 0, 0], [100, 0, 0], [0, 100, 0], [0, 0, 100]])
+    # a quarter turn about z, then (1, 2, 3)
+    moved = points[:, [1, 0, 2]] * [-1, 1, 1] + [1.0, 2, 3]
+    found = etalon.frames.rigid(points, onto=moved)
+    assert found(points) == pytest.approx(moved, abs=1e-9) and found(points[1]) == pytest.approx(moved[1], abs=1e-9)
+    assert found(points[1]).shape == (3,) and "rms_mm" in repr(found) and found != 5
