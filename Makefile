@@ -185,7 +185,7 @@ python:
 	CARGO_TARGET_DIR=$(PYTHON_BUILD)/target $(PYTHON_BUILD)/venv/bin/maturin build $(WHEEL) --locked --manifest-path python/Cargo.toml --out $(PYTHON_BUILD)/wheels
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet --force-reinstall --no-deps $(PYTHON_BUILD)/wheels/*.whl
 	$(PYTHON_BUILD)/venv/bin/pip install --quiet numpy pytest
-	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo distributed nbclient nbformat ipykernel matplotlib joblib mypy pyright rosbags || echo "some peers could not be installed: tests with them are skipped"
+	$(PYTHON_BUILD)/venv/bin/pip install --quiet scipy polars pandas pyarrow jsonschema taplo distributed nbclient nbformat ipykernel matplotlib joblib mypy pyright rosbags openpyxl || echo "some peers could not be installed: tests with them are skipped"
 	$(PYTHON_BUILD)/venv/bin/pytest -q -p no:cacheprovider python/tests
 	ls $(PYTHON_BUILD)/wheels
 

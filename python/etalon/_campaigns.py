@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from keyword import iskeyword
 from pathlib import Path
@@ -13,13 +13,12 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from . import _etalon, documents
 from ._errors import Error, Message, warn, with_warnings
+from ._options import Progress, called
+from ._residuals import Residuals
 from .documents import load
 from .kinematics import json_of
 
-Progress = Callable[[int, int], Any]
-
-
-class Run:
+class Run(Residuals):
     """What a campaign gave. Documents of the output folder are attributes: ``.parameters``, ``.accuracy``, ``.iso9283``, ``.import_`` ...
 
     A document that the campaign does not have raises AttributeError.
@@ -54,11 +53,16 @@ class Run:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> documents.Document:
-            stem = name.rstrip("_").replace("_", "-")
-            path = self.__dict__["folder"] / f"{stem}.json" if "folder" in self.__dict__ else None
-            if path is None or name.startswith("_") or not path.is_file():
+            # a copy is asked for its methods before it has a folder
+            if name.startswith("_") or "folder" not in self.__dict__:
+                raise AttributeError(name)
+            path = self.folder / f"{name.rstrip('_').replace('_', '-')}.json"
+            if not path.is_file():
                 raise AttributeError(f"the campaign has no {name!r}: it has {', '.join(self._documents())}")
             return load(path.read_text(encoding="utf-8"))
+
+    def _residual_columns(self) -> str:
+        return _etalon.residuals(str(self.folder))
 
     def _documents(self) -> list[str]:
         stems = sorted(path.stem.replace("-", "_") for path in self.folder.glob("*.json"))
@@ -95,7 +99,7 @@ def run(folder: str | os.PathLike[str], *, reports: bool = True) -> Run:
     """
     with _keys():
         met, output, messages = _etalon.run(_path(folder), reports)
-    found = Run(met, Path(output), [Message(stated, in_campaign=True) for stated in json.loads(messages)])
+    found = Run(met, Path(output).absolute(), [Message(stated, in_campaign=True) for stated in json.loads(messages)])
     warn(found.messages)
     return found
 
@@ -142,7 +146,7 @@ def recommend(folder: str | os.PathLike[str], *, progress: Progress | None = Non
         :class:`etalon.documents.RecommendationDocument`.
     """
     with _keys():
-        text = _etalon.recommend(_path(folder), progress)
+        text = _etalon.recommend(_path(folder), called(progress))
     return cast(documents.RecommendationDocument, with_warnings(load(text), in_campaign=True))
 
 
@@ -167,11 +171,11 @@ def uncertainty(
         :class:`etalon.documents.UncertaintyDocument`.
     """
     with _keys():
-        text = _etalon.uncertainty(_path(folder), (draws, resamples, seed), progress)
+        text = _etalon.uncertainty(_path(folder), (draws, resamples, seed), called(progress))
     return cast(documents.UncertaintyDocument, with_warnings(load(text), in_campaign=True))
 
 
-def batch(folders: Sequence[str | os.PathLike[str]], *, reports: bool = False, progress: Progress | None = None) -> documents.BatchDocument:
+def batch(folders: Sequence[str | os.PathLike[str]] | str | os.PathLike[str], *, reports: bool = False, progress: Progress | None = None) -> documents.BatchDocument:
     """Run many campaigns on all cores; one of which nothing has changed is read back.
 
     Args:
@@ -182,8 +186,9 @@ def batch(folders: Sequence[str | os.PathLike[str]], *, reports: bool = False, p
     Returns:
         :class:`etalon.documents.BatchDocument`: ``.campaigns`` says how each ended.
     """
+    listed = [folders] if isinstance(folders, (str, os.PathLike)) else folders
     with _keys():
-        return cast(documents.BatchDocument, load(_etalon.batch([_path(folder) for folder in folders], reports, progress)))
+        return cast(documents.BatchDocument, load(_etalon.batch([_path(folder) for folder in listed], reports, called(progress))))
 
 
 @contextmanager
@@ -197,5 +202,5 @@ def _keys() -> Iterator[None]:
 
 def _path(folder: str | os.PathLike[str]) -> str:
     if not isinstance(folder, (str, os.PathLike)):
-        raise Error(f"`folder` is a {type(folder).__name__}: expected the path of a folder with campaign.toml")
+        raise Error(f"`folder` is of type {type(folder).__name__}: expected the path of a folder with campaign.toml")
     return os.fspath(folder)

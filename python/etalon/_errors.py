@@ -27,6 +27,14 @@ _BESIDE = re.compile(r" \((?:option )--[a-z][a-z0-9-]*\)")
 _INLINE = re.compile(r"`(\w+) = \{ ?([^{}]*?) ?\}`")
 _KEY = re.compile(r"`(\w+) = (\"[^\"`]*\"|-?[\d.]+)`")
 _ENTRY = re.compile(r"(\w+) = (\"[^\"]*\"|[^,\s]+)")
+#: Key of a section of campaign.toml that no function has, before what it has instead.
+_OF_INSTRUMENT = re.compile(r"(, )?`\w+` in \[instrument\],? or |,? or `\w+` in \[join\]$")
+#: Key of a section of campaign.toml, perhaps before the option of the same name.
+_IN_SECTION = re.compile(
+    r"`(\w+)( = [^`]+)?`(?: in \[(?:identify|observations|poses|limits)\](?:(?:,? or | \()`?--([a-z-]+)`?\)?)?|, --([a-z-]+))"
+)
+#: Help of a command that is a function.
+_HELP = re.compile(r"`etalon (identify|plan|verify|axes|cell|iso9283|iso230|fit) --help`")
 
 
 def campaign_words(text: str) -> str:
@@ -36,12 +44,16 @@ def campaign_words(text: str) -> str:
 
 def python_words(text: str) -> str:
     """Return a text for Python: keys of campaign.toml and options of the command line as keyword arguments."""
-    text = _BESIDE.sub("", text)
+    text = _OF_INSTRUMENT.sub(lambda found: ", or " if found[1] else "", _BESIDE.sub("", text))
+    text = _IN_SECTION.sub(_keyword_of_section, text)
+    text = _HELP.sub(r"`help(etalon.\1)`", text)
     text = _INLINE.sub(lambda found: f"`{found[1]}={{" + _ENTRY.sub(r'"\1": \2', found[2]) + "}`", text)
     text = _KEY.sub(r"`\1=\2`", text)
 
     def keyword(found: re.Match[str]) -> str:
         name, value = found[1].replace("-", "_"), found[2]
+        if name == "help":
+            return found[0]
         pair = _PAIR.fullmatch(value.strip("\"'")) if value else None
         if found[1] in _PAIRS:
             return _PAIRS[found[1]] + (f'={{"{pair[1]}": "{pair[2]}"}}' if pair else "=" + (value or "{...}"))
@@ -58,6 +70,14 @@ def python_words(text: str) -> str:
         return f"`{keyword(marked)}`" if marked else _OPTION.sub(keyword, found[0])
 
     return re.sub(r"`[^`]*`|[^`]+", part, text)
+
+
+def _keyword_of_section(found: re.Match[str]) -> str:
+    """Return a key of campaign.toml as a keyword argument, without the option of the same name."""
+    name, value, option = found[1], found[2] or "", found[3] or found[4]
+    if option and option.replace("-", "_") != name:
+        return found[0]
+    return f"`{name}{value}`" if value else f"`{name}=`"
 
 
 class Message:
@@ -106,6 +126,10 @@ class MessageWarning(UserWarning):
         super().__init__(str(message))
         self.message = message if isinstance(message, Message) else Message({"severity": "warning", "what": message})
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # classes of ids are made when they are needed
+        return (_warning, (self.message,))
+
 
 class ImplausibleWarning(MessageWarning):
     """The result can be that of no such robot: a message of severity ``error``. The program ends with exit code 1."""
@@ -132,6 +156,12 @@ def _implausible_class(id: str) -> type[MessageWarning]:
     return type("Implausible" + own.__name__, (ImplausibleWarning, own), {"__doc__": own.__doc__, "__module__": __name__, "id": id})
 
 
+def _warning(message: Message) -> MessageWarning:
+    """Return a message as a warning with the class of its id."""
+    name = message.id or "message"
+    return (_implausible_class(name) if message.severity == "error" else warning_class(name))(message)
+
+
 def warn(messages: Iterable[Message]) -> None:
     """Warn of messages, at the line that called etalon."""
     # outside the package
@@ -139,9 +169,7 @@ def warn(messages: Iterable[Message]) -> None:
     while frame is not None and frame.f_code.co_filename.startswith(package):
         depth, frame = depth + 1, frame.f_back  # type: ignore[assignment]
     for message in messages:
-        name = message.id or "message"
-        kind = _implausible_class(name) if message.severity == "error" else warning_class(name)
-        warnings.warn(kind(message), stacklevel=depth)
+        warnings.warn(_warning(message), stacklevel=depth)
 
 
 def with_warnings(document: Any, *, in_campaign: bool = False) -> Any:
@@ -151,17 +179,28 @@ def with_warnings(document: Any, *, in_campaign: bool = False) -> Any:
     return document
 
 
+#: Remedy for a column with another heading.
+_HEADING = re.compile(r'state `columns=\{"([^"]+)": "([^"]+)"\}`')
+
+
+def _together(messages: Iterable[Message]) -> str:
+    """Return the remedy for several columns with other headings as one keyword argument."""
+    stated = [_HEADING.search(message.hint or "") for message in messages if message.id == "column-unknown"]
+    headings = {found[1]: found[2] for found in stated if found and found[2] != "HEADING"}
+    return f"\n\nhint: together: columns={json.dumps(headings, ensure_ascii=False)}" if len(headings) > 1 else ""
+
+
 class Error(ValueError):
     """What is wrong with the input. ``str()`` gives the text of all messages with their places and hints.
 
     Attributes:
-        messages: All messages.
+        messages: All messages; warnings that may explain the error come before it.
     """
 
     def __init__(self, text: str, messages: str = "[]", in_campaign: bool = False) -> None:
-        super().__init__(campaign_words(text) if in_campaign else python_words(text))
         self._stated = (text, messages, in_campaign)
         self.messages: tuple[Message, ...] = tuple(Message(stated, in_campaign=in_campaign) for stated in json.loads(messages))
+        super().__init__(campaign_words(text) if in_campaign else python_words(text) + _together(self.messages))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (type(self), self._stated)
@@ -170,17 +209,24 @@ class Error(ValueError):
         """Return the error with hints in the keys of campaign.toml."""
         return Error(self._stated[0], self._stated[1], True)
 
+    def _first(self) -> Message | None:
+        errors = [message for message in self.messages if message.severity == "error"]
+        return next(iter(errors or self.messages), None)
+
     @property
     def message(self) -> str:
         """What the first error says."""
-        return self.messages[0].what if self.messages else str(self)
+        first = self._first()
+        return first.what if first else str(self)
 
     @property
     def hint(self) -> str | None:
         """What to do about the first error, or None."""
-        return self.messages[0].hint if self.messages else None
+        first = self._first()
+        return first.hint if first else None
 
     @property
     def id(self) -> str | None:
         """Id of the first error, or None."""
-        return self.messages[0].id if self.messages else None
+        first = self._first()
+        return first.id if first else None

@@ -2,8 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
+
+from ._errors import Error
+
+#: Function that is called with what is done and the whole.
+Progress = Callable[[int, int], Any]
+
+
+def called(progress: Progress | None) -> Progress | None:
+    """Return a function that is called with the progress of a computation."""
+    if progress is not None and not callable(progress):
+        raise Error(f"`progress` is of type {type(progress).__name__}: expected a function of what is done and the whole")
+    return progress
 
 
 def options_of(**stated: Any) -> list[str]:

@@ -60,7 +60,7 @@ class Robot:
     def __init__(self, source: str | os.PathLike[str], targets: Targets | None = None) -> None:
         self._chain = None
         if not isinstance(source, (str, os.PathLike)):
-            raise Error(f"`source` is a {type(source).__name__}: expected the name of a robot, or the path of a robot.toml or URDF")
+            raise Error(f"`source` is of type {type(source).__name__}: expected the name of a robot, or the path of a robot.toml or URDF")
         path = os.fspath(source)
         if path in robots():
             self._native = _etalon.Robot.named(path)
@@ -163,7 +163,7 @@ class Robot:
 def robot_of(robot: Robot | str | os.PathLike[str], targets: Targets | None = None) -> _etalon.Robot:
     """Return the native robot of a Robot, a path or a name, with nominal positions of targets."""
     if not isinstance(robot, (Robot, str, os.PathLike)):
-        raise Error(f"`robot` is a {type(robot).__name__}: expected a Robot, a name such as \"ur5e\", or the path of a robot.toml or URDF")
+        raise Error(f"`robot` is of type {type(robot).__name__}: expected a Robot, a name such as \"ur5e\", or the path of a robot.toml or URDF")
     return _with_targets((robot if isinstance(robot, Robot) else Robot(robot))._native, targets)
 
 
@@ -177,7 +177,7 @@ def _with_targets(robot: _etalon.Robot, targets: Targets | None) -> _etalon.Robo
     if not targets:
         return robot
     if not isinstance(targets, Mapping):
-        raise Error(f"`targets` is a {type(targets).__name__}: expected positions by name, such as {{\"SMR\": (80, 0, 25)}}")
+        raise Error(f"`targets` is of type {type(targets).__name__}: expected positions by name, such as {{\"SMR\": (80, 0, 25)}}")
     try:
         stated = {str(name): [float(value) for value in position] for name, position in targets.items()}
     except (TypeError, ValueError) as error:

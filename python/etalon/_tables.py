@@ -17,30 +17,33 @@ from ._errors import Error
 Table = Any
 
 
-def named(table: Any, name: str) -> tuple[str, str]:
-    """Return the name of a table for messages, which is that of its file if it has one, and its CSV text."""
-    is_file = isinstance(table, (str, os.PathLike))
-    return (os.fspath(table) if is_file else name, text_of(table, name))
+def named(table: Any, name: str) -> tuple[str, str | None]:
+    """Return the path of a file, or the name of a table for messages and its CSV text."""
+    return (os.fspath(table), None) if isinstance(table, (str, os.PathLike)) else (name, text_of(table, name))
 
 
-def text_of(table: Any, name: str = "table") -> str:
+def text_of(table: Any, name: str) -> str:
     """Return a table as CSV text; numbers keep every digit, and a missing value is an empty cell."""
-    if isinstance(table, (str, os.PathLike)):
-        return file_text(table, name)
     if isinstance(table, Mapping):
         return _columns_text([(str(heading), column) for heading, column in table.items()], name)
     if isinstance(table, np.ndarray) and table.dtype.names:
         return _columns_text([(heading, table[heading]) for heading in table.dtype.names], name)
     if hasattr(table, "iloc") and hasattr(table, "columns"):
         # pandas: its own Arrow interface needs pyarrow
-        headings = [str(heading) for heading in table.columns]
-        return _columns_text([(heading, _pandas_values(table.iloc[:, k])) for k, heading in enumerate(headings)], name)
+        frame: Any = table
+        columns = [(str(heading), _pandas_values(frame.iloc[:, k])) for k, heading in enumerate(frame.columns)]
+        # a named index is a column, as `reset_index` makes it
+        levels = [level for level in frame.index.names if level is not None and level not in frame.columns]
+        columns[:0] = [(str(level), frame.index.get_level_values(level).to_numpy(dtype=object)) for level in levels]
+        return _columns_text(columns, name)
     if hasattr(table, "__arrow_c_stream__"):
         try:
             return _etalon.csv(table)
         except ImportError as missing:
             library = type(table).__module__.split(".")[0]
             raise Error(f"`{name}`: {library} needs another package for its Arrow interface: {missing}") from missing
+        except (TypeError, ValueError) as wrong:
+            raise Error(f"`{name}`: a {type(table).__name__} is not a table: {wrong}") from wrong
     raise Error(
         f"`{name}`: a {type(table).__name__} is not a table: give a path, a dictionary of columns, "
         "or a DataFrame (pandas, polars, pyarrow, DuckDB)"

@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal, cast
 
 from . import _etalon, documents
 from ._errors import Error, with_warnings
+from ._options import Progress, called
+from ._residuals import Residuals
 from ._robot import Robot, Targets, robot_of
 from ._tables import named
-from .documents import Record, Records, load
+from .documents import load
 from .kinematics import _needed
 
 Effect = Literal[
@@ -40,43 +42,23 @@ Mounting = Literal["target", "sensor"]
 DecisionRule = Literal["simple-acceptance", "guarded", "shared-risk"]
 #: Headings of columns that are called otherwise in the table: a heading, a number from 1, or an expression.
 Columns = Mapping[str, str | int]
-Progress = Callable[[int, int], Any]
 
 
-class Identification(documents.ParametersDocument):
+class Identification(documents.ParametersDocument, Residuals):
     """Identified parameters: ``parameters.json``, and the errors of the readings of this call."""
 
     __slots__ = ("_errors",)
     _schema_class = "ParametersDocument"
 
-    def __init__(self, members: dict[str, Any], errors: list[dict[str, Any]]) -> None:
+    def __init__(self, members: dict[str, Any], errors: str) -> None:
         super().__init__(members)
         object.__setattr__(self, "_errors", errors)
 
-    def residuals_table(self) -> Records[Record]:
-        """Return the error of each reading, measured minus predicted, as a table with ``to_pandas()``, ``to_polars()`` and ``to_arrow()``.
-
-        Columns are ``pose``, ``cycle``, ``target``, ``quantity``, the measured position (``x_mm`` ...), and the errors with nominal parameters
-        (``before_x_mm`` ..., ``before_deg``) and with identified ones (``after_x_mm`` ..., ``after_deg``).
-        """
-        errors = object.__getattribute__(self, "_errors")
-        return Records([Record(_error_row(error)) for error in errors])
-
-    def plot(self, *, axes: Any = None) -> Any:
-        """Draw position errors before and after with matplotlib, which ``pip install etalon-robot[plot]`` installs; returns the axes."""
-        from ._plots import errors_of_readings
-
-        return errors_of_readings(self.residuals_table(), axes)
+    def _residual_columns(self) -> str:
+        return cast(str, object.__getattribute__(self, "_errors"))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Identification, (self._members, object.__getattribute__(self, "_errors")))
-
-
-def _error_row(error: dict[str, Any]) -> dict[str, Any]:
-    row = {name: error[name] for name in ("pose", "cycle", "target", "quantity")}
-    for prefix, name in (("", "at_mm"), ("before_", "before_mm"), ("after_", "after_mm")):
-        row |= {f"{prefix}{axis}_mm": value for axis, value in zip("xyz", error[name])}
-    return row | {name: error.get(name) for name in ("before_deg", "after_deg")}
+        return (Identification, (self._members, self._residual_columns()))
 
 
 def identify(
@@ -100,6 +82,7 @@ def identify(
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    sheet: str | None = None,
 ) -> Identification:
     """Identify the parameters of a robot from a table of observations.
 
@@ -125,6 +108,7 @@ def identify(
         targets: Nominal positions (mm) of targets at the flange, as of :class:`etalon.Robot`. Without, a target is at the flange's origin.
         delimiter: Delimiter of the columns of a file: ``";"``, ``"tab"`` ...; a comma if None.
         decimal: Decimal mark of a file: ``","``; a point if None.
+        sheet: Sheet of a workbook, or topic of a recording (MCAP); the first if None.
 
     Returns:
         ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg; with
@@ -151,10 +135,10 @@ def identify(
         target=target,
         pose=pose,
         column=_headings(columns),
-        **_marks(observations, delimiter, decimal),
+        **_marks(observations, delimiter, decimal, sheet),
     )
     document, errors = _etalon.identify(robot_of(robot, targets), named(observations, "observations"), options)
-    return cast(Identification, with_warnings(Identification(load(document)._members, json.loads(errors))))
+    return cast(Identification, with_warnings(Identification(load(document)._members, errors)))
 
 
 def plan(
@@ -173,10 +157,13 @@ def plan(
     hold: Sequence[str] | str = (),
     effects: Effects = "usual",
     prior: Prior = "tolerances",
+    target: str | None = None,
+    pose: Literal["row"] | None = None,
     columns: Columns | None = None,
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    sheet: str | None = None,
     progress: Progress | None = None,
 ) -> documents.PlanDocument:
     """Choose the poses to measure among candidates.
@@ -197,10 +184,13 @@ def plan(
         hold: As in :func:`identify`.
         effects: As in :func:`identify`.
         prior: As in :func:`identify`.
+        target: As in :func:`identify`.
+        pose: As in :func:`identify`.
         columns: As in :func:`identify`.
         targets: As in :func:`identify`. A target at the flange's origin does not depend on the zero of the last joint: state where it is.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
+        sheet: As in :func:`identify`.
         progress: Called with what is done and the whole; an exception ends the search.
 
     Returns:
@@ -222,10 +212,12 @@ def plan(
         hold=_names(hold, "hold"),
         effects=_listed(effects),
         prior=prior,
+        target=target,
+        pose=pose,
         column=_headings(columns),
-        **_marks(candidates, delimiter, decimal),
+        **_marks(candidates, delimiter, decimal, sheet),
     )
-    found = load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options, progress))
+    found = load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options, called(progress)))
     return cast(documents.PlanDocument, with_warnings(found))
 
 
@@ -244,6 +236,7 @@ def verify(
     targets: Targets | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    sheet: str | None = None,
 ) -> documents.VerificationDocument:
     """Judge from some few measured poses whether identified parameters still hold.
 
@@ -261,6 +254,7 @@ def verify(
         targets: As in :func:`identify`; the calibration states the positions of its own targets.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
+        sheet: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.VerificationDocument`; ``.verdict`` is ``valid``, ``base_moved``, ``joint`` or ``other``.
@@ -276,7 +270,7 @@ def verify(
         target=target,
         pose=pose,
         column=_headings(columns),
-        **_marks(observations, delimiter, decimal),
+        **_marks(observations, delimiter, decimal, sheet),
     )
     table = named(observations, "observations")
     return cast(documents.VerificationDocument, with_warnings(load(_etalon.verify(robot_of(robot, targets), _needed(parameters), table, options))))
@@ -291,9 +285,11 @@ def axes(
     standard_uncertainty_um: float | None = None,
     convention: Convention | None = None,
     uncertainty_bound: str | None = None,
+    target: str | None = None,
     columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    sheet: str | None = None,
 ) -> documents.AxesDocument:
     """Find the axes of joints from sweeps of one joint at a time (circle-point analysis).
 
@@ -306,9 +302,11 @@ def axes(
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; from the residuals of each sweep if None.
         convention: Convention of the robot file: ``"poe"``, ``"dh"`` or ``"mdh"``.
         uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
+        target: As in :func:`identify`.
         columns: As in :func:`identify`.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
+        sheet: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.AxesDocument`; ``Robot.from_toml(found.robot.robot_toml)`` is the robot without a nominal model.
@@ -323,8 +321,9 @@ def axes(
         standard_uncertainty_um=standard_uncertainty_um,
         convention=convention,
         uncertainty_bound=uncertainty_bound,
+        target=target,
         column=_headings(columns),
-        **_marks(sweeps, delimiter, decimal),
+        **_marks(sweeps, delimiter, decimal, sheet),
     )
     return cast(documents.AxesDocument, with_warnings(load(_etalon.axes(named(sweeps, "sweeps"), options))))
 
@@ -339,14 +338,25 @@ def cell(
     standard_uncertainty_um: float | None = None,
     rotation_uncertainty_deg: float | None = None,
     uncertainty_bound: str | None = None,
+    target: str | None = None,
     columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
+    sheet: str | None = None,
 ) -> documents.CellDocument:
     """Find tool, work object, hand and eye, or an external axis from controller poses and measurements.
 
     Args:
-        readings: Table with the columns of the problem: ``flange_x_mm`` ..., ``x_mm`` ... (``etalon cell --help``).
+        readings: Table with the columns of the problem. Poses of the flange: ``flange_x_mm``, ``flange_y_mm``, ``flange_z_mm`` and
+            ``flange_qw`` ... ``flange_qz``, ``flange_rx_deg`` ... (rotation vector), or ``flange_a_deg`` ... with ``orientation``.
+
+            - ``tool-point``: poses of the flange.
+            - ``tool-reflector``: poses of the flange, ``x_mm``, ``y_mm``, ``z_mm`` of the reflector.
+            - ``tool-axes``: poses of the flange, ``point`` (``tip``, ``z``, ``x``).
+            - ``hand-eye``: poses of the flange, measured poses ``x_mm``, ``y_mm``, ``z_mm``, ``qw`` ... (or ``rx_deg`` ..., ``a_deg`` ...).
+            - ``object``: ``nominal_x_mm``, ``nominal_y_mm``, ``nominal_z_mm``, ``x_mm``, ``y_mm``, ``z_mm``.
+            - ``three-points``: ``point`` (``origin``, ``x``, ``xy`` or ``x1``, ``x2``, ``y1``), ``x_mm``, ``y_mm``, ``z_mm``.
+            - ``linear-axis``, ``rotary-axis``: ``axis_mm`` or ``axis_deg``, ``x_mm``, ``y_mm``, ``z_mm``, ``target``.
         solve: Problem: ``"tool-point"``, ``"tool-reflector"``, ``"tool-axes"``, ``"hand-eye"``, ``"object"``, ``"three-points"``, ``"linear-axis"`` or
             ``"rotary-axis"``.
         orientation: Order of the angles ``flange_a_deg``, ``flange_b_deg``, ``flange_c_deg``.
@@ -355,9 +365,11 @@ def cell(
         standard_uncertainty_um: Of one coordinate, robot and measurement together (k = 1), um; from the residuals if None.
         rotation_uncertainty_deg: Of an orientation about any axis (k = 1), deg; from the residuals if None.
         uncertainty_bound: Bound of the expanded uncertainties of the answer: ``"0.5 mm, 0.1 deg"``; a share of the measured extent if None.
+        target: As in :func:`identify`.
         columns: As in :func:`identify`.
         delimiter: As in :func:`identify`.
         decimal: As in :func:`identify`.
+        sheet: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.CellDocument`: frames and points with standard uncertainties (k = 1), mm and deg.
@@ -373,8 +385,9 @@ def cell(
         standard_uncertainty_um=standard_uncertainty_um,
         rotation_uncertainty_deg=rotation_uncertainty_deg,
         uncertainty_bound=uncertainty_bound,
+        target=target,
         column=_headings(columns),
-        **_marks(readings, delimiter, decimal),
+        **_marks(readings, delimiter, decimal, sheet),
     )
     return cast(documents.CellDocument, with_warnings(load(_etalon.cell(named(readings, "readings"), options))))
 
@@ -391,7 +404,11 @@ def iso9283(
     drift_set: int | None = None,
     rotation_order: str | None = None,
     seed: int = 1,
+    pose: Literal["row"] | None = None,
     columns: Columns | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
+    sheet: str | None = None,
 ) -> documents.Iso9283Document:
     """Evaluate accuracy and repeatability of poses by ISO 9283.
 
@@ -407,7 +424,11 @@ def iso9283(
         drift_set: Cycles of one set of a drift test.
         rotation_order: Order of the rotations: ``"Rz(c) Ry(b) Rx(a)"``.
         seed: Seed of the bootstrap intervals.
+        pose: As in :func:`identify`, for all three tables.
         columns: As in :func:`identify`, for all three tables.
+        delimiter: As in :func:`identify`, for all three tables.
+        decimal: As in :func:`identify`, for all three tables.
+        sheet: As in :func:`identify`, for all three tables.
 
     Returns:
         :class:`etalon.documents.Iso9283Document`; ``.poses`` has AP and RP of each pose, mm.
@@ -424,7 +445,10 @@ def iso9283(
         rotation_order=rotation_order,
     )
     tables = _tables(commanded=commanded, reference=reference)
-    return cast(documents.Iso9283Document, with_warnings(load(_etalon.iso9283(named(attained, "attained"), tables, [options, _json(column=_headings(columns))], seed))))
+    marks = _marks([attained, commanded, reference], delimiter, decimal, sheet)
+    reading = _json(pose=pose, column=_headings(columns), **marks)
+    found = load(_etalon.iso9283(named(attained, "attained"), tables, [options, reading], seed))
+    return cast(documents.Iso9283Document, with_warnings(found))
 
 
 def iso9283_path(
@@ -442,6 +466,9 @@ def iso9283_path(
     central_percent: float = 50.0,
     seed: int = 1,
     columns: Columns | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
+    sheet: str | None = None,
 ) -> documents.Iso9283StreamDocument:
     """Evaluate a recorded motion by ISO 9283: standstills, stabilisation, and the characteristics of a path.
 
@@ -459,6 +486,9 @@ def iso9283_path(
         central_percent: Central part of the path over which velocities are compared, %.
         seed: Seed of the bootstrap intervals.
         columns: As in :func:`identify`, for all three tables.
+        delimiter: As in :func:`identify`, for all three tables.
+        decimal: As in :func:`identify`, for all three tables.
+        sheet: As in :func:`identify`, for all three tables.
 
     Returns:
         :class:`etalon.documents.Iso9283StreamDocument`.
@@ -476,18 +506,29 @@ def iso9283_path(
         velocity_mm_s=velocity_mm_s,
         central_percent=central_percent,
         column=_headings(columns),
+        **_marks([recording, commanded, path], delimiter, decimal, sheet),
     )
     tables = _tables(commanded=commanded, path=path)
     return cast(documents.Iso9283StreamDocument, with_warnings(load(_etalon.iso9283_path(named(recording, "recording"), tables, options, seed))))
 
 
-def iso230(positions: Any, *, columns: Columns | None = None) -> documents.AxisDocument:
+def iso230(
+    positions: Any,
+    *,
+    columns: Columns | None = None,
+    delimiter: str | None = None,
+    decimal: str | None = None,
+    sheet: str | None = None,
+) -> documents.AxisDocument:
     """Evaluate the positioning of a linear axis by ISO 230-2:2014.
 
     Args:
         positions: Table with ``position_mm`` (programmed), ``measured_mm`` and ``direction`` (+1 or -1); each position at least twice in either
             direction.
         columns: As in :func:`identify`.
+        delimiter: As in :func:`identify`.
+        decimal: As in :func:`identify`.
+        sheet: As in :func:`identify`.
 
     Returns:
         :class:`etalon.documents.AxisDocument`; ``.axis`` has accuracy, repeatability and reversal, mm.
@@ -495,7 +536,8 @@ def iso230(positions: Any, *, columns: Columns | None = None) -> documents.AxisD
     Raises:
         Error: A position has too few runs.
     """
-    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(named(positions, "positions"), _json(column=_headings(columns))))))
+    reading = _json(column=_headings(columns), **_marks(positions, delimiter, decimal, sheet))
+    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(named(positions, "positions"), reading))))
 
 
 def _json(**options: Any) -> str:
@@ -509,7 +551,7 @@ def _names(values: Sequence[str] | str, name: str) -> list[str]:
     if isinstance(values, str):
         return [values]
     if not isinstance(values, Sequence):
-        raise Error(f"`{name}` is a {type(values).__name__}: expected a list of texts")
+        raise Error(f"`{name}` is of type {type(values).__name__}: expected a list of texts")
     return list(values)
 
 
@@ -520,21 +562,24 @@ def _listed(values: Any) -> list[Any] | None:
     return None if values is None else list(values)
 
 
-def _tables(**tables: Any) -> list[tuple[str, str] | None]:
+def _tables(**tables: Any) -> list[tuple[str, str | None] | None]:
     return [None if table is None else named(table, name) for name, table in tables.items()]
 
 
-def _marks(table: Any, delimiter: str | None, decimal: str | None) -> dict[str, str | None]:
-    if not isinstance(table, (str, os.PathLike)) and (delimiter, decimal) != (None, None):
-        raise Error("`delimiter` and `decimal` are marks of a file: this table is no path")
-    return {"delimiter": delimiter, "decimal": decimal}
+def _marks(tables: Any, delimiter: str | None, decimal: str | None, sheet: str | None) -> dict[str, str | None]:
+    """Return the marks of a file, or of several."""
+    marks = {"delimiter": delimiter, "decimal": decimal, "sheet": sheet}
+    stated = tables if isinstance(tables, list) else [tables]
+    if any(marks.values()) and not all(table is None or isinstance(table, (str, os.PathLike)) for table in stated):
+        raise Error("`delimiter`, `decimal` and `sheet` are marks of a file: this table is no path")
+    return marks
 
 
 def _headings(columns: Columns | None) -> dict[str, str | int]:
     # words such as "pose" may be headings; names with a unit are etalon's
     unit = re.compile(r".*_(deg|rad|mm)")
     if columns is not None and not isinstance(columns, Mapping):
-        raise Error(f"`columns` is a {type(columns).__name__}: expected headings by etalon's names, such as {{\"q1_deg\": \"J1\"}}")
+        raise Error(f"`columns` is of type {type(columns).__name__}: expected headings by etalon's names, such as {{\"q1_deg\": \"J1\"}}")
     stated = (columns or {}).items()
     swapped = {heading: name for name, heading in stated if isinstance(heading, str) and unit.fullmatch(heading) and "_" not in name}
     if swapped:

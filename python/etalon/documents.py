@@ -19,8 +19,11 @@ import numpy as np
 from ._members import MEMBERS
 
 _ROWS = 50
-#: Lines and rows of the text of a document.
+#: Lines of the text of a document; rows, columns and width of a table in it.
 _LINES = 40
+_SHOWN = 6
+_COLUMNS = 7
+_WIDTH = 110
 
 
 class Record:
@@ -258,6 +261,17 @@ def _short(value: Any) -> str:
     return text if len(text) <= 100 else text[:97] + "..."
 
 
+def _rows(name: str, rows: list[dict[str, Any]]) -> list[str]:
+    """Return the text of a table: names and numbers of its first columns and rows."""
+    columns = [column for column, value in rows[0].items() if isinstance(value, (int, float, str))][:_COLUMNS]
+    shown = [columns] + [[_short(row.get(column, "")) for column in columns] for row in rows[:_SHOWN]]
+    widths = [max(len(cells[k]) for cells in shown) for k in range(len(columns))]
+    if not columns or sum(widths) > _WIDTH:
+        return [f"  {name}: {len(rows)} entries"]
+    lines = ["    " + "  ".join(f"{cell:{width}}" for cell, width in zip(cells, widths)).rstrip() for cells in shown]
+    return [f"  {name}: {len(rows)} entries", *lines, *(["    ..."] if len(rows) > _SHOWN else [])]
+
+
 def _lines(title: str, members: dict[str, Any]) -> list[str]:
     """Return the text of a record: messages, values with their uncertainties, then the other members."""
     lines = [title]
@@ -271,8 +285,9 @@ def _lines(title: str, members: dict[str, Any]) -> list[str]:
             lines += [f"    {row.get('name', '')!s:{width}} {_value_with_uncertainty(row)} {row.get('unit', '')}" for row in known[: _LINES - 15]]
     for name, value in members.items():
         is_shown = _is_table(value) and any(_value_with_uncertainty(row) for row in value)
-        if name not in ("messages", "schema") and not is_shown:
-            lines.append(f"  {name}: {_short(value)}")
+        if name in ("messages", "schema") or name.endswith("_phrases") or is_shown:
+            continue
+        lines += _rows(name, value) if _is_table(value) else [f"  {name}: {_short(value)}"]
     return lines
 
 

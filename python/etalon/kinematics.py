@@ -115,10 +115,10 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
     Raises:
         Error: The shape is another, or the parameters are those of another robot.
     """
-    values = _numbers(joints, "joints")
-    found = _etalon.direct(robot_of(robot), np.atleast_2d(values), json_of(parameters))
+    rows, single = _joint_rows(joints)
+    found = _etalon.direct(robot_of(robot), rows, json_of(parameters))
     poses = Poses(found[:, :3], found[:, 3:])
-    return poses[0] if values.ndim == 1 else poses
+    return poses[0] if single else poses
 
 
 def jacobian(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, parameters: Any = None) -> NDArray[np.float64]:
@@ -138,13 +138,12 @@ def jacobian(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, parame
     Raises:
         Error: The shape is another, or the robot has no whole pose in space.
     """
-    values = _numbers(joints, "joints")
-    rows = np.atleast_2d(values)
+    rows, single = _joint_rows(joints)
     found = _etalon.jacobian(robot_of(robot), rows, json_of(parameters)).reshape(len(rows), 6, -1)
-    return found[0] if values.ndim == 1 else found
+    return found[0] if single else found
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Sensitivity:
     """Derivatives of the position of a target by the parameters of a robot.
 
@@ -169,11 +168,10 @@ def sensitivity(robot: Robot | str | os.PathLike[str], parameters: Any, joints: 
     Raises:
         Error: As :func:`predict`.
     """
-    values = _numbers(joints, "joints")
-    rows = np.atleast_2d(values)
+    rows, single = _joint_rows(joints)
     names, found = _etalon.sensitivity(robot_of(robot), _needed(parameters), rows, target)
     matrix = found.reshape(len(rows), 3, -1)
-    return Sensitivity(names, matrix[0] if values.ndim == 1 else matrix)
+    return Sensitivity(names, matrix[0] if single else matrix)
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,10 +212,10 @@ def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: Arra
     Raises:
         Error: The shape is another, or the parameters are those of another robot or other targets.
     """
-    values = _numbers(joints, "joints")
-    xyz_mm, covariance_mm2 = _etalon.predict(robot_of(robot), _needed(parameters), np.atleast_2d(values), target)
+    rows, single = _joint_rows(joints)
+    xyz_mm, covariance_mm2 = _etalon.predict(robot_of(robot), _needed(parameters), rows, target)
     covariance_mm2 = covariance_mm2.reshape(-1, 3, 3)
-    return Positions(xyz_mm[0], covariance_mm2[0]) if values.ndim == 1 else Positions(xyz_mm, covariance_mm2)
+    return Positions(xyz_mm[0], covariance_mm2[0]) if single else Positions(xyz_mm, covariance_mm2)
 
 
 class Reason(str):
@@ -285,7 +283,7 @@ def inverse(
         Error: The shape is another, or the robot has infinitely many solutions.
     """
     stated, single = _pose_rows(poses)
-    starts = None if near is None else np.atleast_2d(_numbers(near, "near"))
+    starts = None if near is None else _joint_rows(near, "near")[0]
     if starts is not None and len(starts) not in (1, len(stated)):
         raise Error(f"`near` has {len(starts)} rows: expected one, or one for each of the {len(stated)} poses")
     search = {"near": starts, "all": all_solutions}
@@ -297,6 +295,14 @@ def inverse(
     nearest = np.full((len(stated), joints.shape[1]), np.nan)
     nearest[row] = joints
     return Solutions(nearest[0] if single else nearest, np.arange(len(stated)), unreachable)
+
+
+def _joint_rows(joints: ArrayLike, name: str = "joints") -> tuple[NDArray[np.float64], bool]:
+    """Return joint values as rows, and whether those of a single pose were given."""
+    values = _numbers(joints, name)
+    if values.ndim not in (1, 2):
+        raise Error(f"`{name}` has the shape {values.shape}: expected (n, joints), or (joints,) of a single pose")
+    return np.atleast_2d(values), values.ndim == 1
 
 
 def _pose_rows(poses: Poses | ArrayLike) -> tuple[NDArray[np.float64], bool]:
@@ -339,7 +345,7 @@ def json_of(parameters: Any) -> str | None:
         return str(parameters.to_json())
     if isinstance(parameters, (str, os.PathLike)):
         return file_text(parameters, "parameters")
-    raise Error(f"`parameters` is a {type(parameters).__name__}: expected the document of identify, or the path of a parameters.json")
+    raise Error(f"`parameters` is of type {type(parameters).__name__}: expected the document of identify, or the path of a parameters.json")
 
 
 def _needed(parameters: Any) -> str:

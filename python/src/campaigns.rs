@@ -1,17 +1,19 @@
 //! Campaigns in folders.
 
-use crate::computing::compute_long;
+use crate::computing::{compute, compute_long};
 use crate::errors::{failed, json, refused};
-use etalon::run::documents::parse_parameters;
+use crate::tables::columns;
+use etalon::run::documents::{Documents, parse_parameters};
 use etalon::run::pipeline::{Wanted, run_for};
 use etalon::run::{batch as batches, validation};
+use etalon::stages::evaluate::error_table::to_table;
 use etalon::stages::uncertainty::monte_carlo::Draws;
 use etalon::stages::verify::validation::Validation;
 use etalon::tasks;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Message, Problems};
 use etalon_campaign::Campaign;
-use etalon_documents::FrameOrigin;
+use etalon_documents::{AccuracyDocument, FrameOrigin};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -29,6 +31,17 @@ pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, Pa
     });
     let (met, output, messages) = outcome?.map_err(refused)?;
     Ok((met, output, json(&messages)?))
+}
+
+/// Errors of the readings of a run as columns, from its output folder.
+#[pyfunction]
+pub fn residuals(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+    let table = compute(py, || {
+        let documents = Documents::open(&folder)?;
+        let accuracy: AccuracyDocument = documents.json("accuracy.json")?;
+        Ok::<_, Problems>(to_table(&documents.errors(&accuracy)?, &accuracy.joints))
+    });
+    columns(table?.map_err(refused)?)
 }
 
 /// Everything that is wrong with a campaign.

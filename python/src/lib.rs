@@ -23,7 +23,7 @@ mod _etalon {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::campaigns::{batch, check, recommend, run, uncertainty, validate};
+    use super::campaigns::{batch, check, recommend, residuals, run, uncertainty, validate};
     #[pymodule_export]
     use super::fit::{Fitted, enclosing, fit, rigid};
     #[pymodule_export]

@@ -141,7 +141,7 @@ impl Robot {
 
     /// Columns of the joint values, with their units.
     #[getter]
-    fn joints(&self) -> PyResult<Vec<String>> {
+    pub fn joints(&self) -> PyResult<Vec<String>> {
         Ok(self.model()?.joints().iter().map(|joint| joint.column()).collect())
     }
 

@@ -1,7 +1,9 @@
-//! Tables of other libraries as CSV text, which etalon's own reader checks.
+//! Tables of other libraries as CSV text, which etalon's own reader checks, and tables of etalon as
+//! columns.
 
-use crate::errors::refused;
+use crate::errors::{json, refused};
 use arrow_cast::display::{ArrayFormatter, FormatOptions};
+use etalon::formats::table::{Table, Values};
 use etalon_base::message::Message;
 use pyo3::prelude::*;
 use pyo3_arrow::PyTable;
@@ -22,6 +24,18 @@ pub fn csv(table: PyTable) -> PyResult<String> {
         }
     }
     String::from_utf8(text.into_inner().map_err(wrong)?).map_err(wrong)
+}
+
+/// The names and values of the columns of a table as JSON; null for an empty cell.
+pub fn columns(table: Table) -> PyResult<String> {
+    let values = |values: Values| match values {
+        Values::Numbers(all) => serde_json::to_value(all),
+        Values::Whole(all) => serde_json::to_value(all),
+        Values::Poses(all) => serde_json::to_value(all),
+        Values::Texts(all) => serde_json::to_value(all),
+    };
+    let columns = table.into_columns().into_iter().map(|(name, all)| Ok((name, values(all)?)));
+    json(&columns.collect::<Result<Vec<_>, _>>().map_err(|error: serde_json::Error| wrong(error))?)
 }
 
 fn wrong(error: impl Display) -> PyErr {

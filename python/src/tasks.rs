@@ -3,20 +3,25 @@
 use crate::computing::compute_long;
 use crate::errors::{failed, json, refused};
 use crate::robot::Robot;
+use crate::tables::columns;
 use etalon::cli;
 use etalon::run::documents::parse_parameters;
+use etalon::stages::evaluate::error_table::to_table;
 use etalon::tasks::{self, RecordingTables, Table, TableFormat, TestTables, parse_options};
 use pyo3::prelude::*;
+use std::path::Path;
 
-/// Name and CSV text of a table.
-type Named = (String, String);
+/// Path of a file, or the name of a table and its CSV text.
+type Named = (String, Option<String>);
 
-/// `parameters.json` identified from a table of observations, and the errors of its readings.
+/// `parameters.json` identified from a table of observations, and the errors of its readings as
+/// columns.
 #[pyfunction]
 pub fn identify(py: Python<'_>, robot: &Robot, observations: Named, options: &str) -> PyResult<(String, String)> {
     let (inputs, options) = (robot.inputs(table(&observations)), parse_options(options).map_err(refused)?);
     let found = compute_long(py, None, |_| tasks::identify(&inputs, &options))?.map_err(failed)?;
-    Ok((json(&found.document)?, json(&found.errors)?))
+    let errors = to_table(&found.errors, &robot.joints()?);
+    Ok((json(&found.document)?, columns(errors)?))
 }
 
 /// The poses to measure among candidates.
@@ -114,5 +119,8 @@ fn reading(options: &str) -> PyResult<TableFormat> {
 }
 
 fn table((name, text): &Named) -> Table<'_> {
-    Table::Text { name, text }
+    match text {
+        Some(text) => Table::Text { name, text },
+        None => Table::File(Path::new(name)),
+    }
 }

@@ -1,6 +1,8 @@
 """Warnings and errors: by id, at the caller's line, and with remedies in Python."""
 
 import inspect
+import json
+import pickle
 import re
 import warnings
 from pathlib import Path
@@ -40,6 +42,9 @@ def test_an_implausible_result_has_both_classes():
     with pytest.warns(etalon.ImplausibleWarning, match="tolerance-exceeded.*\nhint: check signs") as caught:
         warn([message])
     assert isinstance(caught[0].message, etalon.warning_class("tolerance-exceeded"))
+    # from the process of a pool
+    again = pickle.loads(pickle.dumps(caught[0].message))
+    assert type(again) is type(caught[0].message) and str(again) == str(caught[0].message)
 
 
 def test_few_poses_do_not_pass_in_silence(arm):
@@ -73,7 +78,16 @@ def test_a_run_and_a_fit_warn(sample):
         ("state `--mounting target` (the instrument stands)", 'state `mounting="target"` (the instrument stands)'),
         ('state `columns = { x_mm = "X" }` (option --column)', 'state `columns={"x_mm": "X"}`'),
         ('or `pose = "row"` if', 'or `pose="row"` if'),
-        ("`etalon cell --help` lists the columns", "`etalon cell --help` lists the columns"),
+        ("`etalon cell --help` lists the columns", "`help(etalon.cell)` lists the columns"),
+        ("`etalon export --help` lists them", "`etalon export --help` lists them"),
+        ("name it under `hold` in [identify]; by default", "name it under `hold=`; by default"),
+        ("hold parameters with `hold` in [identify] or --hold", "hold parameters with `hold=`"),
+        ('state `orientation = "zyx"` in [observations], or --orientation', 'state `orientation="zyx"`'),
+        ("state `drift_set` in [poses] (`--drift-set`), or warm up", "state `drift_set=`, or warm up"),
+        ("omit these poses (`exclude`, --exclude)", "omit these poses (`exclude=`)"),
+        ("a column `u_mm`, `expanded_uncertainty_um` in [instrument], or --standard-uncertainty-um", "a column `u_mm`, or standard_uncertainty_um="),
+        ('state `target = "NAME"` of the table (option --target), a column `target`, or `targets` in [join]', 'state `target="NAME"` of the table, a column `target`'),
+        ("choose another key with `by` in [join]", "choose another key with `by` in [join]"),
         ("measured - nominal -- by hand", "measured - nominal -- by hand"),
     ],
 )
@@ -127,6 +141,16 @@ def test_options_in_hints_are_keywords_of_some_function():
                 assert option.replace("-", "_") in known or option in OTHER_PROGRAMS, line
 
 
+def test_hints_of_tables_name_no_section_of_a_campaign():
+    """Of the texts with a key of [identify], the others belong to a verdict on a campaign."""
+    left = set()
+    for path in (FOLDER.parent / "src/base/messages/en").glob("*.ftl"):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if not line.startswith("#") and path.stem in ("stages", "documents", "identify", "fit", "formats"):
+                left |= {line.split(" = ")[0].strip() for _ in re.findall(r"(?:in|of) \[(?:identify|observations)\]", python_words(line))}
+    assert left == {"action-add-validation", "action-prove-effects"}
+
+
 #: Options of other programs, and of commands that the test above does not list.
 OTHER_PROGRAMS = {"src", "dst", "dst-storage", "start", "end", "compression-mode", "rotation-order", "near-mm", "rate-hz", "with", "tool-length-mm"}
 OTHER_PROGRAMS |= {"number", "frames", "field", "without", "orientation", "parameters", "force", "json", "solve", "help"}
@@ -152,6 +176,10 @@ def test_errors_are_those_of_etalon(arm, tmp_path):
         "a number as a campaign": lambda: etalon.check(5),
         "an option of the wrong type": lambda: identify(robot, table, standard_uncertainty_um="ten"),
         "weights of another length": lambda: etalon.fit.plane(np.eye(3), weights=[1, 2]),
+        "three dimensions of joints": lambda: etalon.kinematics.direct(robot, np.zeros((2, 3, 6))),
+        "three dimensions of starts": lambda: etalon.kinematics.inverse(robot, np.eye(4), near=np.zeros((1, 2, 6))),
+        "a number as progress": lambda: etalon.plan(robot, table, 20, progress=5),
+        "a Series as a table": lambda: identify(robot, pytest.importorskip("pandas").Series([1.0])),
         "an unknown element": lambda: etalon.fit.element("square", np.eye(3)),
     }
     for name, call in wrong.items():
@@ -168,6 +196,27 @@ def test_a_missing_coordinate_is_named_with_its_row(arm):
     assert "x is missing in line 6" in str(raised.value), str(raised.value)
 
 
+def test_a_column_that_is_not_read_is_named_before_the_failure(arm):
+    """Without z the positions fit nowhere: the unread heading is the cause."""
+    robot, table, _ = arm
+    renamed = {{"z_mm": "Z"}.get(name, name): column for name, column in table.items()}
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, renamed | {"x_mm": np.asarray(table["x_mm"]) * 0.001})
+    assert raised.value.id == "placement-unexplained" and raised.value.hint, str(raised.value)
+    unread = [message for message in raised.value.messages if message.id == "columns-not-read"]
+    assert len(unread) == 1 and "`Z`" in unread[0].what
+
+
+def test_residuals_of_rounding_are_no_outliers(arm):
+    robot, table, _ = arm
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    exact = etalon.kinematics.direct(robot, joints).xyz_mm
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        etalon.identify(robot, table | {f"{axis}_mm": exact[:, k] for k, axis in enumerate("xyz")})
+    assert "largest-residuals" not in {entry.message.message.id for entry in caught}
+
+
 def test_a_misnamed_joint_is_not_told_of_coordinates(arm):
     robot, table, _ = arm
     joints = {f"q{i}_deg": f"J{i}" for i in range(1, 7)}
@@ -176,7 +225,15 @@ def test_a_misnamed_joint_is_not_told_of_coordinates(arm):
         etalon.identify(robot, renamed)
     hints = [message.hint for message in raised.value.messages]
     assert hints == [f'if it is the column `{heading}`, state `columns={{"{name}": "{heading}"}}`' for name, heading in joints.items()]
+    assert str(raised.value).endswith(f"hint: together: columns={json.dumps(joints)}")
     etalon.identify(robot, renamed, columns=joints, standard_uncertainty_um=10)
+    # a coordinate by its letter
+    other = {{"x_mm": "X", "y_mm": "pos Y [mm]"}.get(name, name): column for name, column in renamed.items()}
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, other)
+    headings = {"x_mm": "X", "y_mm": "pos Y [mm]"} | joints
+    assert str(raised.value).endswith(f"hint: together: columns={json.dumps(headings)}"), str(raised.value)
+    etalon.identify(robot, other, columns=headings, standard_uncertainty_um=10)
     strange = {{"q1_deg": "shoulder", "q2_deg": "elbow"}.get(name, name): column for name, column in table.items()}
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, strange)

@@ -23,16 +23,27 @@ def urdf(axes):
     return '<robot name="arm">' + "".join(f'<link name="{link}"/>' for link in links) + "".join(joints) + "</robot>"
 
 
-def recorded(path, names, joints):
-    """A recording of joint states, whose names are in another order than those of the URDF."""
+def recorded(path, names, joints, measured):
+    """A recording of joint states, whose names are in another order than those of the URDF, and of a measured reflector: at each pose the robot stands
+    for half a second, and a gripper publishes states of its own."""
     rosbag2, typesys = pytest.importorskip("rosbags.rosbag2"), pytest.importorskip("rosbags.typesys")
     store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
-    state, header, time = (store.types[name] for name in ("sensor_msgs/msg/JointState", "std_msgs/msg/Header", "builtin_interfaces/msg/Time"))
+    kinds = ["sensor_msgs/msg/JointState", "std_msgs/msg/Header", "builtin_interfaces/msg/Time", "tf2_msgs/msg/TFMessage"]
+    kinds += ["geometry_msgs/msg/TransformStamped", "geometry_msgs/msg/Transform", "geometry_msgs/msg/Vector3", "geometry_msgs/msg/Quaternion"]
+    state, header, time, tree, stamped, transform, vector, quaternion = (store.types[kind] for kind in kinds)
     with rosbag2.Writer(path, version=9) as writer:
-        connection = writer.add_connection("/joint_states", state.__msgtype__, typestore=store)
-        for i, row in enumerate(np.radians(joints)):
-            message = state(header(time(i, 0), ""), names[::-1], row[::-1].copy(), np.zeros(6), np.zeros(6))
-            writer.write(connection, i * 10**9, store.serialize_cdr(message, state.__msgtype__))
+        topics = {name: writer.add_connection(name, kind.__msgtype__, typestore=store) for name, kind in (("/joint_states", state), ("/tf", tree))}
+
+        def write(topic, seconds, message):
+            writer.write(topics[topic], int(seconds * 1e9), store.serialize_cdr(message, message.__msgtype__))
+
+        for i, (row, point) in enumerate(zip(np.radians(joints), measured / 1000)):
+            for nanosec in (0, 500_000_000):
+                write("/joint_states", i + nanosec / 1e9, state(header(time(i, nanosec), ""), names[::-1], row[::-1].copy(), np.zeros(6), np.zeros(6)))
+            write("/joint_states", i + 0.1, state(header(time(i, 100_000_000), ""), ["finger"], np.zeros(1), np.zeros(1), np.zeros(1)))
+            turned = transform(vector(*point), quaternion(0.0, 0.0, 0.0, 1.0))
+            frames = [stamped(header(time(i, 250_000_000), "tracker"), child, turned) for child in ("other", "reflector")]
+            write("/tf", i + 0.25, tree(frames))
 
 
 def blocks():
@@ -49,15 +60,15 @@ def test_a_recording_becomes_a_calibrated_urdf(tmp_path, monkeypatch):
     true.write_text(urdf([*AXES[:2], ("0 0 0.4008", "0 1 0"), ("0.1 0 0.2005", "1 0 0"), *AXES[4:]]))
     joints = np.random.default_rng(1).uniform(-120, 120, (60, 6))
     robot = etalon.Robot(nominal)
-    recorded(tmp_path / "bag", [joint.rsplit("_", 1)[0] for joint in robot.joints], joints)
-    names = {"robot": robot, "path": tmp_path / "bag"}
-    read, back = blocks()
-    exec(read, names)
-    assert names["joints"] == pytest.approx(joints, abs=1e-9)
     place = np.array([30.0, 10.0, 60.0, 1.0])
     measured = (etalon.kinematics.direct(true, joints).matrix @ place)[:, :3] + np.random.default_rng(2).normal(0, 0.01, (60, 3))
-    table = {"pose": np.arange(60), "target": ["SMR"] * 60} | dict(zip(robot.joints, names["joints"].T))
-    names["table"] = table | {f"{axis}_mm": measured[:, k] for k, axis in enumerate("xyz")}
+    recorded(tmp_path / "bag", [joint.rsplit("_", 1)[0] for joint in robot.joints], joints, measured)
+    names = {"path": tmp_path / "bag"}
+    read, back = blocks()
+    exec(read, names)
+    table = names["table"]
+    assert np.column_stack([table[joint] for joint in robot.joints]) == pytest.approx(joints, abs=1e-9)
+    assert np.column_stack([table[f"{axis}_mm"] for axis in "xyz"]) == pytest.approx(measured, abs=1e-9)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", etalon.MessageWarning)
         exec(back, names)

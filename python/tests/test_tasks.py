@@ -1,5 +1,7 @@
 """Commands on tables: against known errors, formulas of the standards, and between libraries of tables."""
 
+import warnings
+
 import numpy as np
 import pytest
 from conftest import IRB120, dh
@@ -280,8 +282,78 @@ def test_a_file_with_other_marks_is_read_as_stated(arm, tmp_path):
     assert etalon.plan(robot, path, 30, starts=1, delimiter=";", decimal=",").chosen
     with pytest.raises(etalon.Error, match="delimiter"):
         etalon.identify(robot, path)
+    for mark in ({"delimiter": ";"}, {"decimal": ","}, {"sheet": "A"}):
+        with pytest.raises(etalon.Error, match="marks of a file"):
+            etalon.identify(robot, table, **mark)
+
+
+def test_a_sheet_of_a_workbook_is_a_table(arm, tmp_path):
+    openpyxl = pytest.importorskip("openpyxl")
+    robot, table, _ = arm
+    book = openpyxl.Workbook()
+    book.active.append(["a", "note"])
+    sheet = book.create_sheet("poses")
+    sheet.append(list(table))
+    for row in zip(*(np.asarray(column).tolist() for column in table.values())):
+        sheet.append(row)
+    book.save(tmp_path / "arm.xlsx")
+    values = [[p.value for p in found.parameters] for found in (etalon.identify(robot, table), etalon.identify(robot, tmp_path / "arm.xlsx", sheet="poses"))]
+    assert values[0] == pytest.approx(values[1], abs=1e-9)
+    with pytest.raises(etalon.Error, match="missing.xlsx"):
+        etalon.identify(robot, tmp_path / "missing.xlsx")
+
+
+def attained_poses():
+    """Thirty cycles of two poses, in tables of another program."""
+    noise = np.random.default_rng(5)
+    rows = [(f"P{k + 1}", cycle, *(np.array([100.0 * k, 50 * k, 20 * k]) + noise.normal(0, 0.02, 3))) for cycle in range(1, 31) for k in range(2)]
+    return dict(zip(["Punkt", "Zyklus", "X", "Y", "Z"], map(list, zip(*rows)))), {"Punkt": ["P1", "P2"], "X": [0.0, 100], "Y": [0.0, 50], "Z": [0.0, 20]}
+
+
+def test_files_with_other_marks_and_headings_are_tests_of_the_standard(tmp_path):
+    attained, commanded = attained_poses()
+    columns = {"pose": "Punkt", "cycle": "Zyklus", "x_mm": "X", "y_mm": "Y", "z_mm": "Z"}
+    with pytest.raises(etalon.Error) as raised:
+        etalon.iso9283(attained, commanded)
+    assert 'columns={"pose": ' in str(raised.value)
+    paths = []
+    for name, table in (("attained", attained), ("commanded", commanded)):
+        lines = [";".join(table)] + [";".join(str(value).replace(".", ",") for value in row) for row in zip(*table.values())]
+        paths.append(tmp_path / f"{name}.csv")
+        paths[-1].write_text("\n".join(lines) + "\n")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", etalon.MessageWarning)
+        found = etalon.iso9283(attained, commanded, columns=columns)
+        of_files = etalon.iso9283(*paths, columns=columns, delimiter=";", decimal=",")
+    assert [pose.ap_mm for pose in of_files.poses] == [pose.ap_mm for pose in found.poses]
+    # the terminal shows numbers of each pose
+    assert f"{found.poses[1].ap_mm:.6g}" in repr(found)
     with pytest.raises(etalon.Error, match="marks of a file"):
-        etalon.identify(robot, table, delimiter=";")
+        etalon.iso9283(paths[0], commanded, columns=columns, delimiter=";")
+
+
+@pytest.mark.parametrize("remedy", [{"pose": "row"}, {"target": "SMR"}], ids=str)
+def test_replaced_columns_are_keywords_where_hints_name_them(arm, remedy):
+    robot, table, _ = arm
+    without = {name: column for name, column in table.items() if name not in remedy}
+    calls = {"identify": (etalon.identify, (robot, without)), "plan": (etalon.plan, (robot, without, 20))}
+    if "pose" in remedy:
+        calls["iso9283"] = (etalon.iso9283, ({name: without[name] for name in ("cycle", "x_mm", "y_mm", "z_mm")},))
+    else:
+        sweeps = {name: without[name] for name in ("x_mm", "y_mm", "z_mm")} | {"joint": ["q1"] * 60}
+        calls["axes"] = (etalon.axes, (sweeps,))
+    stated = next(f'{name}="' for name in remedy)
+    for name, (function, arguments) in calls.items():
+        with pytest.raises(etalon.Error) as raised:
+            function(*arguments)
+        assert stated in str(raised.value), (name, str(raised.value))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            try:
+                function(*arguments, **remedy)
+            except etalon.Error as error:
+                # the column is no longer missing
+                assert stated not in str(error), (name, str(error))
 
 
 def test_options_of_a_command_take_dictionaries():
@@ -345,6 +417,8 @@ def test_a_data_frame_needs_no_pyarrow(arm, monkeypatch):
     monkeypatch.delattr(pandas.DataFrame, "__arrow_c_stream__", raising=False)
     values = [[p.value for p in etalon.identify(robot, of).parameters] for of in (table, frame)]
     assert values[0] == values[1]
+    indexed = [p.value for p in etalon.identify(robot, frame.set_index(["pose", "cycle"])).parameters]
+    assert indexed == values[0]
     missing = frame.copy()
     missing.loc[4, "x_mm"] = None
     with pytest.raises(etalon.Error):

@@ -162,7 +162,7 @@ pub fn unread_columns(robot: &dyn Robot, table: &Table) -> Vec<String> {
 }
 
 /// Warning about columns that are not read.
-pub fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
+fn unread(robot: &dyn Robot, table: &Table) -> Option<Message> {
     let unread = unread_columns(robot, table);
     let first = unread.first()?;
     let columns: Vec<String> = unread.iter().map(|name| format!("`{name}`")).collect();
