@@ -164,7 +164,7 @@ fn read(path: &Path, lines: &str, right: &Right) -> Result<(), String> {
         first.extend(points.iter().find(|p| p.refused.is_none()).map(|p| p.xyz_mm));
     }
     if let Some(stated) = &proposed.log {
-        let (text, _) = stated.text(path).map_err(said)?;
+        let text = stated.load(path).map_err(said)?.text;
         let mut source = source();
         log(SourceText { name: "c", text: lines }, stated, &text, &mut source).map_err(said)?;
     }

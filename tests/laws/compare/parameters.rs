@@ -36,6 +36,7 @@ fn residuals(degrees_of_freedom: usize) -> ResidualSummary {
 /// Errors of no pose.
 fn no_errors() -> AccuracyDocument {
     AccuracyDocument {
+        orientation_budget: None,
         campaign: None,
         provenance: None,
         field: None,
