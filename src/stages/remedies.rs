@@ -6,8 +6,8 @@ use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_documents::{set_up_hint, warning_message};
-use etalon_identify::{Cause, Error, OUTLIER, Reading, RobustFit};
+use etalon_documents::{ErrorQuantity, set_up_hint, warning_message};
+use etalon_identify::{Cause, Error, ErrorKind, OUTLIER, Reading, RobustFit};
 use etalon_robots::Robot;
 
 /// The messages of an error of [`etalon_identify`] with the remedy as the hint of the first.
@@ -84,13 +84,34 @@ pub(super) fn outliers_excluded(robust: &RobustFit, robot: &dyn Robot) -> Messag
 }
 
 fn outliers(robust: &RobustFit, robot: &dyn Robot) -> Phrase {
-    let (outliers, scale_mm) = (robust.outliers(), robust.scale_mm);
+    let outliers = robust.outliers();
     let (count, total, times) = (outliers.len(), robust.readings.len(), OUTLIER);
-    phrase!("outlier-readings", count, total, times, scale_mm, readings = named(outliers, NAMED_OUTLIERS, robot))
+    let is_concerned = |quantity: &Option<ErrorKind>| outliers.iter().any(|r| r.quantity == *quantity);
+    let scales = robust.scales.iter().filter(|(quantity, _)| is_concerned(quantity));
+    let scales: Vec<Phrase> = scales.map(|(quantity, scale)| standard_deviation(*quantity, *scale)).collect();
+    phrase!("outlier-readings", count, total, times, scales, readings = named(outliers, NAMED_OUTLIERS, robot))
+}
+
+/// Standard deviation (mm, rad) of a quantity, with the name of the quantity.
+fn standard_deviation(quantity: Option<ErrorKind>, deviation: f64) -> Phrase {
+    match quantity.map(ErrorQuantity::from) {
+        None => phrase!("deviation-of-angles", deviation_deg = deviation.to_degrees()),
+        Some(quantity) => phrase!("deviation-of-lengths", deviation_mm = deviation, quantity = quantity.phrase()),
+    }
 }
 
 fn named(readings: &[Reading], most: usize, robot: &dyn Robot) -> Vec<Argument> {
-    let text = |r: &Reading| reading(r.left_mm, &robot.targets()[r.target], r.pose, r.cycle);
+    let text = |r: &Reading| {
+        let (target, pose, cycle) = (&robot.targets()[r.target], r.pose, r.cycle);
+        match r.quantity {
+            None => phrase!("orientation-off", off_deg = r.left.to_degrees(), target, pose, cycle),
+            Some(ErrorKind::Position) => reading(r.left, target, pose, cycle),
+            Some(kind) => {
+                let quantity = ErrorQuantity::from(kind).phrase();
+                phrase!("quantity-off", off_mm = r.left, quantity, target, pose, cycle)
+            }
+        }
+    };
     truncated(readings.iter().map(text), most)
 }
 

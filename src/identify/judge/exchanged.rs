@@ -1,7 +1,7 @@
 //! Poses whose joint values were swapped: two rows of a log, or two names of poses.
 
-use crate::Observation;
-use crate::judgement::diagnosis::{OUTLIER, RobustFit};
+use crate::judgement::diagnosis::{OUTLIER, Reading, ReadingSource, RobustFit};
+use crate::{Condition, Observation};
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_robots::Robot;
@@ -12,28 +12,81 @@ const EXPLAINED: [f64; 2] = [0.1, 0.5];
 /// Maximum number of outlying poses that are compared in pairs.
 const MOST: usize = 60;
 
+/// All readings at the same joint values.
+struct Visit<'a> {
+    pose: PoseName,
+    joints: &'a [f64],
+    readings: Vec<&'a Reading>,
+}
+
+/// Data of a robust fit.
+struct Data<'a> {
+    robot: &'a dyn Robot,
+    observations: &'a [Observation],
+    conditions: &'a [Condition],
+    values: &'a [f64],
+}
+
+impl<'a> Data<'a> {
+    fn joints(&self, reading: &Reading) -> &'a [f64] {
+        match reading.source {
+            ReadingSource::Position(i) => &self.observations[i].joints,
+            ReadingSource::Condition(i) => &self.conditions[i].joints,
+        }
+    }
+
+    /// Largest residual of a visit with other joint values, in standard deviations.
+    fn left(&self, visit: &Visit, joints: &[f64]) -> f64 {
+        let left = |reading: &&Reading| match reading.source {
+            ReadingSource::Position(i) => {
+                let other = Observation { joints: joints.to_vec(), ..self.observations[i].clone() };
+                let mut misses = other.misses(self.robot, self.values);
+                misses.find(|(target, _)| *target == reading.target).map_or(0.0, |(_, miss)| norm(miss))
+            }
+            ReadingSource::Condition(i) => {
+                let other = Condition { joints: joints.to_vec(), ..self.conditions[i].clone() };
+                norm(other.error(self.robot, self.values))
+            }
+        };
+        visit.readings.iter().map(|r| left(r) / r.deviation).fold(0.0, f64::max)
+    }
+
+    /// Visits with an outlying reading, in the order of the data.
+    fn outlying(&self, robust: &'a RobustFit) -> Vec<Visit<'a>> {
+        let mut outliers: Vec<&Reading> = robust.outliers().iter().collect();
+        outliers.sort_by_key(|reading| reading.source);
+        let mut visits: Vec<Visit> = Vec::new();
+        for outlier in outliers {
+            let (pose, joints) = (outlier.pose, self.joints(outlier));
+            let is_here = |r: &&Reading| r.pose == pose && r.cycle == outlier.cycle && self.joints(r) == joints;
+            let is_new = visits.iter().all(|visit| !visit.readings.iter().any(|r| r.source == outlier.source));
+            if is_new && visits.len() < MOST {
+                visits.push(Visit { pose, joints, readings: robust.readings.iter().filter(is_here).collect() });
+            }
+        }
+        visits
+    }
+}
+
 /// Pairs of outlying poses that are no outliers with the joint values of each other.
-pub fn exchanged_poses(robot: &dyn Robot, observations: &[Observation], robust: &RobustFit) -> Vec<[PoseName; 2]> {
-    let mut outlying: Vec<usize> = robust.outliers().iter().map(|reading| reading.observation).collect();
-    outlying.sort_unstable();
-    outlying.dedup();
-    outlying.truncate(MOST);
-    let left_mm = |o: &Observation, joints: &[f64]| {
-        let other = Observation { joints: joints.to_vec(), ..o.clone() };
-        other.misses(robot, &robust.values).map(|(_, miss)| norm(miss)).fold(0.0, f64::max)
-    };
+pub fn exchanged_poses(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    conditions: &[Condition],
+    robust: &RobustFit,
+) -> Vec<[PoseName; 2]> {
+    let data = Data { robot, observations, conditions, values: &robust.values };
+    let mut outlying = data.outlying(robust);
     let mut pairs = Vec::new();
     while let Some(first) = outlying.pop() {
-        let explains = |&&second: &&usize| {
-            let (a, b) = (&observations[first], &observations[second]);
-            [(a, b), (b, a)].into_iter().all(|(o, other)| {
-                let (with, without) = (left_mm(o, &other.joints), left_mm(o, &o.joints));
-                with < (OUTLIER * robust.scale_mm).max(EXPLAINED[0] * without).min(EXPLAINED[1] * without)
+        let explains = |second: &Visit| {
+            [(&first, second), (second, &first)].into_iter().all(|(visit, other)| {
+                let (with, without) = (data.left(visit, other.joints), data.left(visit, visit.joints));
+                with < OUTLIER.max(EXPLAINED[0] * without).min(EXPLAINED[1] * without)
             })
         };
-        if let Some(&second) = outlying.iter().rev().find(explains) {
-            outlying.retain(|&k| k != second);
-            pairs.push([observations[second].pose, observations[first].pose]);
+        if let Some(k) = outlying.iter().rposition(explains) {
+            pairs.push([outlying.remove(k).pose, first.pose]);
         }
     }
     pairs.reverse();

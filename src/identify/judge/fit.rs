@@ -104,12 +104,8 @@ pub(crate) fn left(robot: &dyn Robot, data: &Data, values: &[f64]) -> Left {
         }
     }
     for c in &data.settings.conditions {
-        let error = c.error(robot, values);
-        // a gap along a direction is one residual
-        match c.kind.rows() {
-            1 => left.add(c.kind.is_angle(), norm(error)),
-            rows => error[..rows.min(3)].iter().for_each(|v| left.add(c.kind.is_angle(), *v)),
-        }
+        let (residuals, rows) = c.residuals_at(robot, values);
+        residuals[..rows].iter().for_each(|v| left.add(c.kind.is_angle(), *v));
     }
     left
 }

@@ -1,12 +1,13 @@
 //! Diagnosis: the cause of a missing result, and outliers, the largest residuals of a robust fit.
 
 use crate::judge::{exchanged_poses, set_up_error};
+use crate::judgement::figures::ErrorKind;
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
 use crate::solution::estimation::Estimation;
 use crate::solution::identifiability::Analysis;
-use crate::{Cause, Error, Identification, Observation, ResidualKind, Settings, unseen_by};
+use crate::{Cause, Condition, Error, Identification, Kind, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_math::statistics::median;
@@ -45,7 +46,7 @@ fn wrong_readings(
     let robust = RobustFit::from_start(robot, observations, settings, free, start)?;
     let poses: BTreeSet<PoseName> = robust.outliers().iter().map(|reading| reading.pose).collect();
     let few = robust.outliers().len() as f64 <= FEW * robust.readings.len() as f64;
-    let exchanged = exchanged_poses(robot, observations, &robust);
+    let exchanged = exchanged_poses(robot, observations, &settings.conditions, &robust);
     (few && !poses.is_empty()).then_some(Cause::Readings { poses, exchanged })
 }
 
@@ -124,41 +125,61 @@ fn extent(points: &[Vector]) -> f64 {
 pub const OUTLIER: f64 = 6.0;
 /// Number of fits, each with the scale of the previous one.
 const FITS: usize = 12;
-/// A median residual below this share of another one belongs to a better fit.
+/// A scatter below this share of another one belongs to a better fit.
 const BELOW: f64 = 0.9;
 /// Minimum number of observations in the part with which the fit from the nominal parameters
 /// begins.
 const PART: usize = 60;
-/// Minimum scale (mm) of residuals: no instrument resolves less.
-pub const LEAST_MM: f64 = 1e-6;
+/// Minimum scale (mm, rad) of residuals: no instrument resolves less.
+pub const LEAST_RESIDUAL: f64 = 1e-6;
 
-/// Residual of every reading after a robust fit.
+/// Residual of every reading after a robust fit. Each quantity is judged by its own scatter: that
+/// of a model that is incomplete is not the instrument's.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
-    /// The largest first.
+    /// The largest first, relative to its standard deviation.
     pub readings: Vec<Reading>,
-    /// Standard deviation (mm) of a coordinate: by the majority of the residuals, or the given one
-    /// if that is larger.
-    pub scale_mm: f64,
+    /// Standard deviation (mm, rad) of the residuals of each quantity: by the majority of them, or
+    /// the stated one if that is larger. `None` stands for orientations.
+    pub scales: BTreeMap<Option<ErrorKind>, f64>,
     /// All parameters of the robust fit.
     pub values: Vec<f64>,
 }
 
-/// Residual of a measured target.
+/// Place of a reading among the data.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ReadingSource {
+    /// Position of a target in the observation with this index.
+    Position(usize),
+    /// Condition with this index.
+    Condition(usize),
+}
+
+/// Residual of a reading.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// Index of its observation.
-    pub observation: usize,
+    /// Its place among the data.
+    pub source: ReadingSource,
+    /// Its quantity; `None` for an orientation.
+    pub quantity: Option<ErrorKind>,
     /// Index of its target.
     pub target: usize,
     /// Name of the pose.
     pub pose: PoseName,
     /// Number of the repeat.
     pub cycle: i64,
-    /// Distance, mm.
-    pub left_mm: f64,
-    /// Standard uncertainty (mm) of a coordinate that the reading itself gives; 0 without.
-    own_mm: f64,
+    /// Size of the residual: distance (mm), or angle (rad) of an orientation.
+    pub left: f64,
+    /// Standard deviation (mm, rad) of one of its residuals: of its quantity, or the one that the
+    /// reading itself states if that is larger.
+    pub(crate) deviation: f64,
+}
+
+impl Reading {
+    /// Residual over its standard deviation.
+    pub(crate) fn over_deviation(&self) -> f64 {
+        self.left / self.deviation
+    }
 }
 
 impl RobustFit {
@@ -182,98 +203,177 @@ impl RobustFit {
     ) -> Option<Self> {
         let unseen = unseen_by(robot, settings.kind).filter(|i| !free.contains(i));
         let free: Vec<usize> = free.iter().copied().chain(unseen).collect();
-        let values = robust(robot, observations, settings, &free, start)?;
-        let scale_mm = OF_MEDIAN * median_mm(robot, observations, &values)?;
-        let scale_mm = scale_mm.max(settings.coordinate_uncertainty_mm()).max(LEAST_MM);
+        let Fit { values, scatter } = robust(robot, observations, settings, &free, start)?;
+        let stated_mm = settings.coordinate_uncertainty_mm();
+        let position_mm = scatter.scale(Some(ErrorKind::Position)).max(stated_mm);
         let mut readings = Vec::new();
-        for (observation, o) in observations.iter().enumerate() {
+        for (index, o) in observations.iter().enumerate() {
             let own: BTreeMap<usize, f64> = o.uncertainties_mm(robot.dimension()).collect();
             readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
-                observation,
+                source: ReadingSource::Position(index),
+                quantity: Some(ErrorKind::Position),
                 target,
                 pose: o.pose,
                 cycle: o.cycle,
-                left_mm: norm(miss),
-                own_mm: own.get(&target).copied().unwrap_or(0.0),
+                left: norm(miss),
+                deviation: own.get(&target).copied().unwrap_or(0.0).max(position_mm),
             }));
         }
-        let beyond = |r: &Reading| r.left_mm / r.own_mm.max(scale_mm);
-        readings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
-        Some(Self { readings, scale_mm, values })
+        for (index, c) in judged(&settings.conditions) {
+            let quantity = c.kind.error_kind();
+            readings.push(Reading {
+                source: ReadingSource::Condition(index),
+                quantity,
+                target: c.target,
+                pose: c.pose,
+                cycle: c.cycle,
+                left: norm(c.error(robot, &values)),
+                deviation: scatter.scale(quantity).max(c.standard_uncertainty),
+            });
+        }
+        readings.sort_by(|a, b| b.over_deviation().total_cmp(&a.over_deviation()));
+        let least = |quantity: Option<ErrorKind>| {
+            let of_quantity = readings.iter().filter(|r| r.quantity == quantity);
+            of_quantity.map(|r| r.deviation).fold(f64::INFINITY, f64::min)
+        };
+        let scales = scatter.0.keys().map(|&quantity| (quantity, least(quantity))).collect();
+        Some(Self { readings, scales, values })
     }
 
     /// Outlying readings, the largest first.
     pub fn outliers(&self) -> &[Reading] {
-        let beyond = self.readings.iter().take_while(|r| r.left_mm > OUTLIER * r.own_mm.max(self.scale_mm));
+        let beyond = self.readings.iter().take_while(|r| r.over_deviation() > OUTLIER);
         &self.readings[..beyond.count()]
     }
 }
 
-/// Parameters that fit the majority of the measurements best: fits with the Cauchy loss, whose
-/// scale follows the median residual down, from the identified and from the nominal parameters.
-/// Fits from the nominal parameters use a part of many observations, and all of them only if this
-/// reduces the scale.
-fn robust(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    settings: &Settings,
-    free: &[usize],
-    found: &[f64],
-) -> Option<Vec<f64>> {
-    let unweighted = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
-    let all = &observations.iter().map(unweighted).collect::<Vec<_>>()[..];
-    let start = |observations: &[Observation], values: Vec<f64>| {
-        let mut best = (median_mm(robot, observations, &values)?, values);
+/// Conditions whose residuals are judged, with their indices. Observed joint values are inputs of
+/// the model.
+fn judged(conditions: &[Condition]) -> impl Iterator<Item = (usize, &Condition)> {
+    conditions.iter().enumerate().filter(|(_, c)| !matches!(c.kind, Kind::Joint(_)))
+}
+
+/// Standard deviation (mm, rad) of the residuals of each quantity, from their median size, and
+/// their number.
+#[derive(Clone, Debug)]
+struct Scatter(BTreeMap<Option<ErrorKind>, (f64, usize)>);
+
+impl Scatter {
+    /// Scatter of the residuals at `values`; `None` without residuals, or if one is not a number.
+    fn new(robot: &dyn Robot, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Option<Self> {
+        let mut sizes: BTreeMap<Option<ErrorKind>, Vec<f64>> = BTreeMap::new();
+        for o in observations {
+            let position = sizes.entry(Some(ErrorKind::Position)).or_default();
+            o.misses(robot, values).for_each(|(_, miss)| position.extend(&miss[..robot.dimension()]));
+        }
+        for (_, c) in judged(conditions) {
+            let (residuals, rows) = c.residuals_at(robot, values);
+            sizes.entry(c.kind.error_kind()).or_default().extend(&residuals[..rows]);
+        }
+        sizes.retain(|_, sizes| !sizes.is_empty());
+        let scale = |(quantity, sizes): (Option<ErrorKind>, Vec<f64>)| {
+            let count = sizes.len();
+            let scale = OF_MEDIAN * median(sizes.into_iter().map(f64::abs))?;
+            scale.is_finite().then_some((quantity, (scale.max(LEAST_RESIDUAL), count)))
+        };
+        let finite = sizes.values().flatten().all(|v| v.is_finite());
+        let scales = sizes.into_iter().map(scale).collect::<Option<_>>().filter(|_| finite)?;
+        Some(Self(scales)).filter(|scatter| !scatter.0.is_empty())
+    }
+
+    fn scale(&self, quantity: Option<ErrorKind>) -> f64 {
+        self.0.get(&quantity).map_or(LEAST_RESIDUAL, |(scale, _)| *scale)
+    }
+
+    /// Geometric mean over all residuals.
+    fn mean(&self) -> f64 {
+        let count: usize = self.0.values().map(|(_, count)| count).sum();
+        (self.0.values().map(|(scale, n)| *n as f64 * scale.ln()).sum::<f64>() / count as f64).exp()
+    }
+
+    /// Settings that weight each quantity by its scatter.
+    fn weighted(&self, settings: &Settings) -> Settings {
+        let mut scaled = Settings {
+            kind: ResidualKind::Targets,
+            standard_uncertainty_mm: Some(self.scale(Some(ErrorKind::Position))),
+            common_uncertainty_mm: None,
+            hold: Vec::new(),
+            ..settings.clone()
+        };
+        for c in &mut scaled.conditions {
+            if !matches!(c.kind, Kind::Joint(_)) {
+                c.standard_uncertainty = c.standard_uncertainty.max(self.scale(c.kind.error_kind()));
+            }
+        }
+        scaled
+    }
+}
+
+/// A robust fit.
+struct Fit {
+    /// All parameters.
+    values: Vec<f64>,
+    scatter: Scatter,
+}
+
+impl Fit {
+    /// Fits with the Cauchy loss from `values`, whose scales follow the median residuals down.
+    fn new(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        free: &[usize],
+        values: Vec<f64>,
+    ) -> Option<Self> {
+        let scatter = |values: &[f64]| Scatter::new(robot, observations, &settings.conditions, values);
+        let mut best = Self { scatter: scatter(&values)?, values };
         for _ in 0..FITS {
-            let scaled = Settings {
-                kind: ResidualKind::Targets,
-                standard_uncertainty_mm: Some((OF_MEDIAN * best.0).max(LEAST_MM)),
-                common_uncertainty_mm: None,
-                hold: Vec::new(),
-                ..settings.clone()
-            };
-            let problem = Residuals::new(robot, observations, &scaled, free, &best.1).ok()?;
-            let x: Vec<f64> = free.iter().map(|&i| best.1[i]).collect();
+            let scaled = best.scatter.weighted(settings);
+            let problem = Residuals::new(robot, observations, &scaled, free, &best.values).ok()?;
+            let x: Vec<f64> = free.iter().map(|&i| best.values[i]).collect();
             let options = Options { iterations: 50, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
             let values = problem.all(&etalon_math::solve(&problem, &x, options).x);
-            let median = median_mm(robot, observations, &values)?;
-            let settled = median > BELOW * best.0;
-            if median < best.0 {
-                best = (median, values);
+            let next = Self { scatter: scatter(&values)?, values };
+            let settled = next.scatter.mean() > BELOW * best.scatter.mean();
+            if next.scatter.mean() < best.scatter.mean() {
+                best = next;
             }
             if settled {
                 break;
             }
         }
         Some(best)
-    };
+    }
+}
+
+/// Parameters that fit the majority of the measurements best: fits from the identified and from the
+/// nominal parameters. Fits from the nominal parameters use a part of many observations, and all of
+/// them only if this reduces the scatter.
+fn robust(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    free: &[usize],
+    found: &[f64],
+) -> Option<Fit> {
+    let unweighted = |o: &Observation| Observation { covariances_mm2: Vec::new(), ..o.clone() };
+    let all = &observations.iter().map(unweighted).collect::<Vec<_>>()[..];
     let mut nominal = found.to_vec();
     for &i in free.iter().filter(|&&i| robot.parameters()[i].role == Role::Robot) {
         nominal[i] = robot.parameters()[i].nominal;
     }
-    let best = start(all, found.to_vec());
-    let below = |median_mm: f64| best.as_ref().is_none_or(|best| median_mm < BELOW * best.0);
-    let every = all.len() / PART;
+    let best = Fit::new(robot, all, settings, free, found.to_vec());
+    let below = |scatter: &Scatter| best.as_ref().is_none_or(|best| scatter.mean() < BELOW * best.scatter.mean());
+    let every = (all.len() + settings.conditions.len()) / PART;
     let other = if every > 1 {
         let part: Vec<Observation> = all.iter().step_by(every).cloned().collect();
-        start(&part, nominal)
-            .filter(|(_, values)| median_mm(robot, all, values).is_some_and(below))
-            .and_then(|(_, values)| start(all, values))
+        let conditions = settings.conditions.iter().step_by(every).cloned().collect();
+        let some = Settings { conditions, ..settings.clone() };
+        Fit::new(robot, &part, &some, free, nominal)
+            .filter(|fit| Scatter::new(robot, all, &settings.conditions, &fit.values).is_some_and(|s| below(&s)))
+            .and_then(|fit| Fit::new(robot, all, settings, free, fit.values))
     } else {
-        start(all, nominal)
+        Fit::new(robot, all, settings, free, nominal)
     };
-    [best, other].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0)).map(|best| best.1)
-}
-
-/// Median size (mm) of the differences of coordinates; `None` if one is not a number.
-fn median_mm(robot: &dyn Robot, observations: &[Observation], values: &[f64]) -> Option<f64> {
-    let mut sizes = Vec::new();
-    for o in observations {
-        for (k, measured) in o.targets.iter().enumerate() {
-            let Some(measured) = measured else { continue };
-            let predicted = robot.position(values, &o.joints, k);
-            sizes.extend((0..robot.dimension()).map(|i| (measured[i] - predicted[i]).abs()));
-        }
-    }
-    sizes.iter().all(|s| s.is_finite()).then(|| median(sizes))?
+    [best, other].into_iter().flatten().min_by(|a, b| a.scatter.mean().total_cmp(&b.scatter.mean()))
 }

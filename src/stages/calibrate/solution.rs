@@ -5,8 +5,9 @@ use crate::stages::judge::excitation::unmoved;
 use crate::stages::remedies::{outliers_excluded, remedied};
 use etalon_base::error;
 use etalon_base::message::{Message, Result};
-use etalon_identify::{Identification, Observation, RobustFit, Settings, Systematic};
+use etalon_identify::{Identification, Reading, ReadingSource, RobustFit, Settings, Systematic};
 use etalon_robots::Robot;
+use std::collections::BTreeSet;
 
 /// Maximum share of readings excluded as outliers: beyond it the model or the set-up is wrong.
 const MOST_OUTLIERS: f64 = 0.1;
@@ -20,6 +21,27 @@ pub struct Basis {
     pub settings: Settings,
     /// Errors common to all readings, or to the readings of a pose.
     pub systematic: Systematic,
+}
+
+impl Basis {
+    /// Excludes readings from the calibration.
+    fn exclude(&mut self, readings: &[Reading]) {
+        let Self { sets, settings, .. } = self;
+        let mut excluded = BTreeSet::new();
+        for reading in readings {
+            match reading.source {
+                ReadingSource::Position(observation) => {
+                    sets.calibration[observation].targets[reading.target] = None;
+                }
+                ReadingSource::Condition(condition) => drop(excluded.insert(condition)),
+            }
+        }
+        sets.calibration.retain(|o| o.targets.iter().any(Option::is_some));
+        for conditions in [&mut sets.calibration_conditions, &mut settings.conditions] {
+            let mut index = 0..;
+            conditions.retain(|_| index.next().is_some_and(|i| !excluded.contains(&i)));
+        }
+    }
 }
 
 /// Parameters of the nominal robot with base and targets fitted, and the identification from there.
@@ -53,39 +75,22 @@ impl Solution {
     /// # Errors
     /// Fails with too many outliers, or if the solver fails.
     pub fn without_outliers(mut self, robot: &dyn Robot) -> Result<(Self, Vec<Message>)> {
-        let readings = self.basis.sets.calibration.iter().map(|o| o.targets.iter().flatten().count());
-        let fewest = (readings.sum::<usize>() as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize;
-        let mut messages = Vec::new();
-        while let Some((calibration, excluded)) = self.calibration_without_outliers(robot, fewest)? {
-            messages.push(excluded);
-            self.basis.sets.calibration = calibration;
+        let (mut messages, mut fewest) = (Vec::new(), None);
+        loop {
+            let Basis { sets, settings, .. } = &self.basis;
+            let Some(robust) = RobustFit::new(robot, &sets.calibration, settings, &self.found) else { break };
+            let (outliers, readings) = (robust.outliers(), robust.readings.len());
+            if outliers.is_empty() {
+                break;
+            }
+            let fewest = *fewest.get_or_insert((readings as f64 * (1.0 - MOST_OUTLIERS)).ceil() as usize);
+            if readings - outliers.len() < fewest {
+                return Err(error!("outliers-too-many", share_percent = 100.0 * MOST_OUTLIERS).into());
+            }
+            messages.push(outliers_excluded(&robust, robot));
+            self.basis.exclude(outliers);
             self = Self::new(robot, self.basis)?;
         }
         Ok((self, messages))
-    }
-
-    /// Calibration observations without the outliers of a robust fit, of which at least `fewest`
-    /// readings must remain, and a message that names the outliers; `None` without outliers.
-    fn calibration_without_outliers(
-        &self,
-        robot: &dyn Robot,
-        fewest: usize,
-    ) -> Result<Option<(Vec<Observation>, Message)>> {
-        let mut observations = self.basis.sets.calibration.clone();
-        let Some(robust) = RobustFit::new(robot, &observations, &self.basis.settings, &self.found) else {
-            return Ok(None);
-        };
-        let outliers = robust.outliers();
-        if outliers.is_empty() {
-            return Ok(None);
-        }
-        if robust.readings.len() - outliers.len() < fewest {
-            return Err(error!("outliers-too-many", share_percent = 100.0 * MOST_OUTLIERS).into());
-        }
-        for outlier in outliers {
-            observations[outlier.observation].targets[outlier.target] = None;
-        }
-        observations.retain(|o| o.targets.iter().any(Option::is_some));
-        Ok(Some((observations, outliers_excluded(&robust, robot))))
     }
 }

@@ -15,7 +15,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Identification, Judgement, LEAST_MM, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
+    Condition, Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
     chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
@@ -79,7 +79,7 @@ pub(crate) fn plausibility(
     messages.extend(unchecked);
     let misfit = match found.residuals.chi_square {
         Some(chi_square) => chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom),
-        None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms.max(LEAST_MM),
+        None => !messages.is_empty() || found.residuals.max > SPIKE * found.residuals.rms.max(LEAST_RESIDUAL),
     };
     // a robot within its tolerances, with residuals of the size of the instrument's uncertainty,
     // explains the data
@@ -113,7 +113,7 @@ pub(crate) fn plausibility(
         // a few wrong readings explain what follows, the largest residuals of a wrong model do not
         let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
         messages.insert(place, readings_to_check(&robust, robot));
-        if let Some(exchanged) = poses_exchanged(robot, observations, &robust) {
+        if let Some(exchanged) = poses_exchanged(robot, observations, &settings.conditions, &robust) {
             messages.insert(0, exchanged);
         }
     }
@@ -322,8 +322,13 @@ fn is_no_error(message: &Message) -> bool {
 }
 
 /// Returns a warning about poses whose joint values are swapped.
-fn poses_exchanged(robot: &dyn Robot, observations: &[Observation], robust: &RobustFit) -> Option<Message> {
-    let pairs = exchanged_poses(robot, observations, robust);
+fn poses_exchanged(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    conditions: &[Condition],
+    robust: &RobustFit,
+) -> Option<Message> {
+    let pairs = exchanged_poses(robot, observations, conditions, robust);
     let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);
     let named = truncated(pairs.iter().map(pair), NAMED);
     (!pairs.is_empty()).then(|| warning!("poses-exchanged", count = pairs.len(), pairs = named).to_decide())

@@ -875,6 +875,10 @@ remedy = { $remedy ->
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, Pose { $pose }, Zyklus { $cycle })
+orientation-off = { FIXED($off_deg, 3) } deg Orientierung ({ $target }, Pose { $pose }, Zyklus { $cycle })
+quantity-off = { FIXED($off_mm, 4) } mm { $quantity } ({ $target }, Pose { $pose }, Zyklus { $cycle })
+deviation-of-lengths = { FIXED($deviation_mm, 4) } mm ({ $quantity })
+deviation-of-angles = { FIXED($deviation_deg, 3) } deg (Orientierung)
 
 largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
     .hint = dort zuerst nach vertauschten Bezeichnungen und falschen Messwerten suchen; Abweichungen des Roboters verteilen sich auf alle Posen
@@ -882,7 +886,7 @@ largest-residuals = größte Residuen einer robusten Anpassung: { $readings }
 outlier-readings = { $count ->
         [one] 1 von { $total } Messwerten ist ein Ausreißer
        *[other] { $count } von { $total } Messwerten sind Ausreißer
-    } mit einem Residuum über dem { $times }-Fachen von { FIXED($scale_mm, 4) } mm, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
+    } mit einem Residuum über dem { $times }-Fachen von { $scales }, der Standardabweichung der anderen in einer robusten Anpassung: { $readings }
 
 outliers = { $outliers }
 

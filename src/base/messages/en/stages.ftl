@@ -1755,6 +1755,10 @@ remedy = { $remedy ->
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
+orientation-off = { FIXED($off_deg, 3) } deg in orientation ({ $target }, pose { $pose }, cycle { $cycle })
+quantity-off = { FIXED($off_mm, 4) } mm in { $quantity } ({ $target }, pose { $pose }, cycle { $cycle })
+deviation-of-lengths = { FIXED($deviation_mm, 4) } mm ({ $quantity })
+deviation-of-angles = { FIXED($deviation_deg, 3) } deg (orientation)
 
 # Means: The residuals exceed the instrument's uncertainty, but a robust fit finds no outliers. The
 # message lists the largest residuals of this fit.
@@ -1768,7 +1772,7 @@ largest-residuals = largest residuals of a robust fit: { $readings }
 outlier-readings = { $count ->
         [one] 1 of { $total } readings is an outlier
        *[other] { $count } of { $total } readings are outliers
-    }: residuals above { $times } times { FIXED($scale_mm, 4) } mm, the standard deviation of the others in a robust fit: { $readings }
+    }: residuals above { $times } times { $scales }, the standard deviation of the others in a robust fit: { $readings }
 
 # Means: In a robust fit, some residuals are much larger than the standard deviation of the others.
 # Matters: Wrong readings change all parameters.

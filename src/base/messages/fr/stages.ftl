@@ -879,6 +879,10 @@ remedy = { $remedy ->
     }
 
 reading-off = { FIXED($off_mm, 4) } mm ({ $target }, pose { $pose }, cycle { $cycle })
+orientation-off = { FIXED($off_deg, 3) } deg en orientation ({ $target }, pose { $pose }, cycle { $cycle })
+quantity-off = { FIXED($off_mm, 4) } mm en { $quantity } ({ $target }, pose { $pose }, cycle { $cycle })
+deviation-of-lengths = { FIXED($deviation_mm, 4) } mm ({ $quantity })
+deviation-of-angles = { FIXED($deviation_deg, 3) } deg (orientation)
 
 largest-residuals = plus grands résidus d’un ajustement robuste : { $readings }
     .hint = chercher d’abord dans ces lectures des étiquettes interverties et des erreurs ; les erreurs du robot affectent toutes les poses
@@ -886,7 +890,7 @@ largest-residuals = plus grands résidus d’un ajustement robuste : { $reading
 outlier-readings = { $count ->
         [one] { $count } lecture sur { $total } est aberrante
        *[other] { $count } lectures sur { $total } sont aberrantes
-    } : résidu supérieur à { $times } fois { FIXED($scale_mm, 4) } mm, écart-type des autres dans un ajustement robuste : { $readings }
+    } : résidu supérieur à { $times } fois { $scales }, écart-type des autres dans un ajustement robuste : { $readings }
 
 outliers = { $outliers }
 

@@ -267,14 +267,21 @@ impl Condition {
         out.iter_mut().for_each(|r| *r /= self.standard_uncertainty);
     }
 
+    /// Predicted minus observed values (mm, rad) with all parameters `values`, and their number.
+    pub(crate) fn residuals_at(&self, robot: &dyn Robot, values: &[f64]) -> (Vector, usize) {
+        let at = self.at(robot.free_base(), values, robot.position(values, &self.joints, self.target));
+        let (mut left, rows) = ([0.0; 3], self.kind.rows());
+        self.kind.equation().residuals(&at, &mut left[..rows]);
+        (left, rows)
+    }
+
     /// Observed minus predicted values in the world (mm; for an orientation a rotation vector in
     /// rad). A distance deviates along its line, a plane along its normal.
     pub fn error(&self, robot: &dyn Robot, values: &[f64]) -> Vector {
         let at = self.at(robot.free_base(), values, robot.position(values, &self.joints, self.target));
         let mut left = [0.0; 3];
-        self.residuals(&at, &mut left[..self.kind.rows()]);
-        let left = left.map(|r| -r * self.standard_uncertainty);
-        self.kind.equation().in_world(&at, left)
+        self.kind.equation().residuals(&at, &mut left[..self.kind.rows()]);
+        self.kind.equation().in_world(&at, left.map(|r| -r))
     }
 
     /// Writes the derivatives of the residuals with respect to all parameters, row by row; `moved`
