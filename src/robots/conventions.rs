@@ -7,6 +7,7 @@
 
 use super::chain::Motion;
 use super::keys::{Description, Reader, Stated};
+use super::published::PUBLISHED;
 use super::serial::{ArmBuilder, Body, Drive, Effects, drawn_link};
 use super::tables::{AxisLine, NEAR_PARALLEL_RAD};
 use super::{
@@ -498,8 +499,13 @@ impl Serial {
         let other = convention.other();
         let rigid = Effects { gravity: effects.gravity, ..Effects::default() };
         let what = phrase!("table-read-as", convention = other.name());
-        let as_other = Self::from_table_alone(other, joints, targets, &rigid);
-        Self::from_table_alone(convention, joints, targets, effects).with_other(what, as_other)
+        let mut others = vec![(what, Self::from_table_alone(other, joints, targets, &rigid))];
+        for arm in PUBLISHED {
+            let joints = arm.instead(convention == TableConvention::Modified, joints);
+            let other = joints.map(|joints| Self::from_table_alone(convention, &joints, targets, effects));
+            others.extend(other.map(|other| (phrase!("published-arm", title = arm.title), other)));
+        }
+        Self::from_table_alone(convention, joints, targets, effects).with_alternatives(others)
     }
 
     fn from_table_alone(

@@ -21,6 +21,7 @@ mod keys;
 mod outline;
 mod parallel;
 mod prexyt;
+mod published;
 mod reference;
 mod serial;
 mod tables;
@@ -34,6 +35,7 @@ pub use five_bar::{FiveBar, FiveBarLimits, InverseSolution, Linkage, Singularity
 pub use keys::{Absence, JointRef, Key, Model, Shape, Value, Values};
 pub use outline::{Outline, OutlineLine};
 pub use prexyt::Prexyt;
+pub use published::{PUBLISHED, PublishedArm};
 pub use reference::{ReferencePose, reference_pose, reference_poses};
 pub use serial::Serial;
 pub use tables::{
@@ -258,9 +260,9 @@ pub trait Robot: Send + Sync {
         self.rail_table().map(lead).or_else(own)
     }
 
-    /// Robots that the same numbers describe in other conventions, with the names of the
-    /// conventions.
-    fn other_conventions(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
+    /// Robots that may be meant instead: those that the same numbers describe in other conventions,
+    /// and published robots of the same build. Each with its description.
+    fn alternatives(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
         Vec::new()
     }
 

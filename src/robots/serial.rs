@@ -20,6 +20,7 @@ use etalon_base::scalar::Scalar;
 use etalon_base::sketch::{Sketch, StrokeKind};
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::Arc;
 
 /// Mass of the links between a joint and the next joint, and its centre in the frame that the joint
 /// moves.
@@ -742,7 +743,7 @@ impl ArmBuilder {
             gravity,
             of_base: Vec::new(),
             link: None,
-            other: None,
+            alternatives: Arc::new([]),
         }
     }
 }
@@ -937,8 +938,8 @@ pub struct Serial {
     of_base: Vec<String>,
     /// Drawing of a link with its Denavit-Hartenberg parameters.
     link: Option<Sketch>,
-    /// Robot that the same numbers describe in another convention, with the name of the convention.
-    other: Option<(Phrase, Box<Self>)>,
+    /// Robots that may be meant instead, with their descriptions.
+    alternatives: Arc<[(Phrase, Self)]>,
 }
 
 /// Values that each reading gives in addition to the joint values.
@@ -973,9 +974,9 @@ impl Serial {
         Self { link: Some(link), ..self }
     }
 
-    /// Sets the robot that the same numbers describe in another convention.
-    pub(super) fn with_other(self, what: Phrase, other: Self) -> Self {
-        Self { other: Some((what, Box::new(other))), ..self }
+    /// Sets the robots that may be meant instead.
+    pub(super) fn with_alternatives(self, alternatives: Vec<(Phrase, Self)>) -> Self {
+        Self { alternatives: alternatives.into(), ..self }
     }
 
     /// Frames after all axes, and the flange, in the base frame under these loads.
@@ -1246,8 +1247,8 @@ impl Robot for Serial {
         }
         all
     }
-    fn other_conventions(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
-        self.other.iter().map(|(what, other)| (what.clone(), other.clone() as _)).collect()
+    fn alternatives(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
+        self.alternatives.iter().map(|(what, other)| (what.clone(), Box::new(other.clone()) as _)).collect()
     }
     fn positions(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
         out.copy_from_slice(self.target_positions(parameters, joints).as_flattened());

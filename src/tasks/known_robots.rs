@@ -3,7 +3,7 @@
 use etalon_base::message::{Message, Result, nearest};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{parse, read_urdf, read_urdf_chains};
-use etalon_robots::TreeChain;
+use etalon_robots::{PUBLISHED, PublishedArm, TreeChain};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -93,12 +93,14 @@ struct Known {
     robots: Vec<KnownRobot>,
 }
 
-/// A robot described by Denavit-Hartenberg parameters (alpha, a, theta and d of each joint), by
-/// screw axes, or by the text of its robot.toml.
+/// A robot described by a published table of Denavit-Hartenberg parameters, by screw axes, or by
+/// the text of its robot.toml.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KnownRobot {
     pub name: String,
+    /// Title; empty for a published table, which has its own.
+    #[serde(default)]
     title: String,
     /// Source of the geometry.
     source: String,
@@ -108,10 +110,6 @@ pub(crate) struct KnownRobot {
     /// Lower and upper limit of each joint (deg); empty if no source gives it.
     #[serde(default)]
     limits_deg: Vec<Vec<f64>>,
-    #[serde(default)]
-    dh: Vec<[f64; 4]>,
-    #[serde(default)]
-    mdh: Vec<[f64; 4]>,
     #[serde(default)]
     poe: Vec<Axis>,
     flange_xyz_mm: Option<[f64; 3]>,
@@ -132,9 +130,14 @@ struct Axis {
 }
 
 impl KnownRobot {
+    /// The published table of this name.
+    fn published(&self) -> Option<PublishedArm> {
+        PUBLISHED.into_iter().find(|arm| arm.name == self.name)
+    }
+
     /// Names of the joints' columns.
     pub fn joints(&self) -> Vec<String> {
-        let count = self.dh.len() + self.mdh.len() + self.poe.len();
+        let count = self.published().map_or(0, |arm| arm.rows.len()) + self.poe.len();
         if count == 0 { self.joints.clone() } else { (1..=count).map(|i| format!("q{i}_deg")).collect() }
     }
 
@@ -146,15 +149,16 @@ impl KnownRobot {
 
     /// Text of robot.toml.
     pub fn text(&self) -> String {
-        let mut text = format!("# {}: nominal geometry.\n# Source: {}.\n", self.title, self.source);
+        let published = self.published();
+        let title = published.map_or(self.title.as_str(), |arm| arm.title);
+        let mut text = format!("# {title}: nominal geometry.\n# Source: {}.\n", self.source);
         text.extend(self.limits_source.iter().map(|source| format!("# Limits: {source}.\n")));
         text.extend(self.note.iter().map(|note| format!("# {note}\n")));
-        let _ = writeln!(text, "name = {:?}", self.title);
-        for (convention, rows) in [("dh", &self.dh), ("mdh", &self.mdh)] {
-            if !rows.is_empty() {
-                let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
-            }
-            for (i, [alpha, a, theta, d]) in rows.iter().enumerate() {
+        let _ = writeln!(text, "name = {title:?}");
+        if let Some(arm) = published {
+            let convention = if arm.modified { "mdh" } else { "dh" };
+            let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
+            for (i, [alpha, a, theta, d]) in arm.rows.iter().enumerate() {
                 let _ = writeln!(
                     text,
                     "    {{ alpha_deg = {alpha:?}, a_mm = {a:?}, theta_deg = {theta:?}, d_mm = {d:?}{} }},",

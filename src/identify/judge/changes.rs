@@ -72,6 +72,7 @@ pub(crate) fn changes(robot: &dyn Robot, data: &Data, readings: &[Reading]) -> V
     table.points();
     table.units();
     table.targets();
+    table.fixtures();
     table.orientations(readings);
     table.all
 }
@@ -236,6 +237,27 @@ impl Table<'_> {
         }
         for (what, pairs) in exchanges {
             self.add(what, |data| data.exchange_targets(&pairs));
+        }
+    }
+
+    /// Swapped names of known points and surfaces of one kind.
+    fn fixtures(&mut self) {
+        let known: Vec<(usize, Kind)> = self.data.known_fixtures().into_iter().take(MOST_GROUPS).collect();
+        let name = |(first, kind): &(usize, Kind)| {
+            let name = self.robot.parameters().get(*first).map_or("", |p| p.name.as_str());
+            let end = if matches!(kind, Kind::On(_)) { "_slope" } else { "_" };
+            format!("`{}`", name.rsplit_once(end).map_or(name, |(name, _)| name))
+        };
+        let pairs =
+            known.iter().enumerate().flat_map(|(at, one)| known[at + 1..].iter().map(move |other| (one, other)));
+        let alike = pairs.filter(|(one, other)| std::mem::discriminant(&one.1) == std::mem::discriminant(&other.1));
+        let exchanges: Vec<(Phrase, [Kind; 2])> = alike
+            .map(|(one, other)| {
+                (phrase!("slip-fixtures-exchanged", first = name(one), second = name(other)), [one.1, other.1])
+            })
+            .collect();
+        for (what, [one, other]) in exchanges {
+            self.add(what, |data| data.exchange_fixtures([&one, &other]));
         }
     }
 

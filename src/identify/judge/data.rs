@@ -1,7 +1,7 @@
 //! Data of a judgement: observations of every kind, with the settings under which they are judged.
 
 use crate::solution::placing::{readings, spread_over, with_few_targets};
-use crate::{Condition, Observation, ResidualKind, Settings};
+use crate::{Condition, Kind, Known, Observation, ResidualKind, Settings};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -197,6 +197,25 @@ impl Data {
     /// Targets with at least one position, and the number of positions of each.
     pub fn readings(&self, robot: &dyn Robot) -> Vec<(usize, usize)> {
         readings(robot, &self.observations)
+    }
+
+    /// Known points and surfaces that targets touch, or from which distances are measured: the
+    /// first parameter of each, with a condition. Unknown ones are names for unknown places.
+    pub fn known_fixtures(&self) -> BTreeMap<usize, Kind> {
+        let known: BTreeSet<usize> = self.settings.known.iter().flat_map(Known::points).collect();
+        let touched = self.settings.conditions.iter().filter_map(|c| Some((c.kind.touched()?, c.kind)));
+        touched.filter(|(first, _)| known.contains(first)).collect()
+    }
+
+    /// Exchanges two points or surfaces that targets touch.
+    pub fn exchange_fixtures(&mut self, [one, other]: [&Kind; 2]) {
+        for c in &mut self.settings.conditions {
+            if c.kind.touched() == one.touched() {
+                c.kind.touch(other);
+            } else if c.kind.touched() == other.touched() {
+                c.kind.touch(one);
+            }
+        }
     }
 
     /// Exchanges two targets.

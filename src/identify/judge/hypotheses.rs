@@ -50,7 +50,7 @@ impl Case {
 pub(super) struct Slip {
     pub what: Phrase,
     pub origin: Origin,
-    /// The robot in another convention.
+    /// Another robot: by another convention, or a published one.
     other: Option<Box<dyn Robot>>,
     pub listing: Listing,
     /// Joint values of other poses with the change.
@@ -104,12 +104,11 @@ impl Table<'_> {
             let what = phrase!("slip-neighbour", neighbour);
             all.extend(case.map(|case| new(what, Origin::Named, Listing::Never, Vec::new(), case)));
         }
-        for (convention, mut other) in robot.other_conventions() {
+        for (what, mut other) in robot.alternatives() {
             if !add_fixtures(robot, other.as_mut()) {
                 continue;
             }
             let case = Case::located(other.as_ref(), subset.clone(), false);
-            let what = phrase!("slip-convention", convention);
             let slip = case.map(|case| new(what, Origin::Named, Listing::First, probes.joints(), case));
             all.extend(slip.map(|slip| Slip { other: Some(other), ..slip }));
         }
@@ -195,8 +194,8 @@ pub(super) fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitt
     all.into_iter().filter_map(judged).collect()
 }
 
-/// Adds the parameters of fixtures to the robot in another convention; `false` if its own
-/// parameters do not belong to the robot.
+/// Adds the parameters of fixtures to another robot; `false` if its own
+/// parameters are not those of the robot.
 fn add_fixtures(robot: &dyn Robot, other: &mut dyn Robot) -> bool {
     let (all, count) = (robot.parameters(), other.parameters().len());
     let alike = other.parameters().iter().zip(all).all(|(a, b)| a.role == b.role);

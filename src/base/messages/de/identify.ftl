@@ -289,13 +289,12 @@ slip-points = { $change ->
     }
 
 slip-targets = die Zielmarken { $first } und { $second } vertauscht
+slip-fixtures-exchanged = die Punkte oder Flächen { $first } und { $second } vertauscht
 
 slip-neighbour = die Gelenkwerte jeder Pose aus der { $neighbour ->
         [previous] vorigen Pose
        *[next] nächsten Pose
     } genommen
-
-slip-convention = { $convention }
 
 slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
 

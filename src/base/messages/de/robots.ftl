@@ -79,7 +79,6 @@ sketch-link-dh = Glied mit seinen klassischen Denavit-Hartenberg-Parametern.
 sketch-link-mdh = Glied mit seinen modifizierten Denavit-Hartenberg-Parametern.
 sketch-table = Tisch von oben, Neigungen übertrieben dargestellt: Schienen, Schlitten, Plattform C und Kugeln K und L.
 
-
 measure-all-working-modes = jede Position in allen Arbeitsmodi messen, die sie erreichen, und die Positionen über den ganzen Arbeitsraum verteilen
 
 measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 0 und dem größten Wert des Tisches
@@ -101,6 +100,7 @@ links-near = Glieder { FIXED($found, 3) } mm auseinander: mehr als { $least } 
 command-refused = die Steuerung weist diesen Sollwert ab: { $reason }
 joints-admit-no-pose = der Roboter hat bei diesen Gelenkwerten keine Pose
 no-command-leads-there = kein Sollwert bringt den Roboter zum Ziel: die kleinste Abweichung ist { SCIENTIFIC($left_mm, 2) } mm
+published-arm = ein anderer Roboter: { $title }
 table-read-as = die Tabelle der Gelenke, gelesen als { $convention ->
         [modified] modifizierte
         [standard] klassische

@@ -546,13 +546,12 @@ slip-points = { $change ->
     }
 
 slip-targets = the targets { $first } and { $second } swapped
+slip-fixtures-exchanged = the points or surfaces { $first } and { $second } exchanged
 
 slip-neighbour = the joint values of each pose taken from the { $neighbour ->
         [previous] previous
        *[next] next
     } pose
-
-slip-convention = { $convention }
 
 slip-world-frame = the world frame rotated by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
 

@@ -79,7 +79,6 @@ sketch-link-dh = Link with its standard Denavit-Hartenberg parameters.
 sketch-link-mdh = Link with its modified Denavit-Hartenberg parameters.
 sketch-table = Table seen from above, with exaggerated tilts: rails, carriages, platform C, and the balls K and L.
 
-
 measure-all-working-modes = measure every position in each working mode that reaches it, and distribute the positions over the whole workspace
 
 measure-different-angles = measure poses with different values of |theta|, for example 0 and the largest value of the table
@@ -101,4 +100,5 @@ links-near = the distance between links is { FIXED($found, 3) } mm; more than { 
 command-refused = the controller rejects the command for this pose: { $reason }
 joints-admit-no-pose = the robot has no pose at these joint values
 no-command-leads-there = no command brings the robot to the target: the smallest error is { SCIENTIFIC($left_mm, 2) } mm
+published-arm = another robot: { $title }
 table-read-as = the table of joints is read as { $convention } Denavit-Hartenberg parameters

@@ -289,13 +289,12 @@ slip-points = { $change ->
     }
 
 slip-targets = les cibles { $first } et { $second } interverties
+slip-fixtures-exchanged = les points ou surfaces { $first } et { $second } intervertis
 
 slip-neighbour = les valeurs articulaires de chaque pose prises à la pose { $neighbour ->
         [previous] précédente
        *[next] suivante
     }
-
-slip-convention = { $convention }
 
 slip-world-frame = le repère atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 

@@ -79,7 +79,6 @@ sketch-link-dh = Segment et ses paramètres de Denavit-Hartenberg (standard).
 sketch-link-mdh = Segment et ses paramètres de Denavit-Hartenberg (modifiés).
 sketch-table = Table vue de dessus, inclinaisons exagérées : rails, chariots, plate-forme C et billes K et L.
 
-
 measure-all-working-modes = mesurer chaque position dans tous les modes de travail qui l’atteignent, et répartir les positions sur tout l’espace de travail
 
 measure-different-angles = mesurer des poses de |theta| différents, par exemple 0 et la plus grande valeur de la table
@@ -100,6 +99,7 @@ links-near = segments distants de { FIXED($found, 3) } mm : il faut plus de { 
 command-refused = le contrôleur rejette cette commande : { $reason }
 joints-admit-no-pose = le robot n’a pas de pose à ces valeurs articulaires
 no-command-leads-there = aucune commande n’amène le robot à la cible : la plus petite erreur est de { SCIENTIFIC($left_mm, 2) } mm
+published-arm = un autre robot : { $title }
 table-read-as = le tableau des articulations, lu comme paramètres de Denavit-Hartenberg { $convention ->
         [modified] modifiés
         [standard] standard

@@ -201,6 +201,28 @@ impl Kind {
         self.equation().other_target()
     }
 
+    /// First parameter of the point or surface that the target touches, or from which its distance
+    /// is measured.
+    pub(crate) fn touched(&self) -> Option<usize> {
+        match self {
+            Self::Contact(kind) => Some(kind.socket),
+            Self::Distance(kind) => Some(kind.to),
+            Self::On(kind) => Some(kind.unknowns[0]),
+            Self::Orientation(_) | Self::Coordinate(_) | Self::Seen(_) | Self::Joint(_) | Self::Between(_) => None,
+        }
+    }
+
+    /// Replaces the point or surface that the target touches by that of another condition.
+    pub(crate) fn touch(&mut self, other: &Self) {
+        match (self, other) {
+            (Self::On(kind), Self::On(other)) => (kind.surface, kind.unknowns) = (other.surface, other.unknowns),
+            (Self::Contact(Contact { socket: point }) | Self::Distance(Distance { to: point, .. }), other) => {
+                *point = other.touched().unwrap_or(*point);
+            }
+            _ => {}
+        }
+    }
+
     /// Measured point, if the condition has one.
     pub(crate) fn point_mm(&mut self) -> Option<&mut Vector> {
         match self {
