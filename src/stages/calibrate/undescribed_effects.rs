@@ -27,6 +27,12 @@ struct Addition {
     joints: Vec<usize>,
 }
 
+/// An effect with what left-out poses show of it: each set of joints is fitted once.
+struct Tried {
+    addition: Addition,
+    with: CrossValidated,
+}
+
 impl Undescribed<'_> {
     /// Bending and harmonics of the joints of an arm, if robot.toml lacks them, chi-square rejects
     /// the model and the positions prove them.
@@ -38,10 +44,10 @@ impl Undescribed<'_> {
             return Vec::new();
         }
         let additions = [self.bending(), self.harmonics()];
-        additions.into_iter().flatten().filter_map(|addition| self.proof(&addition)).collect()
+        additions.into_iter().flatten().filter_map(|tried| self.proof(&tried)).collect()
     }
 
-    fn bending(self) -> Option<Addition> {
+    fn bending(self) -> Option<Tried> {
         let addition = |joints| Addition { key: "bending", effect: Effect::Bending, joints };
         let carries = |joint: &usize| {
             let alone = self.robot_with(&addition(vec![*joint]));
@@ -50,33 +56,36 @@ impl Undescribed<'_> {
             loads.is_some_and(|loads| calibration.iter().any(|o| loads(&o.joints).iter().any(|l| l.abs() > LOADED)))
         };
         let joints: Vec<usize> = self.revolute().filter(carries).take(BENDING).collect();
-        (self.robot.loads().is_none() && !joints.is_empty()).then(|| addition(joints))
+        if self.robot.loads().is_some() || joints.is_empty() {
+            return None;
+        }
+        self.tried(addition(joints))
     }
 
-    /// Harmonics of the joints whose own harmonics predict held-out poses better: alone, and in
-    /// addition to the effects of the other joints.
-    fn harmonics(self) -> Option<Addition> {
-        let addition = |joints| Addition { key: "harmonics", effect: Effect::Harmonics, joints };
+    /// Harmonics of the joints whose own harmonics predict left-out poses better: alone, and in
+    /// addition to those of the other joints.
+    fn harmonics(self) -> Option<Tried> {
+        let tried = |joints| self.tried(Addition { key: "harmonics", effect: Effect::Harmonics, joints });
         let gains = |without: &CrossValidated, with: &CrossValidated| {
             let [gain, u] = gain(&without.left_out, &with.left_out);
             gain > u
         };
-        let alone = |joint: &usize| {
-            let with = self.cross_validated(&addition(vec![*joint]));
-            with.is_some_and(|with| gains(&self.left_out.identified, &with))
-        };
-        let mut joints: Vec<usize> = self.revolute().filter(alone).collect();
-        for joint in joints.clone() {
-            let others: Vec<usize> = joints.iter().copied().filter(|j| *j != joint).collect();
-            if others.is_empty() {
-                break;
-            }
-            let with = self.cross_validated(&addition(joints.clone()))?;
-            if !gains(&self.cross_validated(&addition(others.clone()))?, &with) {
-                joints = others;
+        let is_better = |alone: &Tried| gains(&self.left_out.identified, &alone.with);
+        let mut alone: Vec<Tried> = self.revolute().filter_map(|joint| tried(vec![joint])).filter(is_better).collect();
+        let joints: Vec<usize> = alone.iter().flat_map(|alone| alone.addition.joints.clone()).collect();
+        let mut best = if alone.len() > 1 { tried(joints.clone())? } else { return alone.pop() };
+        for joint in joints {
+            let others: Vec<usize> = best.addition.joints.iter().copied().filter(|j| *j != joint).collect();
+            let without = match others[..] {
+                [] => break,
+                [one] => alone.swap_remove(alone.iter().position(|alone| alone.addition.joints == [one])?),
+                _ => tried(others)?,
+            };
+            if !gains(&without.with, &best.with) {
+                best = without;
             }
         }
-        (!joints.is_empty()).then(|| addition(joints))
+        Some(best)
     }
 
     /// Numbers of the revolute joints, from 1.
@@ -104,22 +113,23 @@ impl Undescribed<'_> {
         settings
     }
 
-    fn cross_validated(self, addition: &Addition) -> Option<CrossValidated> {
-        let robot = self.robot_with(addition)?;
-        self.left_out.trial(robot.as_ref(), &self.start(robot.as_ref())).cross_validate(&self.settings(addition.effect))
+    fn tried(self, addition: Addition) -> Option<Tried> {
+        let robot = self.robot_with(&addition)?;
+        let start = self.start(robot.as_ref());
+        let with = self.left_out.trial(robot.as_ref(), &start).cross_validate(&self.settings(addition.effect))?;
+        Some(Tried { addition, with })
     }
 
-    fn proof(self, addition: &Addition) -> Option<EffectProof> {
+    fn proof(self, Tried { addition, with }: &Tried) -> Option<EffectProof> {
         let Addition { key, effect, joints } = addition;
         let (left_out, more) = (self.left_out, self.settings(*effect));
         let robot = self.robot_with(addition)?;
         let start = self.start(robot.as_ref());
-        let with = left_out.trial(robot.as_ref(), &start).cross_validate(&more)?;
         let names = joints.iter().map(|j| self.robot.joints()[j - 1].name.clone()).collect();
         let alone = left_out.trial(self.robot, &self.found.values);
         let both =
             || Some([alone.identify(&left_out.settings)?, left_out.trial(robot.as_ref(), &start).identify(&more)?]);
-        let proof = would_prove([&left_out.identified, &with], both, *effect, names)?;
+        let proof = would_prove([&left_out.identified, with], both, *effect, names)?;
         let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
         Some(EffectProof { robot_key: Some(format!("{key} = [{}]", numbers.join(", "))), ..proof })
     }
