@@ -264,6 +264,15 @@ fn numbers_that_are_none_and_lone_points_do_no_harm() {
 }
 
 #[test]
+fn the_figures_link_to_the_page_in_three_dimensions() {
+    let page = page(&Documents::demo());
+    let figures = &page[page.find("<section id=\"pictures\"").unwrap()..];
+    let figures = &figures[..figures.find("</section>").unwrap()];
+    assert!(figures.contains("<a href=\"view.html\">view.html</a>"), "{figures}");
+    assert!(figures.contains("etalon view FOLDER --export view.html"));
+}
+
+#[test]
 fn spatial_data_are_seen_from_above_and_from_the_side() {
     let mut documents = Documents::demo();
     documents.frames.world.planar = false;
