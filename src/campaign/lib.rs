@@ -22,7 +22,7 @@ pub use edit::Changes;
 pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
-pub use robot_file::{RobotFile, Unbuilt};
+pub use robot_file::{PartMesh, RobotFile, Unbuilt};
 pub use robot_text::{RobotHead, UrdfJoint, nominal_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
 pub use table::{TableDefinition, TableFiles, TableKeys};

@@ -6,6 +6,7 @@ use super::{paths, robot_faults, robot_keys};
 use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
+use etalon_base::pose::{Pose, Vector};
 use etalon_robots::{
     At, Definition, FaultKind, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value,
     Values,
@@ -43,6 +44,19 @@ struct Beside {
     path: PathBuf,
     text: String,
     stamp: Stamp,
+}
+
+/// Mesh of a moving part of the robot.
+#[derive(Clone, Debug)]
+pub struct PartMesh {
+    /// `base`, or the joint that moves the part.
+    pub part: String,
+    /// Frame of the mesh in the frame of the part (mm).
+    pub place: Pose,
+    /// Factors of the mesh's coordinates, which are then in metres.
+    pub scale: Vector,
+    /// File as the URDF states it.
+    pub file: String,
 }
 
 /// Keys of `robot.toml` common to all models.
@@ -303,6 +317,25 @@ impl RobotFile {
             text.replace_range(span, &toml::Value::from(name).to_string());
         }
         text
+    }
+
+    /// Meshes of the links of the robot's URDF on the moving parts of these names; none for other
+    /// robots, and for a base that moves.
+    pub fn meshes(&self, robot: &dyn Robot, parts: &[&str]) -> Vec<PartMesh> {
+        let values = self.description.as_ref().map(|(_, values)| values);
+        let stated = values.and_then(|values| values.get("base_link"));
+        let (Some(Value::Text(base_link)), Some(beside)) = (stated, &self.beside) else { return Vec::new() };
+        let file = beside.path.display().to_string();
+        let Ok(urdf) = urdf::read(&file, &beside.text) else { return Vec::new() };
+        if !robot.joints_of_base().is_empty() {
+            return Vec::new();
+        }
+        let on_part = |mesh: urdf::LinkMesh| {
+            let (part, link) = urdf.tree.carrying_part(&mesh.link, base_link, parts)?;
+            let part = part.unwrap_or("base").to_owned();
+            Some(PartMesh { part, place: link.then(&mesh.place), scale: mesh.scale, file: mesh.file })
+        };
+        urdf::meshes(&file, &beside.text).into_iter().filter_map(on_part).collect()
     }
 
     /// Path of the file that describes the robot, if there is one.

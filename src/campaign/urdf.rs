@@ -6,6 +6,7 @@ use etalon_base::error;
 use etalon_base::files::shell_word;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
+use etalon_formats::mesh::is_mesh;
 use etalon_formats::xml::{Elements, Node};
 use etalon_robots::{At, Fault, Faults, Link, Mimic, Tree, TreeChain, TreeJoint};
 use std::f64::consts::TAU;
@@ -86,6 +87,47 @@ pub(super) fn read(file: &str, text: &str) -> Result<Urdf> {
         }
     }
     problems.check().map(|_| Urdf { tree: Arc::new(tree), name: file.to_owned(), places })
+}
+
+/// Mesh of a link.
+pub(super) struct LinkMesh {
+    pub link: String,
+    /// Frame of the mesh in the frame of the link (mm).
+    pub place: Pose,
+    /// File as stated, such as `package://arm/meshes/base.stl`.
+    pub file: String,
+    pub scale: Vector,
+}
+
+/// Elements without information about meshes.
+const SKIPPED_BESIDE_MESHES: [&str; 7] =
+    ["joint", "inertial", "transmission", "gazebo", "material", "sensor", "ros2_control"];
+
+/// Meshes of the links that can be read: those to be seen, otherwise those for collisions. What
+/// does not fit is left out: pictures do without.
+pub(super) fn meshes(file: &str, text: &str) -> Vec<LinkMesh> {
+    let Ok(xml) = Elements::read(file, text, |name| SKIPPED_BESIDE_MESHES.contains(&name)) else { return Vec::new() };
+    let links = xml.root().into_iter().flat_map(Node::children).filter(|node| node.name() == "link");
+    let mut all = Vec::new();
+    for node in links {
+        let Some(link) = node.attribute("name") else { continue };
+        let shown = |kind: &'static str| {
+            let link = link.clone();
+            let elements = node.children().filter(move |child| child.name() == kind);
+            elements.filter_map(move |element| mesh(element, &link)).collect::<Vec<_>>()
+        };
+        let visual = shown("visual");
+        all.extend(if visual.is_empty() { shown("collision") } else { visual });
+    }
+    all
+}
+
+/// Mesh of a `<visual>` or `<collision>`, if it is one and its format is known.
+fn mesh(element: Node, link: &str) -> Option<LinkMesh> {
+    let mesh = element.child("geometry")?.child("mesh")?;
+    let file = mesh.attribute("filename").filter(|file| is_mesh(file))?.into_owned();
+    let (place, scale) = (origin(element).ok()?, vector(mesh, "scale", [1.0; 3]).ok()?);
+    Some(LinkMesh { link: link.to_owned(), place, file, scale })
 }
 
 /// Command that expands a file of xacro.

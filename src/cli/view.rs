@@ -4,7 +4,7 @@ use super::{Output, Verdict};
 use crate::session::{Planned, Session};
 use etalon_base::message::Problems;
 use etalon_base::{error, files, phrase, warning};
-use etalon_view::{Desk, Limits, Server, exported};
+use etalon_view::{Desk, Limits, Server, State, exported};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
@@ -107,7 +107,7 @@ fn start(paths: &[PathBuf]) -> anyhow::Result<PathBuf> {
 
 /// Writes the page with the results inside.
 fn export(session: &Arc<Session>, folder: &Path, file: &Path, out: &Output) -> anyhow::Result<Verdict> {
-    let state = session.state();
+    let state = State { meshes: session.meshes(), ..session.state() };
     if state.found.scene.is_none() && state.verdict.is_none() {
         let (_, problems) = crate::tasks::find(&folder.join("campaign.toml"));
         problems.check()?;

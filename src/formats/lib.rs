@@ -15,6 +15,7 @@ mod log_text;
 mod logs;
 mod magic;
 pub mod mcap;
+pub mod mesh;
 pub mod parquet;
 mod points;
 mod propose;

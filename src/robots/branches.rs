@@ -141,6 +141,20 @@ impl Robot for Branches {
         }
         all
     }
+    fn part_frames(&self, parameters: &[f64], joints: &[f64]) -> Vec<(String, Pose)> {
+        let loads = self.loads_at(&self.nominal(), joints);
+        let mut all: Vec<(String, Pose)> = Vec::new();
+        for (branch, arm) in self.arms.iter().enumerate() {
+            let state = self.branch_state(branch, State { joints, loads: &loads });
+            for part in arm.part_frames_under(parameters, state) {
+                // the common joints are in each branch
+                if all.iter().all(|(name, _)| *name != part.0) {
+                    all.push(part);
+                }
+            }
+        }
+        all
+    }
     fn optional_parameters(&self) -> Vec<OptionalParameter> {
         let mut all: Vec<OptionalParameter> = Vec::new();
         for parameter in self.arms.iter().flat_map(Robot::optional_parameters) {

@@ -286,6 +286,12 @@ pub trait Robot: Send + Sync {
         Outline::default()
     }
 
+    /// Frames of the moving parts in the world at joint values: `base`, and the part behind each
+    /// joint by its name, in the frame that the joint moves; empty for a model without such frames.
+    fn part_frames(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<(String, Pose)> {
+        Vec::new()
+    }
+
     /// Hint at measurements that make these parameters separately identifiable, if the model knows
     /// any.
     fn remedy(&self, _parameters: &[usize]) -> Option<Phrase> {

@@ -1129,6 +1129,17 @@ impl Serial {
         outline.moved(&base)
     }
 
+    /// Frames of base and moving parts in the world, under these loads.
+    pub(super) fn part_frames_under(&self, parameters: &[f64], state: State) -> Vec<(String, Pose)> {
+        let base = chain::end(&self.elements[..self.based], parameters, state);
+        let frames = self.frames(parameters, state).0;
+        let behind = self.axes.iter().zip(frames).map(|(axis, frame)| {
+            let part = base.then(&frame).then(&axis.aligned.inverse());
+            (axis.drive.name.clone(), part)
+        });
+        std::iter::once(("base".to_owned(), base)).chain(behind).collect()
+    }
+
     /// Direct kinematics: pose of the flange in the world.
     pub fn direct(&self, parameters: &[f64], q: &[f64]) -> Pose {
         chain::end(&self.elements, parameters, State { joints: q, loads: &self.loads_at(q) })
@@ -1216,6 +1227,9 @@ impl Robot for Serial {
     }
     fn outline(&self, parameters: &[f64], joints: &[f64]) -> Outline {
         self.outline_under(parameters, State { joints, loads: &self.loads_at(joints) })
+    }
+    fn part_frames(&self, parameters: &[f64], joints: &[f64]) -> Vec<(String, Pose)> {
+        self.part_frames_under(parameters, State { joints, loads: &self.loads_at(joints) })
     }
     fn remedy(&self, parameters: &[usize]) -> Option<Phrase> {
         let all = || parameters.iter().map(|&i| &self.parameters()[i]);

@@ -197,6 +197,29 @@ pub struct TreeChain {
 }
 
 impl Tree {
+    /// Part that carries a link, and the frame of the link in the frame of that part: the joint of
+    /// `moving` behind which the link lies, or none for the base. Other joints are at zero.
+    pub fn carrying_part(&self, link: &str, base_link: &str, moving: &[&str]) -> Option<(Option<&str>, Pose)> {
+        let mut place = Pose::identity();
+        let mut link = link;
+        for _ in 0..=self.joints.len() {
+            if link == base_link {
+                return Some((None, place));
+            }
+            let Some(joint) = self.above(link).ok()? else {
+                // a pedestal below the base
+                let base = self.upward(base_link).ok()?.iter().rev().fold(Pose::identity(), |at, j| at.then(&j.origin));
+                return Some((None, base.inverse().then(&place)));
+            };
+            if moving.contains(&joint.name.as_str()) {
+                return Some((Some(&joint.name), place));
+            }
+            place = joint.origin.then(&place);
+            link = &joint.parent;
+        }
+        None
+    }
+
     /// Finds the chain with the most moving joints, the first of the file in case of ties.
     pub fn longest_chain(&self) -> Result<TreeChain, Faults> {
         let is_parent = |link: &&Link| self.joints.iter().any(|joint| joint.parent == link.name);

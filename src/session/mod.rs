@@ -4,6 +4,7 @@
 mod changes;
 mod covariance;
 mod files;
+mod meshes;
 mod opened;
 mod proposal;
 mod run;
@@ -19,7 +20,8 @@ use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_view::{
-    Answered, Asked, Desk, Event, Events, Found, Proposal, Refusal, ShownMessage, State, Titles, WhatIf, WhatIfAsked,
+    Answered, Asked, Desk, Event, Events, Found, Mesh, Proposal, Refusal, ShownMessage, State, Titles, WhatIf,
+    WhatIfAsked,
 };
 use files::Dropped;
 use opened::Opened;
@@ -107,6 +109,13 @@ impl Session {
     }
 }
 
+/// Folder of the page as the user named it; the present one by its own name.
+fn shown_folder(folder: &Path) -> String {
+    let present = || Some(folder.canonicalize().ok()?.file_name()?.to_string_lossy().into_owned());
+    let named = Some(folder).filter(|folder| *folder != Path::new("."));
+    named.map(|folder| folder.display().to_string()).or_else(present).unwrap_or_default()
+}
+
 /// A campaign as far as it can be read.
 #[derive(Default)]
 struct Contents {
@@ -183,7 +192,7 @@ impl Desk for Session {
                 (false, false) => "proposed",
                 (false, true) => "empty",
             },
-            folder: self.folder.display().to_string(),
+            folder: shown_folder(&self.folder),
             titles: Titles {
                 name: campaign.map(|campaign| campaign.file.name.clone()),
                 synthetic: campaign.map(|campaign| campaign.file.synthetic.is_some()),
@@ -194,6 +203,7 @@ impl Desk for Session {
             messages: words::shown(&shown.messages, language),
             verdict: shown.ran.as_ref().map(|ran| ran.verdict.clone()),
             downloads: shown.ran.as_ref().map_or_else(Vec::new, |ran| ran.downloads.clone()),
+            meshes: Vec::new(),
             found: Found {
                 scene: opened.map(|opened| opened.scene.clone()),
                 parameters: opened.map(|opened| opened.parameters(language)),
@@ -201,6 +211,12 @@ impl Desk for Session {
                 split: opened.and_then(Opened::split),
             },
         }
+    }
+
+    fn meshes(&self) -> Vec<Mesh> {
+        // a large mesh takes a while: the page goes on
+        let meshes = self.shown().opened.as_ref().map(|opened| opened.meshes.clone());
+        meshes.unwrap_or_default().read()
     }
 
     fn add_file(&self, name: &str, bytes: &[u8]) -> Answered<State> {

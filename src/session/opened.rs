@@ -1,6 +1,7 @@
 //! A campaign as the page shows it: read, joined and identified, without the judgement of a run.
 
 use crate::run::walk::{Observed, observed};
+use crate::session::meshes::Meshes;
 use crate::session::scene::{UM, scene};
 use crate::session::visits::{Base, Visit};
 use crate::stages::calibrate::identification::{Unjudged, identify_unjudged};
@@ -32,6 +33,7 @@ pub(super) struct Opened {
     /// All observations, the excluded ones too, in the same order.
     pub observations: Vec<Observation>,
     pub scene: Scene,
+    pub meshes: Meshes,
 }
 
 /// The robot of a campaign, with the targets that its observations name.
@@ -79,8 +81,9 @@ impl Opened {
             observations: &observations,
             times: &times,
         };
-        let scene = scene(&base, &outliers);
-        Ok(Self { campaign: campaign.clone(), observed, robot, found, visits, observations, scene })
+        let meshes = Meshes::new(campaign, robot.as_ref(), &found.solution.found.values);
+        let scene = scene(&base, &outliers, meshes.parts());
+        Ok(Self { campaign: campaign.clone(), observed, robot, found, visits, observations, scene, meshes })
     }
 
     /// Identifies these observations with the settings of another campaign.

@@ -10,6 +10,7 @@ use etalon_base::files::{read, write_new};
 use etalon_base::message::{Problems, Result};
 use etalon_base::phrase;
 use etalon_documents::FormatsDocument;
+use etalon_formats::mesh::is_mesh;
 use etalon_formats::propose_files;
 use etalon_view::{Asked, ColumnRead, FileProposal, Place, Proposal, Question, QuestionOption, Severity, ShownMessage};
 use std::collections::BTreeMap;
@@ -44,7 +45,11 @@ impl Inputs {
             matches!(end.as_deref(), Some("urdf" | "xacro")) || name(path) == "robot.toml"
         };
         let all = files::inputs(folder, dropped).into_iter().filter(|path| name(path) != "campaign.toml");
-        let (robots, measured) = all.partition(is_robot);
+        let (robots, mut measured): (Vec<PathBuf>, Vec<PathBuf>) = all.partition(is_robot);
+        // meshes of the robot are drawn, not measured
+        let described: Vec<Vec<u8>> = robots.iter().filter_map(|path| read(path).ok()).collect();
+        let described: Vec<_> = described.iter().map(|bytes| String::from_utf8_lossy(bytes)).collect();
+        measured.retain(|path| !is_mesh(&name(path)) || described.iter().all(|text| !text.contains(&name(path))));
         Self { measured, robots }
     }
 
@@ -250,5 +255,7 @@ fn question(id: String, open: &Open, language: &str) -> Question {
     };
     let option = |value: &&str| QuestionOption { value: (*value).to_owned(), label: (*value).to_owned() };
     let options = options.iter().map(option).collect();
-    Question { id, text: text.text(language), options, doubt: open.remark.clone() }
+    // the question itself says what the remark of the line does
+    let doubt = open.remark.clone().filter(|_| open.section != "instrument");
+    Question { id, text: text.text(language), options, doubt }
 }

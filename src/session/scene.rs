@@ -16,8 +16,8 @@ pub(super) const UM: f64 = 1000.0;
 /// Share of the scene's size that a large error is drawn with.
 const DRAWN: f64 = 0.05;
 
-/// The scene of an identification.
-pub(super) fn scene(base: &Base, outliers: &BTreeSet<(usize, usize)>) -> Scene {
+/// The scene of an identification, with the frames of the parts that have meshes.
+pub(super) fn scene(base: &Base, outliers: &BTreeSet<(usize, usize)>, parts: Vec<String>) -> Scene {
     let Base { robot, found, visits, observations, .. } = *base;
     let values = &found.solution.found.values;
     let mut bodies = Bodies::default();
@@ -29,10 +29,12 @@ pub(super) fn scene(base: &Base, outliers: &BTreeSet<(usize, usize)>) -> Scene {
         let outline = robot.outline(values, joints);
         let strokes = bodies.strokes(robot, values, observation, &outline);
         let set = base.set(*visit);
-        let shown = robot.joints().iter().zip(joints).map(|(joint, value)| joint.quantity.outward(*value)).collect();
+        let outward = |(joint, value): (&etalon_robots::Joint, &f64)| short(joint.quantity.outward(*value), PER_MM);
+        let shown = robot.joints().iter().zip(joints).map(outward).collect();
         let time_s = times.get(&(visit.pose, visit.cycle)).copied();
         let tool = tool(robot, values, joints).map(|pose| matrix(&pose));
-        poses.push(ShownPose { id: visit.id(several), set, joints: shown, time_s, strokes, tool });
+        let parts = part_frames(robot, values, joints, &parts);
+        poses.push(ShownPose { id: visit.id(several), set, joints: shown, time_s, strokes, tool, parts });
         points.extend(places(base, at, observation, outliers));
     }
     points.extend(base.conditions().filter_map(|error| {
@@ -47,7 +49,7 @@ pub(super) fn scene(base: &Base, outliers: &BTreeSet<(usize, usize)>) -> Scene {
         at: world_T_export.apply(station),
     });
     let bodies = bodies.0.into_iter().map(|name| Named { name }).collect();
-    Scene { unit: "mm", joints: joints(robot), bodies, frames, instrument, poses, points, magnification }
+    Scene { unit: "mm", joints: joints(robot), bodies, frames, instrument, poses, points, magnification, parts }
 }
 
 /// Names of the moving parts, in the order of their first line.
@@ -90,6 +92,22 @@ fn rounded(mm: f64) -> f64 {
     (mm * UM).round() / UM
 }
 
+/// A value (mm, deg or µm) to a billionth of a metre or of a turn: pages of thousands of poses stay
+/// small.
+fn short(value: f64, per_unit: f64) -> f64 {
+    (value * per_unit).round() / per_unit
+}
+
+/// Steps of a millimetre or degree, and of a micrometre, to which values are rounded.
+const PER_MM: f64 = 1e6;
+const PER_UM: f64 = 1e3;
+
+/// Five digits of a covariance.
+fn digits(value: f64) -> f64 {
+    let scale = 10f64.powf(4.0 - value.abs().max(f64::MIN_POSITIVE).log10().floor());
+    if scale.is_finite() { short(value, scale) } else { value }
+}
+
 /// Pose of flange or platform in the world.
 fn tool(robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Option<Pose> {
     let pose = match (robot.free_base(), robot.kinematics()) {
@@ -105,8 +123,23 @@ fn tool(robot: &dyn Robot, values: &[f64], joints: &[f64]) -> Option<Pose> {
 
 /// A pose as 16 numbers, row by row.
 fn matrix(pose: &Pose) -> Vec<f64> {
-    let row = |i: usize| [&pose.rotation[i][..], &[pose.translation_mm[i]]].concat();
-    (0..3).flat_map(row).chain([0.0, 0.0, 0.0, 1.0]).collect()
+    rows(pose).chain([0.0, 0.0, 0.0, 1.0]).collect()
+}
+
+/// The first three rows of a pose.
+fn rows(pose: &Pose) -> impl Iterator<Item = f64> {
+    (0..3).flat_map(|i| [&pose.rotation[i][..], &[pose.translation_mm[i]]].concat())
+}
+
+/// Frames of these parts: they are drawn, not measured.
+fn part_frames(robot: &dyn Robot, values: &[f64], joints: &[f64], parts: &[String]) -> Vec<Vec<f64>> {
+    if parts.is_empty() {
+        return Vec::new();
+    }
+    let all = robot.part_frames(values, joints);
+    let frame = |part: &String| all.iter().find(|(name, _)| name == part).map(|(_, pose)| *pose);
+    let drawn = |pose: Pose| rows(&pose).map(|v| short(v, 1e5)).collect();
+    parts.iter().filter_map(frame).map(drawn).collect()
 }
 
 /// Joints with their limits.
@@ -160,14 +193,14 @@ fn places(base: &Base, pose: usize, observation: &Observation, outliers: &BTreeS
         let (before, after) = (error(&solution.before), error(&solution.found.values));
         let covariance = covariances.as_ref().map(|all| all[k]).filter(|c| c.iter().all(|v| v.is_finite()));
         let mut errors = in_um(before, after);
-        errors.uncertainty_um = covariance.map(|c| 2.0 * UM * longest_axis_mm(&c));
+        errors.uncertainty_um = covariance.map(|c| short(2.0 * UM * longest_axis_mm(&c), PER_UM));
         errors.covariance_um2 =
-            covariance.map(|c| [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|at| c[at] * UM * UM));
+            covariance.map(|c| [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)].map(|at| digits(c[at] * UM * UM)));
         Point {
             pose,
             target: robot.targets()[k].clone(),
             kind: "position".to_owned(),
-            measured,
+            measured: measured.map(|mm| short(mm, PER_MM)),
             errors,
             outlier: outliers.contains(&(pose, k)).then_some(true),
             used: base.uses(base.visits[pose], k),
@@ -180,11 +213,12 @@ fn places(base: &Base, pose: usize, observation: &Observation, outliers: &BTreeS
 fn in_um(before: Vector, after: Vector) -> PointErrors {
     let finite = |v: Vector| v.iter().all(|v| v.is_finite()).then(|| v.map(|mm| mm * UM));
     let (before, after) = (finite(before), finite(after));
+    let size = |um: Option<Vector>| um.map(|um| short(norm(um), PER_UM));
     PointErrors {
-        before,
-        after,
-        magnitude_before_um: before.map(norm),
-        magnitude_after_um: after.map(norm),
+        before: before.map(|um| um.map(|um| short(um, PER_UM))),
+        after: after.map(|um| um.map(|um| short(um, PER_UM))),
+        magnitude_before_um: size(before),
+        magnitude_after_um: size(after),
         ..PointErrors::default()
     }
 }

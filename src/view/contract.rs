@@ -1,6 +1,8 @@
 //! Documents that page and program exchange, as JSON. Lengths are in mm, angles in degrees, errors
 //! in µm, times in s, unless the key gives another unit.
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use etalon_base::catalogue::Argument;
 use etalon_base::message;
 use etalon_base::pose::Vector;
@@ -100,6 +102,9 @@ pub struct State {
     pub verdict: Option<Verdict>,
     /// Files of the output folder.
     pub downloads: Vec<Download>,
+    /// Meshes of the robot, in an exported page; a served page asks for them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub meshes: Vec<Mesh>,
     /// The robot and its measured points.
     #[serde(flatten)]
     pub found: Found,
@@ -225,6 +230,35 @@ pub struct Scene {
     pub points: Vec<Point>,
     /// Proposed magnification of arrows.
     pub magnification: f64,
+    /// Moving parts that have meshes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<String>,
+}
+
+/// Mesh of a moving part, in its frame.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Mesh {
+    /// Name of the part.
+    pub part: String,
+    /// Lowest coordinates.
+    pub low: Vector,
+    /// Length for which the coordinate 65,535 stands.
+    pub size: f64,
+    /// Coordinates of the points: three numbers of 16 bits each (little-endian, base64).
+    pub points: String,
+    /// Indices of the corners of the triangles, like `points`.
+    pub triangles: String,
+}
+
+impl Mesh {
+    /// A mesh of these points and triangles.
+    pub fn new(part: String, low: Vector, size: f64, points: &[[u16; 3]], triangles: &[[u16; 3]]) -> Self {
+        let packed = |all: &[[u16; 3]]| {
+            let bytes: Vec<u8> = all.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();
+            STANDARD.encode(bytes)
+        };
+        Self { part, low, size, points: packed(points), triangles: packed(triangles) }
+    }
 }
 
 /// A name.
@@ -296,6 +330,9 @@ pub struct Pose {
     /// Pose of the flange or platform.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<Vec<f64>>,
+    /// Frames of the parts with meshes, in the order of the scene: 12 numbers each, row by row.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<Vec<f64>>,
 }
 
 /// A line of the robot.

@@ -1,6 +1,6 @@
 //! Calls of the page that the program answers.
 
-use crate::contract::{Asked, Proposal, ShownMessage, State, WhatIf, WhatIfAsked};
+use crate::contract::{Asked, Mesh, Proposal, ShownMessage, State, WhatIf, WhatIfAsked};
 
 /// Reasons why a call is rejected.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,9 @@ pub type Answered<T> = Result<T, Refusal>;
 pub trait Desk: Send + Sync {
     /// All that the page shows.
     fn state(&self) -> State;
+
+    /// Meshes of the parts that the scene names.
+    fn meshes(&self) -> Vec<Mesh>;
 
     /// Stores a file in the folder of the page.
     ///

@@ -22,7 +22,7 @@ mod tests;
 
 pub use contract::{
     Asked, Changed, ColumnRead, Download, DroppedFile, FileProposal, Found, Instrument, JointScale, Keep, LargestError,
-    Latest, Maximum, Named, NamedPose, Next, Parameter, ParameterNow, Place, Point, PointErrors, PointNow, Pose,
+    Latest, Maximum, Mesh, Named, NamedPose, Next, Parameter, ParameterNow, Place, Point, PointErrors, PointNow, Pose,
     PoseSet, Proposal, Question, QuestionOption, Scene, Severity, ShownMessage, Split, State, Stop, Stroke, Titles,
     Tone, Verdict, Watch, WhatIf, WhatIfAsked,
 };

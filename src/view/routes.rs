@@ -1,7 +1,7 @@
 //! Requests of the page, and the calls of the desk that answer them.
 
 use crate::answer::Answer;
-use crate::contract::{Asked, Keep, WhatIfAsked};
+use crate::contract::{Asked, Keep, State, WhatIfAsked};
 use crate::desk::{Answered, Refusal};
 use crate::page;
 use crate::refusals::{refusal, unreadable_answer};
@@ -52,10 +52,11 @@ pub(crate) fn answer(shared: &Shared, request: Request, stream: &mut TcpStream) 
             Err(_) => Answer::messages(500, &[]),
         },
         ("GET", "/api/state") => Answer::json(200, &desk.state()),
+        ("GET", "/api/meshes") => Answer::json(200, &desk.meshes()),
         ("GET", "/api/download") => download(shared, &request),
-        ("GET", "/api/export") => match page::exported(&desk.state()) {
+        ("GET", "/api/export") => match page::exported(&State { meshes: desk.meshes(), ..desk.state() }) {
             Ok(page) => Answer::new(200, "text/html; charset=utf-8", page.into_bytes())
-                .with("Content-Disposition", "attachment; filename=\"etalon-view.html\""),
+                .with("Content-Disposition", "attachment; filename=\"view.html\""),
             Err(_) => Answer::messages(500, &[]),
         },
         ("POST", "/api/files") => with_name(shared, &request.clone(), |name| {

@@ -1,6 +1,6 @@
 //! Tests of the server with a desk that has nothing to show.
 
-use crate::contract::{Asked, Proposal, ShownMessage, State, WhatIf, WhatIfAsked};
+use crate::contract::{Asked, Mesh, Proposal, ShownMessage, State, WhatIf, WhatIfAsked};
 use crate::desk::{Answered, Desk, Refusal};
 use crate::events::{Event, Events};
 use crate::server::Server;
@@ -16,6 +16,9 @@ struct Nothing;
 impl Desk for Nothing {
     fn state(&self) -> State {
         State::default()
+    }
+    fn meshes(&self) -> Vec<Mesh> {
+        Vec::new()
     }
     fn add_file(&self, _name: &str, _bytes: &[u8]) -> Answered<State> {
         Err(Refusal(Vec::new()))

@@ -29,7 +29,7 @@ pub mod qif;
 mod sdss_plate;
 mod spatialanalyzer;
 mod stamps;
-mod stl;
+pub(crate) mod stl;
 mod vda_fs;
 
 pub(crate) use stamps::seconds as stamp_seconds;

@@ -75,7 +75,7 @@ impl Vertices {
 }
 
 /// `true` for the beginning of a file of text.
-fn is_text(start: &str) -> bool {
+pub(crate) fn is_text(start: &str) -> bool {
     let mut lines = start.lines().filter(|line| !line.trim().is_empty());
     let named = lines.next().is_some_and(|line| line.trim_start().starts_with("solid"));
     named && lines.next().is_some_and(|line| line.trim_start().starts_with("facet"))
@@ -100,17 +100,26 @@ fn numbers(triangle: &[u8]) -> impl Iterator<Item = f32> + '_ {
     triangle[..48].chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]]))
 }
 
-fn binary(text: &Text, bytes: &[u8], unit: Unit, vertices: &mut Vertices) -> Result<(), Message> {
+/// Stated number of triangles of a binary file, and the corners of those that are there.
+pub(crate) fn triangles(bytes: &[u8]) -> (usize, impl ExactSizeIterator<Item = [[f32; 3]; 3]> + '_) {
     let count = bytes.get(HEAD - 4..HEAD).and_then(|count| count.try_into().ok()).map_or(0, u32::from_le_bytes);
     let triangles = bytes.get(HEAD..).unwrap_or_default().chunks_exact(TRIANGLE);
+    let corners = |triangle: &[u8]| {
+        let mut values = numbers(triangle).skip(3);
+        std::array::from_fn(|_| std::array::from_fn(|_| values.next().unwrap_or(f32::NAN)))
+    };
+    (count as usize, triangles.map(corners))
+}
+
+fn binary(text: &Text, bytes: &[u8], unit: Unit, vertices: &mut Vertices) -> Result<(), Message> {
+    let (count, triangles) = triangles(bytes);
     let there = triangles.len();
-    if count == 0 || (count as usize) > there {
+    if count == 0 || count > there {
         let missing = phrase!("item-of-count", name = "triangle", number = there + 1, count);
         return Err(error!("file-cut-off", missing).at(text.place(1)));
     }
-    for (i, triangle) in triangles.take(count as usize).enumerate() {
-        let values: Vec<f64> = numbers(triangle).map(f64::from).collect();
-        for xyz in values[3..].chunks_exact(3).map(|xyz| [xyz[0], xyz[1], xyz[2]]) {
+    for (i, corners) in triangles.take(count).enumerate() {
+        for xyz in corners.map(|corner| corner.map(f64::from)) {
             if xyz.iter().any(|v| !v.is_finite()) {
                 return Err(error!("vertex-not-finite", number = i + 1, coordinates = xyz).at(text.place(1)));
             }

@@ -1,6 +1,6 @@
 // Requests to the server, or the state inside an exported page.
 
-import type { Message, Proposal, State, Watch, WhatIf, WhatIfAsked } from "./types";
+import type { Message, PartMesh, Proposal, State, Watch, WhatIf, WhatIfAsked } from "./types";
 
 export class Refused extends Error {
   constructor(readonly messages: Message[]) {
@@ -58,6 +58,7 @@ export interface Answers {
 
 export const api = {
   state: () => ask<State>("state"),
+  meshes: () => ask<PartMesh[]>("meshes"),
   put: (name: string, file: Blob) => ask<State>(named(name), "POST", file),
   remove: (name: string) => ask<State>(named(name), "DELETE"),
   propose: (given: Answers) => ask<Proposal>("propose", "POST", given),

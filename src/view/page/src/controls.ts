@@ -129,6 +129,7 @@ export function options(): HTMLElement {
         check(t("after"), view.after, isOn => change({ after: isOn })),
         hasHulls && check(t("ellipsoids"), view.ellipsoids, ellipsoids => change({ ellipsoids })),
         check(t("chainsAll"), view.chains, chains => change({ chains })),
+        current.parts?.length && check(t("meshes"), view.meshes, meshes => change({ meshes })),
       ),
       magnification(show => (showMagnification = show)),
     );

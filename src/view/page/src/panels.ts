@@ -63,7 +63,7 @@ export function result(): HTMLElement {
         ),
         !store.offline &&
           state?.scene &&
-          h("li", {}, h("a", { href: api.exportPage(), download: "etalon.html" }, t("exportPage"))),
+          h("li", {}, h("a", { href: api.exportPage(), download: "view.html" }, t("exportPage"))),
       ),
     );
   };
@@ -82,11 +82,10 @@ function parameterRow(p: Parameter): HTMLElement {
   return h(
     "tr",
     { class: p.held ? "unused" : "" },
-    h("th", { scope: "row", title: p.meaning }, p.name, p.held && h("small", {}, ` ${t("held")}`)),
+    h("th", { scope: "row", title: p.meaning }, p.name, h("small", {}, ` ${p.unit}${p.held ? `, ${t("held")}` : ""}`)),
     h("td", { class: "num" }, show(p.nominal)),
     h("td", { class: "num" }, show(p.identified), u && places !== undefined ? ` ±\u00a0${fixed(u, places)}` : ""),
     h("td", { class: "num" }, p.held ? "–" : `${change > 0 ? "+" : ""}${show(change)}`, isMoved && h("b", {}, " *")),
-    h("td", {}, p.unit),
   );
 }
 
@@ -108,8 +107,8 @@ export function parameters(): HTMLElement {
           h(
             "tr",
             {},
-            ...[t("parameter"), t("nominal"), t("value"), t("changeHead"), t("unit")].map((head, i) =>
-              h("th", { scope: "col", class: i > 0 && i < 4 ? "num" : "" }, head),
+            ...[t("parameter"), t("nominal"), t("value"), t("changeHead")].map((head, i) =>
+              h("th", { scope: "col", class: i > 0 ? "num" : "" }, head),
             ),
           ),
         ),

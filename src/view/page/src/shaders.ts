@@ -1,6 +1,7 @@
-// Instanced solids with light computed per vertex: cheap where no graphics processor is at hand.
+// Solids with light computed per vertex: cheap where no graphics processor is at hand.
 
 import {
+  BufferAttribute,
   BufferGeometry,
   ConeGeometry,
   CylinderGeometry,
@@ -8,15 +9,13 @@ import {
   DynamicDrawUsage,
   Float32BufferAttribute,
   IcosahedronGeometry,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
   LineSegments,
   Mesh,
   PlaneGeometry,
   Points,
   ShaderMaterial,
 } from "three";
-import type { BufferAttribute, IUniform, Object3D } from "three";
+import type { IUniform, Object3D } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 
 const LIGHT = /* glsl */ `
@@ -36,33 +35,47 @@ const PLAIN = /* glsl */ `
 varying vec3 shade;
 void main() { gl_FragColor = vec4(shade, 1.0); }`;
 
-/** Solids, lines or points of one kind, described by arrays of these names. */
-export class Instances<Name extends string> {
+/**
+ * Solids, lines or points of one kind, described by arrays of these names. Each is a copy of a base with its own vertices:
+ * without a graphics processor, an instance of an instanced drawing takes as long as hundreds of vertices.
+ */
+export class Copies<Name extends string> {
   readonly mesh: Object3D;
+  private readonly values = {} as Record<Name, Float32Array>;
   private readonly attributes = {} as Record<Name, BufferAttribute>;
+  private readonly geometry = new BufferGeometry();
+  /** Vertices of a copy, and indices. */
+  private readonly vertices: number;
+  private readonly indices: number;
   private shown = 0;
 
-  /** Without a base each instance is one point. */
+  /** Without a base each copy is one point. */
   constructor(
     private readonly material: ShaderMaterial,
-    sizes: Record<Name, number>,
-    capacity: number,
+    private readonly sizes: Record<Name, number>,
+    private readonly capacity: number,
     base: BufferGeometry | null,
     kind: "faces" | "lines" = "faces",
   ) {
-    this.geometry = base ? new InstancedBufferGeometry() : new BufferGeometry();
-    if (base) {
-      this.geometry.index = base.index;
-      for (const name of Object.keys(base.attributes)) this.geometry.setAttribute(name, base.getAttribute(name));
+    this.vertices = base?.getAttribute("position").count ?? 1;
+    for (const name of Object.keys(base?.attributes ?? {})) {
+      const own = base?.getAttribute(name) as BufferAttribute;
+      const all = new Float32Array(capacity * own.array.length);
+      for (let i = 0; i < capacity; i++) all.set(own.array, i * own.array.length);
+      this.geometry.setAttribute(name, new BufferAttribute(all, own.itemSize));
+    }
+    const index = base?.index?.array;
+    this.indices = index?.length ?? this.vertices;
+    if (index) {
+      const all = new Uint32Array(capacity * index.length);
+      for (let i = 0; i < capacity; i++) index.forEach((at, k) => (all[i * index.length + k] = at + i * this.vertices));
+      this.geometry.setIndex(new BufferAttribute(all, 1));
     }
     for (const name of Object.keys(sizes) as Name[]) {
-      const values = new Float32Array(capacity * sizes[name]);
-      const attribute = base
-        ? new InstancedBufferAttribute(values, sizes[name])
-        : new Float32BufferAttribute(values, sizes[name]);
-      attribute.setUsage(DynamicDrawUsage);
-      this.attributes[name] = attribute;
-      this.geometry.setAttribute(name, attribute);
+      this.values[name] = new Float32Array(capacity * sizes[name]);
+      const all = this.vertices === 1 ? this.values[name] : new Float32Array(capacity * this.vertices * sizes[name]);
+      this.attributes[name] = new BufferAttribute(all, sizes[name]).setUsage(DynamicDrawUsage);
+      this.geometry.setAttribute(name, this.attributes[name]);
     }
     if (!base) this.mesh = new Points(this.geometry, material);
     else this.mesh = kind === "lines" ? new LineSegments(this.geometry, material) : new Mesh(this.geometry, material);
@@ -70,14 +83,21 @@ export class Instances<Name extends string> {
     this.count = 0;
   }
 
-  private readonly geometry: BufferGeometry;
-
+  /** Values of all copies. */
   array(name: Name): Float32Array {
-    return this.attributes[name].array as Float32Array;
+    return this.values[name];
   }
 
   changed(...names: Name[]): void {
-    for (const name of names) this.attributes[name].needsUpdate = true;
+    for (const name of names) {
+      const [values, size, all] = [this.values[name], this.sizes[name], this.attributes[name].array as Float32Array];
+      let to = 0;
+      if (this.vertices > 1)
+        for (let i = 0; i < this.capacity; i++)
+          for (let vertex = 0; vertex < this.vertices; vertex++)
+            for (let k = 0; k < size; k++) all[to++] = values[i * size + k];
+      this.attributes[name].needsUpdate = true;
+    }
   }
 
   get count(): number {
@@ -86,8 +106,7 @@ export class Instances<Name extends string> {
 
   set count(count: number) {
     this.shown = count;
-    if (this.geometry instanceof InstancedBufferGeometry) this.geometry.instanceCount = count;
-    else this.geometry.setDrawRange(0, count);
+    this.geometry.setDrawRange(0, count * this.indices);
     this.mesh.visible = count > 0;
   }
 
@@ -108,7 +127,7 @@ function ball(): BufferGeometry {
 }
 
 /** Spheres: `at`, `tint`, and `size` in mm. */
-export function spheres(capacity: number): Instances<"at" | "tint" | "size"> {
+export function spheres(capacity: number): Copies<"at" | "tint" | "size"> {
   const material = new ShaderMaterial({
     vertexShader: /* glsl */ `
       attribute vec3 at; attribute vec3 tint; attribute float size;
@@ -119,11 +138,11 @@ export function spheres(capacity: number): Instances<"at" | "tint" | "size"> {
       }`,
     fragmentShader: PLAIN,
   });
-  return new Instances(material, { at: 3, tint: 3, size: 1 }, capacity, ball());
+  return new Copies(material, { at: 3, tint: 3, size: 1 }, capacity, ball());
 }
 
 /** Balls drawn as one point each: `position`, `tint`, and the radius `size` in pixels (0 hides). */
-export function dots(capacity: number, uniforms: Uniforms): Instances<"position" | "tint" | "size"> {
+export function dots(capacity: number, uniforms: Uniforms): Copies<"position" | "tint" | "size"> {
   const material = new ShaderMaterial({
     uniforms,
     vertexShader: /* glsl */ `
@@ -146,11 +165,11 @@ export function dots(capacity: number, uniforms: Uniforms): Instances<"position"
         gl_FragColor = vec4(shade * (0.62 + 0.38 * max(dot(normal, normalize(vec3(0.3, 0.55, 0.8))), 0.0)), 1.0);
       }`,
   });
-  return new Instances(material, { position: 3, tint: 3, size: 1 }, capacity, null);
+  return new Copies(material, { position: 3, tint: 3, size: 1 }, capacity, null);
 }
 
 /** Tubes between two points, `size` in mm. */
-export function tubes(capacity: number): Instances<"start" | "end" | "tint" | "size"> {
+export function tubes(capacity: number): Copies<"start" | "end" | "tint" | "size"> {
   const material = new ShaderMaterial({
     vertexShader: /* glsl */ `
       attribute vec3 start; attribute vec3 end; attribute vec3 tint; attribute float size;
@@ -169,7 +188,7 @@ export function tubes(capacity: number): Instances<"start" | "end" | "tint" | "s
     side: DoubleSide,
   });
   const base = new CylinderGeometry(1, 1, 1, 10, 1, true);
-  return new Instances(material, { start: 3, end: 3, tint: 3, size: 1 }, capacity, base);
+  return new Copies(material, { start: 3, end: 3, tint: 3, size: 1 }, capacity, base);
 }
 
 /** Shaft and head of an arrow of length 1; `part` is 0 on the shaft, 1 on the head. */
@@ -189,7 +208,7 @@ function arrowBase(sides: number): BufferGeometry {
 }
 
 /** Arrows: `at`, `vector` (mm, before magnification), `tint`, `size` in pixels (0 hides). */
-export function arrows(capacity: number, uniforms: Uniforms): Instances<"at" | "vector" | "tint" | "size"> {
+export function arrows(capacity: number, uniforms: Uniforms): Copies<"at" | "vector" | "tint" | "size"> {
   const material = new ShaderMaterial({
     uniforms,
     vertexShader: /* glsl */ `
@@ -212,11 +231,11 @@ export function arrows(capacity: number, uniforms: Uniforms): Instances<"at" | "
     fragmentShader: PLAIN,
     side: DoubleSide,
   });
-  return new Instances(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, arrowBase(4));
+  return new Copies(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, arrowBase(4));
 }
 
 /** The same arrows as lines, for thousands of them. */
-export function lines(capacity: number, uniforms: Uniforms): Instances<"at" | "vector" | "tint" | "size"> {
+export function lines(capacity: number, uniforms: Uniforms): Copies<"at" | "vector" | "tint" | "size"> {
   const material = new ShaderMaterial({
     uniforms,
     vertexShader: /* glsl */ `
@@ -232,11 +251,11 @@ export function lines(capacity: number, uniforms: Uniforms): Instances<"at" | "v
   });
   const base = new BufferGeometry();
   base.setAttribute("position", new Float32BufferAttribute([0, 0, 0, 0, 1, 0], 3));
-  return new Instances(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, base, "lines");
+  return new Copies(material, { at: 3, vector: 3, tint: 3, size: 1 }, capacity, base, "lines");
 }
 
 /** Outlines of ellipsoids, from their half axes (mm, before magnification): one square each. */
-export function ellipsoids(capacity: number, uniforms: Uniforms): Instances<"at" | "a" | "b" | "c" | "tint"> {
+export function ellipsoids(capacity: number, uniforms: Uniforms): Copies<"at" | "a" | "b" | "c" | "tint"> {
   const material = new ShaderMaterial({
     uniforms,
     // an ellipsoid with axes A is seen as the ellipse of S = M Mᵀ, M = A in the picture plane; S = L Lᵀ
@@ -269,7 +288,7 @@ export function ellipsoids(capacity: number, uniforms: Uniforms): Instances<"at"
     transparent: true,
     depthWrite: false,
   });
-  return new Instances(material, { at: 3, a: 3, b: 3, c: 3, tint: 3 }, capacity, new PlaneGeometry(1, 1));
+  return new Copies(material, { at: 3, a: 3, b: 3, c: 3, tint: 3 }, capacity, new PlaneGeometry(1, 1));
 }
 
 /** Half axes of the ellipsoid of a covariance (xx xy xz yy yz zz), for a coverage factor k. */

@@ -16,9 +16,10 @@ import type { IUniform, Object3D } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { isDark, rgb, type Rgb } from "./colours";
 import { button, fill, h, unique } from "./dom";
+import { partMeshes, Solid } from "./meshes";
 import { length, quantity, significant } from "./numbers";
 import { describe, painter, type Painter } from "./paint";
-import { arrows, dots, ellipsoids, halfAxes, lines, spheres, tubes, type Instances } from "./shaders";
+import { arrows, dots, ellipsoids, halfAxes, lines, spheres, tubes, type Copies } from "./shaders";
 import { after, isShown, on, pointsOf, scene, select, store } from "./store";
 import type { Pose, Scene, Vector } from "./types";
 import { t } from "./words";
@@ -29,6 +30,10 @@ const CHAINS = 400;
 const ELLIPSOIDS = 1500;
 /** Points from which arrows are lines. */
 const MANY = 2500;
+/** Triangles of meshes from which they are left out while turning, if pictures take too long. */
+const DENSE = 12000;
+/** Share of a tube's thickness inside a mesh. */
+const INSIDE = 0.3;
 /** Distance (px) within which a pointer hits a point. */
 const NEAR = 16;
 /** Time (ms) after the last movement until the fine picture is drawn. */
@@ -106,13 +111,14 @@ export class Space {
   private parts: { dispose(): void }[] = [];
   private readonly pixels: IUniform<number> = { value: 1 };
   private readonly away: IUniform<number> = { value: 1 };
-  private points: Instances<"position" | "tint" | "size"> | null = null;
-  private arrowsAfter: Instances<"at" | "vector" | "tint" | "size"> | null = null;
-  private arrowsBefore: Instances<"at" | "vector" | "tint" | "size"> | null = null;
-  private hulls: Instances<"at" | "a" | "b" | "c" | "tint"> | null = null;
-  private pipes: Instances<"start" | "end" | "tint" | "size"> | null = null;
-  private knees: Instances<"at" | "tint" | "size"> | null = null;
+  private points: Copies<"position" | "tint" | "size"> | null = null;
+  private arrowsAfter: Copies<"at" | "vector" | "tint" | "size"> | null = null;
+  private arrowsBefore: Copies<"at" | "vector" | "tint" | "size"> | null = null;
+  private hulls: Copies<"at" | "a" | "b" | "c" | "tint"> | null = null;
+  private pipes: Copies<"start" | "end" | "tint" | "size"> | null = null;
+  private knees: Copies<"at" | "tint" | "size"> | null = null;
   private chains: LineSegments | null = null;
+  private solids: Solid[] = [];
   private labels: Label[] = [];
   private poseLabels: Label[] = [];
   private radius = 1000;
@@ -174,6 +180,7 @@ export class Space {
     new ResizeObserver(() => this.resize()).observe(this.stage);
     on(["scene", "dark"], () => this.rebuild());
     on(["view", "what"], () => this.restyle());
+    on(["view"], () => this.showSelection());
     on(["selection"], () => this.showSelection());
     this.rebuild();
   }
@@ -262,19 +269,24 @@ export class Space {
     if (direction.lengthSq() === 0) direction.set(0.85, -1.25, 0.7);
     direction.normalize();
     const distance = this.distance(direction);
-    // the legend covers the lower edge
     const up = new Vector3(0, 0, 1).addScaledVector(direction, -direction.z).normalize();
-    controls.target.copy(this.centre).addScaledVector(up, -0.07 * distance * Math.tan((this.camera.fov * Math.PI) / 360));
+    const lower = this.covered() * distance * Math.tan((this.camera.fov * Math.PI) / 360);
+    controls.target.copy(this.centre).addScaledVector(up, -lower);
     this.camera.position.copy(controls.target).addScaledVector(direction, distance);
     controls.update();
     this.move();
+  }
+
+  /** Share of the height that the legend covers at the lower edge. */
+  private covered(): number {
+    return Math.min(0.35, this.legend.offsetHeight / Math.max(1, this.stage.clientHeight));
   }
 
   /** Distance from which all that is drawn is in the picture. */
   private distance(back: Vector3): number {
     const right = new Vector3(0, 0, 1).cross(back).normalize();
     const up = back.clone().cross(right);
-    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * 0.84;
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * 0.88 * (1 - this.covered());
     const wide = Math.tan((this.camera.fov * Math.PI) / 360) * this.camera.aspect * 0.93;
     const from = new Vector3();
     let far = this.radius * 0.2;
@@ -293,6 +305,7 @@ export class Space {
     this.labelled.replaceChildren();
     this.labels = [];
     this.poseLabels = [];
+    this.solids = [];
     this.points = this.arrowsAfter = this.arrowsBefore = this.hulls = this.pipes = this.knees = this.chains = null;
   }
 
@@ -324,7 +337,7 @@ export class Space {
     this.addChains(shown, colours);
     const count = shown.points.length;
     const pointers = count > MANY ? lines : arrows;
-    const keep = <N extends string>(part: Instances<N>): Instances<N> => {
+    const keep = <N extends string>(part: Copies<N>): Copies<N> => {
       this.parts.push(part);
       this.world.add(part.mesh);
       return part;
@@ -348,9 +361,25 @@ export class Space {
     this.points.count = this.arrowsBefore.count = this.arrowsAfter.count = count;
     this.restyle();
     this.showSelection();
+    void this.addMeshes(shown);
     // a scene that grows keeps the view
     if (first || !this.isTurned || Math.abs(before / this.radius - 1) > 0.5)
       this.fit(first ? (this.flat ? [0.15, -0.45, 1] : [0.85, -1.25, 0.7]) : null);
+  }
+
+  /** Adds the meshes of the robot; until then, and without them, it is drawn as tubes. */
+  private async addMeshes(shown: Scene): Promise<void> {
+    if (!shown.parts?.length) return;
+    const meshes = await partMeshes(shown.parts);
+    if (this.drawn !== shown || !this.renderer || this.solids.length > 0) return;
+    for (const { part, geometry } of meshes) {
+      const solid = new Solid(part, geometry);
+      this.solids.push(solid);
+      this.parts.push(solid);
+      this.world.add(solid.mesh);
+    }
+    this.stage.dataset.meshes = String(this.solids.length);
+    this.showSelection();
   }
 
   /** Centre, radius and floor of what is drawn. */
@@ -575,11 +604,13 @@ export class Space {
     if (!pipes || !knees) return;
     const colours = look();
     const thick = this.radius * (this.flat ? 0.012 : 0.02);
+    const isSolid = store.view.meshes ? this.placeMeshes(pose, colours) : new Set<string>();
     let [n, m] = [0, 0];
     for (const stroke of pose.strokes) {
       const tint =
         stroke.kind === "axis" ? colours.axis : stroke.kind === "target" ? colours.target : colours.links[stroke.body % 2];
-      const size = thick * (stroke.kind === "link" ? 1 : stroke.kind === "axis" ? 0.42 : 0.24);
+      const inside = isSolid.has(this.drawn?.bodies[stroke.body].name ?? "") ? INSIDE : 1;
+      const size = thick * (stroke.kind === "link" ? inside : stroke.kind === "axis" ? 0.42 * inside : 0.24);
       stroke.points.forEach((p, i) => {
         knees.array("at").set(p, 3 * m);
         knees.array("tint").set(tint, 3 * m);
@@ -605,6 +636,17 @@ export class Space {
       const point = shown.points[i];
       if (isShown(point)) this.label(point.target, new Vector3(...point.measured), "target", this.poseLabels);
     }
+  }
+
+  /** Moves the meshes to a pose; returns the names of their parts. */
+  private placeMeshes(pose: Pose, colours: Look): Set<string> {
+    const names = this.drawn?.parts ?? [];
+    for (const solid of this.solids) {
+      const at = names.indexOf(solid.part);
+      const frame = pose.parts?.[at];
+      if (frame) solid.place(frame, colours.links[at % 2]);
+    }
+    return new Set(this.solids.map(solid => solid.part));
   }
 
   private place(point: Vector3, width: number, height: number): [number, number, number] {
@@ -649,22 +691,24 @@ export class Space {
     this.tip.style.top = `${y + height + 20 > box.height ? Math.max(4, y - height - 10) : y + 14}px`;
   }
 
-  /** Puts the labels beside what they name; names of targets do not cover each other. */
+  /** Puts the labels beside what they name. Names do not cover each other, nor the buttons. */
   private putLabels(width: number, height: number): void {
-    const put = (list: Label[], apart: number): void => {
-      const placed = list.map(({ node, at }) => ({ node, at: this.place(at, width, height) }));
-      placed.sort((a, b) => a.at[1] - b.at[1]);
-      let last = -Infinity;
-      for (const { node, at } of placed) {
-        const [x, y, depth] = at;
-        node.hidden = depth >= 1 || x < 0 || y < 0 || x > width || y > height;
-        const down = Math.max(y, last + apart);
-        if (!node.hidden && apart > 0) last = down;
-        node.style.transform = `translate(${x.toFixed(1)}px, ${down.toFixed(1)}px)`;
-      }
-    };
-    put(this.labels, 0);
-    put(this.poseLabels, 17);
+    const buttons = this.stage.querySelector<HTMLElement>(".views");
+    const taken = buttons ? [[width - buttons.offsetWidth - 12, 0, width, buttons.offsetHeight + 12]] : [];
+    const covers = (a: number[], b: number[]) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+    const placed = [...this.poseLabels, ...this.labels].map(({ node, at }) => ({ node, at: this.place(at, width, height) }));
+    placed.sort((a, b) => a.at[1] - b.at[1]);
+    for (const { node, at } of placed) {
+      const [x, y, depth] = at;
+      const isInside = depth < 1 && x >= 0 && y >= 0 && x <= width && y <= height;
+      let box = [x, y, x + 8 + 7 * (node.textContent?.length ?? 0), y + 17];
+      const isLetter = node.classList.contains("letter");
+      for (let again = 0; !isLetter && again < 6 && taken.some(other => covers(box, other)); again++)
+        box = [box[0], box[1] + 9, box[2], box[3] + 9];
+      node.hidden = !isInside || (buttons !== null && covers([x, y - 12, x + 8, y], taken[0]));
+      if (!node.hidden && !isLetter) taken.push(box);
+      node.style.transform = `translate(${x.toFixed(1)}px, ${box[1].toFixed(1)}px)`;
+    }
   }
 
   private resize(): void {
@@ -724,6 +768,8 @@ export class Space {
     const isMany = (this.drawn?.points.length ?? 0) > MANY;
     if (this.arrowsAfter) this.arrowsAfter.mesh.visible = store.view.after && !(isSparse && isMany);
     if (this.arrowsBefore) this.arrowsBefore.mesh.visible = store.view.before && !(isSparse && isMany);
+    const isDense = this.solids.reduce((sum, solid) => sum + solid.triangles, 0) > DENSE;
+    for (const solid of this.solids) solid.mesh.visible = store.view.meshes && !(isSparse && isDense);
     const [width, height] = [this.stage.clientWidth, this.stage.clientHeight];
     const distance = this.camera.position.distanceTo(this.controls?.target ?? this.centre);
     this.pixels.value = ratio;

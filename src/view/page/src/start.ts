@@ -92,6 +92,7 @@ export function start(took: (state: State) => void, accepted: () => void): HTMLE
   const status = h("p", { class: "note", role: "status" });
   fill(root, drop, status, rest);
   draw = () => {
+    drop.classList.toggle("small", Boolean(store.state?.files.length));
     status.textContent = isReading ? t("reading") : "";
     redraw(rest, () => fill(rest, ...restParts()));
   };
@@ -117,8 +118,13 @@ function dropZone(): HTMLElement {
   );
 }
 
+/** What will happen, before anything has. */
+const outlook = (): HTMLElement =>
+  h("ol", { class: "steps outlook" }, ...(["step1", "step2", "step3", "step4"] as const).map(step => h("li", {}, t(step))));
+
 function restParts(): (HTMLElement | null)[] {
   const state = store.state;
+  if (!state?.files.length && !problems.length) return [outlook()];
   const parts: (HTMLElement | null)[] = [];
   if (problems.length) parts.push(h("ul", { class: "messages", role: "alert" }, ...problems.map(message)));
   if (state?.files.length) parts.push(fileList(state), robotField());
@@ -216,7 +222,7 @@ function question(q: Proposal["questions"][number]): HTMLElement {
   };
   return h(
     "fieldset",
-    { class: "question" },
+    { class: chosen === undefined ? "question" : "question answered" },
     h("legend", {}, chosen !== undefined && "✓ ", q.text),
     q.doubt && h("p", { class: "note" }, prose(q.doubt)),
     options.length

@@ -10,6 +10,7 @@ export interface View {
   before: boolean;
   after: boolean;
   ellipsoids: boolean;
+  meshes: boolean;
   chains: boolean;
   magnification: number;
 }
@@ -49,6 +50,7 @@ export const store = {
     before: false,
     after: true,
     ellipsoids: true,
+    meshes: true,
     chains: false,
     magnification: 100,
   } as View,

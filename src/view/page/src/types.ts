@@ -58,6 +58,8 @@ export interface State {
   maximum?: Maximum;
   watching?: boolean;
   robots?: string[];
+  /** In an exported page; otherwise the server is asked for them. */
+  meshes?: PartMesh[];
   split?: { calibration: string; validation: string };
 }
 
@@ -73,6 +75,18 @@ export interface Scene {
   poses: Pose[];
   points: Point[];
   magnification: number;
+  /** Moving parts that have meshes. */
+  parts?: string[];
+}
+
+/** Mesh of a part in its frame: points and triangles, three numbers of 16 bits each, in base64. */
+export interface PartMesh {
+  part: string;
+  low: Vector;
+  /** Length for which the coordinate 65,535 stands. */
+  size: number;
+  points: string;
+  triangles: string;
 }
 
 export interface Pose {
@@ -82,6 +96,8 @@ export interface Pose {
   time_s?: number;
   strokes: { body: number; kind: "link" | "axis" | "target"; points: Vector[] }[];
   tool?: number[];
+  /** Frames of the parts with meshes: 12 numbers each, row by row. */
+  parts?: number[][];
 }
 
 export interface Point {
