@@ -6,6 +6,7 @@ mod geometric;
 mod iso9283;
 mod join;
 mod mixed;
+mod named_files;
 mod paths;
 mod robot_faults;
 mod robot_file;
@@ -76,6 +77,8 @@ pub struct Campaign {
     pub stamps: [Stamp; 2],
     /// Entries of `campaign.toml` that could not be read.
     pub unread: UnreadKeys,
+    /// Forms of the names of exports that stand for a file for each pose.
+    forms: Vec<String>,
 }
 
 impl Campaign {
@@ -111,6 +114,11 @@ impl Campaign {
         }
         let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
         let Some(mut file) = value else { return Ok((None, problems)) };
+        let (forms, wrong) = file.name_files(&folder, SourceText { name: &name, text: &text });
+        if !wrong.is_empty() {
+            problems.0.extend(wrong);
+            unread.add(vec!["export".to_owned()]);
+        }
         let joints = file.exports.iter().any(|export| !export.joints.is_empty());
         problems.0.extend(file.add_joints_of_exports(SourceText { name: &name, text: &text }));
         for key in missing_keys(&text).into_iter().filter(|key| !joints || !["log", "join"].contains(key)) {
@@ -141,7 +149,7 @@ impl Campaign {
             file.name = title::composed(&file, robot.name.as_deref(), &folder);
         }
         let stamps = [stamp, robot_stamp];
-        let campaign = Self { file, robot, folder, location: path, path: name, text, stamps, unread };
+        let campaign = Self { file, robot, folder, location: path, path: name, text, stamps, unread, forms };
         Ok((Some(campaign), problems))
     }
 
@@ -227,7 +235,21 @@ impl Campaign {
     /// `true` if all keys of an export could be read, except for its unit, which labels do not
     /// need.
     pub fn export_reads(&self, index: usize) -> bool {
-        !self.unread.affects_except(&["export", &index.to_string()], "unit")
+        // files of one form are one table of the text
+        let mut tables: Vec<_> = self.file.exports.iter().take(index + 1).map(|export| export.file.span()).collect();
+        tables.dedup();
+        let table = tables.len().saturating_sub(1).to_string();
+        !self.unread.affects_except(&["export", &table], "unit")
+    }
+
+    /// Paths of all files of measurements: also of those that came since the campaign was read.
+    pub fn present_inputs(&self) -> Vec<PathBuf> {
+        let named = self.file.inputs().filter_map(|file| self.resolve(file).ok());
+        let mut all: Vec<PathBuf> =
+            named.chain(self.forms.iter().flat_map(|form| named_files::present_paths(&self.folder, form))).collect();
+        all.sort();
+        all.dedup();
+        all
     }
 
     /// Given bound of uncertainties.

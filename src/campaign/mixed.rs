@@ -25,7 +25,8 @@ impl CampaignFile {
             }
             let named = |role| export.format.dialect.columns.contains(role);
             let in_label = export.label.as_ref().is_some_and(|label| label.get_ref().contains("{pose}"));
-            if export.pose.is_none() && !named(ColumnRole::Pose) && !in_label {
+            let is_named = named(ColumnRole::Pose) || in_label || export.from_name.pose.is_some();
+            if export.pose.is_none() && !is_named {
                 export.pose = Some(FromRow::default());
             }
             // several points of a row share the joints of the row

@@ -17,9 +17,13 @@ use toml::Spanned;
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Export {
-    /// Name of the file.
+    /// Name of the file. `{pose}`, `{target}` and `{cycle}` stand for a file for each pose:
+    /// `"scans/{pose}.txt"`.
     #[schemars(with = "String")]
     pub file: Spanned<String>,
+    /// Target, pose and cycle that the name of the file states.
+    #[serde(skip)]
+    pub from_name: LabelNames,
     /// Format of the file: a name, or a table of keys that describes text.
     pub format: Format,
     /// Character encoding, if no byte-order mark gives it.

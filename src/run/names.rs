@@ -256,7 +256,7 @@ pub(super) fn targets(campaign: &Campaign, robot: &dyn Robot, imported: &Gathere
 
 /// Error if the labels of an export name targets of the robot, and the campaign contains no form.
 fn unstated_form(campaign: &Campaign, export: &Export, imported: &Gathered, robot: &dyn Robot) -> Option<Message> {
-    if export.label.is_some() || export.target.is_some() {
+    if export.label.is_some() || export.target.is_some() || export.from_name.target.is_some() {
         return None;
     }
     let own = imported.all_points().filter(|p| *p.export == **export.file.get_ref());

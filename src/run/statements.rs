@@ -71,7 +71,9 @@ pub(super) fn check(campaign: &Campaign, problems: &mut Problems) {
     {
         problems.0.push(message.at(campaign.place(at)));
     }
-    file.exports.iter().for_each(|export| stated_twice(campaign, export, problems));
+    // files of one form are one export of the text
+    let tables = file.exports.chunk_by(|a, b| a.file.span() == b.file.span()).filter_map(<[Export]>::first);
+    tables.for_each(|export| stated_twice(campaign, export, problems));
 }
 
 /// Maximum number of months of validity.
@@ -223,6 +225,17 @@ fn stated_twice(campaign: &Campaign, export: &Export, problems: &mut Problems) {
         stated.into_iter().filter(|(_, stated, role)| *stated && export.format.dialect.columns.contains(*role))
     {
         problems.0.push(error!("key-and-column", key).at(campaign.place(&export.file)));
+    }
+    let in_label = |part: &str| export.label.as_ref().is_some_and(|label| label.get_ref().contains(part));
+    let named = [
+        ("pose", export.from_name.pose.is_some(), export.pose.is_some(), ColumnRole::Pose),
+        ("target", export.from_name.target.is_some(), export.target.is_some(), ColumnRole::Target),
+        ("cycle", export.from_name.cycle.is_some(), false, ColumnRole::Cycle),
+    ];
+    for (key, _, is_key, role) in named.into_iter().filter(|(_, is_named, ..)| *is_named) {
+        if is_key || export.format.dialect.columns.contains(role) || in_label(&format!("{{{key}}}")) {
+            problems.0.push(error!("key-and-file-name", key).at(campaign.place(&export.file)));
+        }
     }
 }
 

@@ -32,10 +32,14 @@ use std::time::{Duration, SystemTime};
 const LOOK: Duration = Duration::from_millis(250);
 /// Looks after which a file that cannot be read is reported: an instrument may be writing it.
 const PATIENCE: usize = 4;
+/// Looks for which files may go on growing before they are read: a pose is read when it is written.
+const SETTLING: usize = 3;
 /// Probability of a good reading within its expected error: one false alarm in a thousand.
 const EXPECTED: f64 = 0.999;
 /// Share of the poses at which a target has to be measured to be missed at another one.
 const USUAL: f64 = 0.5;
+/// Poses that a message names.
+const SHOWN: usize = 12;
 /// Pairs of labels, and poses, that are tried to explain a disagreement.
 const TRIED: usize = 200;
 
@@ -48,10 +52,16 @@ pub(crate) struct Planned {
     pub in_order: bool,
 }
 
+/// Sizes and times of files; none of a file that is missing.
+type Stamps = BTreeMap<PathBuf, Option<(u64, SystemTime)>>;
+
 /// The measurement as it was at the last look.
 #[derive(Default)]
 struct Watched {
-    stamps: BTreeMap<PathBuf, Option<(u64, SystemTime)>>,
+    /// Files as they were read.
+    stamps: Stamps,
+    /// Files as they were seen since, and the number of looks at which they differed.
+    growing: (Stamps, usize),
     opened: Option<Arc<Opened>>,
     /// Visits that disagreed, and identify nothing.
     disagreeing: BTreeSet<Visit>,
@@ -128,6 +138,11 @@ fn look(session: &Session, watched: &mut Watched, planned: Option<&Planned>) {
     if stamps == watched.stamps && watched.failures == 0 {
         return;
     }
+    if stamps != watched.growing.0 && watched.growing.1 < SETTLING {
+        watched.growing = (stamps, watched.growing.1 + 1);
+        return;
+    }
+    watched.growing.1 = 0;
     let read = Contents::read(&session.folder, Depth::Quick);
     let (now, told) = match &read.opened {
         Some(now) => (Some(now.clone()), Some(session.watch(watched, Some(now), planned))),
@@ -160,10 +175,10 @@ fn look(session: &Session, watched: &mut Watched, planned: Option<&Planned>) {
 }
 
 /// Sizes and times of the files of a campaign.
-fn stamps(folder: &Path, campaign: Option<&Campaign>) -> BTreeMap<PathBuf, Option<(u64, SystemTime)>> {
+fn stamps(folder: &Path, campaign: Option<&Campaign>) -> Stamps {
     let stated = folder.join("campaign.toml");
-    let inputs =
-        campaign.into_iter().flat_map(|campaign| campaign.file.inputs().filter_map(|f| campaign.resolve(f).ok()));
+    // files of an instrument that writes a file for each pose come while it measures
+    let inputs = campaign.into_iter().flat_map(Campaign::present_inputs);
     let stamp = |path: PathBuf| {
         let found = std::fs::metadata(&path).ok().and_then(|file| Some((file.len(), file.modified().ok()?)));
         (path, found)
@@ -184,7 +199,10 @@ impl Comparison<'_> {
         let language = self.language;
         let received = self.now.visits.len();
         let newest = self.newest();
-        let latest = newest.and_then(|at| self.judge(at));
+        let latest = match newest.and_then(|at| self.judge(at)) {
+            Some(latest) if !latest.agrees => Some(latest),
+            latest => self.gone().or(latest),
+        };
         let (robot, found) = self.model();
         let (robot, found): (&dyn Robot, &Unjudged) = match &robot {
             Some(robot) => (robot.as_ref(), &found),
@@ -233,9 +251,23 @@ impl Comparison<'_> {
         new.into_iter().max_by(|a, b| time(a).total_cmp(&time(b)).then(a.cmp(b)))
     }
 
+    /// Visits of the last look whose readings are gone: a file vanished, or lost its last rows.
+    fn gone(&self) -> Option<Latest> {
+        let before = self.watched.opened.as_ref()?;
+        let several = Visit::have_cycles(&before.visits);
+        let gone = before.visits.iter().filter(|visit| self.now.visits.binary_search(visit).is_err());
+        let poses: Vec<String> = gone.map(|visit| visit.id(several)).collect();
+        let shown: Vec<&String> = poses.iter().take(SHOWN).collect();
+        let message = error!("watch-poses-gone", count = poses.len(), poses = shown);
+        let pose = poses.last()?.clone();
+        let message = Some(ShownMessage::new(&message, self.language));
+        Some(Latest { pose, message, ..Latest::default() })
+    }
+
     /// The identification without the visits that disagreed; no robot if all agreed.
     fn model(&self) -> (Option<Box<dyn Robot>>, Unjudged) {
-        let out: Vec<Visit> = self.watched.disagreeing.iter().copied().collect();
+        let is_there = |visit: &Visit| self.now.visits.binary_search(visit).is_ok();
+        let out: Vec<Visit> = self.watched.disagreeing.iter().copied().filter(is_there).collect();
         let again = || -> Result<(Box<dyn Robot>, Unjudged)> { self.now.again(&without_visits(self.now, &out)?) };
         match (!out.is_empty()).then(again) {
             Some(Ok((robot, found))) => (Some(robot), found),

@@ -1,5 +1,6 @@
 //! Reports as a browser shows and prints them. Skipped, saying so, where there is no `chromium`.
 
+mod builds;
 mod driver;
 mod pages;
 mod samples;

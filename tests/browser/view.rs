@@ -1,5 +1,6 @@
 //! The page of `etalon view` in a browser: exported and opened without the server, and served.
 
+use super::builds;
 use super::driver::Browser;
 use super::pages::{make_hostile, run};
 use super::{OVERFLOW, axe, list};
@@ -165,8 +166,8 @@ const ANSWER: &str = "(() => {
     open.querySelector('form button').click();
     return true })()";
 
-/// Drops files of a sample, answers every question, accepts, runs.
-fn drop_and_run(browser: &mut Browser, files: &[PathBuf]) {
+/// Drops files, answers every question, accepts, runs; returns the largest error as shown.
+fn drop_and_run(browser: &mut Browser, files: &[PathBuf]) -> String {
     let folder = tempfile::tempdir().unwrap();
     let served = Served::start(&[], folder.path());
     browser.size(1280, 800);
@@ -186,14 +187,16 @@ fn drop_and_run(browser: &mut Browser, files: &[PathBuf]) {
         browser.wait(idle);
     }
     let text = browser.evaluate("document.querySelector('.written .difference').textContent");
-    assert!(text.as_str().unwrap().contains("+unit = \"mm\""), "{text}");
+    assert!(text.as_str().unwrap().contains("+expanded_uncertainty_um = 20"), "{text}");
     browser.evaluate("document.querySelector('[data-key=accept]').click()");
     browser.wait("document.body.classList.contains('campaign')");
     assert!(folder.path().join("campaign.toml").is_file());
     press(browser, ".head", "Run");
     browser.wait("document.querySelector('.errors') && document.querySelector('.badge')");
-    let verdict = browser.evaluate("document.querySelector('.verdict').textContent");
-    assert!(verdict.as_str().unwrap().contains("µm"), "{verdict}");
+    let largest = browser.evaluate("document.querySelector('.largest b').textContent");
+    let largest = largest.as_str().unwrap().to_owned();
+    assert!(largest.contains("µm") && largest.contains('±'), "{largest}");
+    largest
 }
 
 #[test]
@@ -205,6 +208,20 @@ fn dropped_files_become_a_campaign_with_a_verdict() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/hexapod");
     let files = ["robot.toml", "encoders.csv", "exports/world.txt", "exports/poses.txt"];
     drop_and_run(&mut Browser::start(), &files.map(|file| folder.join(file)));
+}
+
+/// The same measurement, whatever program wrote its files: one result.
+#[test]
+fn files_of_three_builds_give_one_result() {
+    if !Browser::is_there() {
+        crate::support::skipped("chromium");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut browser = Browser::start();
+    let found: Vec<String> =
+        builds::write(folder.path()).iter().map(|files| drop_and_run(&mut browser, files)).collect();
+    assert!(found.iter().all(|error| *error == found[0]), "{found:?}");
 }
 
 #[test]
@@ -228,6 +245,7 @@ fn a_pose_is_left_out_and_written_with_its_reason() {
     tab(&mut browser, "whatif");
     browser.wait("document.querySelector('.beside tbody tr')");
     assert_eq!(browser.evaluate("document.querySelectorAll('.beside thead th').length"), 2);
+    another_split_is_tried_and_taken_back(&mut browser);
     press(&mut browser, ".keep", "Write it to the campaign");
     let refused = "document.querySelector('.keep .problem').textContent";
     assert_ne!(browser.evaluate(refused), "", "an exclusion without a reason is refused");
@@ -237,6 +255,64 @@ fn a_pose_is_left_out_and_written_with_its_reason() {
     press(&mut browser, ".keep", "Write it to the campaign");
     browser.wait("document.querySelector('.keep .difference .added')");
     assert!(text() != before && text().contains("reflector touched"), "{}", text());
+}
+
+/// Poses exchange their sets beside the pose that is left out: the errors of other poses decide.
+fn another_split_is_tried_and_taken_back(browser: &mut Browser) {
+    let largest = "document.querySelector('.largest b').textContent";
+    let type_in = |browser: &mut Browser, set: &str, poses: &str| {
+        browser.evaluate(&format!(
+            "(input => {{ input.value = '{poses}'; input.dispatchEvent(new Event('change')) }})(document.getElementById('split-{set}'))"
+        ));
+    };
+    let first = browser.evaluate(largest);
+    type_in(browser, "calibration", "21-60");
+    type_in(browser, "validation", "1-20");
+    browser.wait(&format!("{largest} !== {first}"));
+    type_in(browser, "calibration", "");
+    type_in(browser, "validation", "");
+    browser.wait(&format!("{largest} === {first}"));
+    // poses that do not exist are refused, with their reason beside the question
+    type_in(browser, "validation", "999");
+    browser.wait("document.querySelector('.whatif .answer .message.error')");
+    type_in(browser, "validation", "");
+    browser.wait(&format!("!document.querySelector('.whatif .answer .message.error') && {largest} === {first}"));
+}
+
+#[test]
+fn meshes_of_a_urdf_are_in_the_picture() {
+    if !Browser::is_there() {
+        crate::support::skipped("chromium");
+        return;
+    }
+    let scratch = copy_sample("column-arm");
+    let corner = |[x, y, z]: [f64; 3]| format!("v {x} {y} {z}\n");
+    let corners: String =
+        (0..8).map(|i| corner([i & 1, i >> 1 & 1, i >> 2].map(|side| f64::from(side) * 0.3 - 0.15))).collect();
+    let faces = "f 1 2 4 3\nf 5 6 8 7\nf 1 2 6 5\nf 3 4 8 7\nf 1 3 7 5\nf 2 4 8 6\n";
+    std::fs::write(scratch.path().join("box.obj"), corners + faces).unwrap();
+    let visual = "<visual><geometry><mesh filename=\"package://arm/box.obj\"/></geometry></visual>";
+    for link in ["arm_base", "forearm_link"] {
+        let head = format!("<link name=\"{link}\">");
+        scratch.replace("arm.urdf", &head, &format!("{head}{visual}"));
+    }
+    let page = exported(&scratch, "page.html");
+    let mut browser = Browser::start_with_space();
+    browser.size(1280, 800);
+    browser.open(&page);
+    browser.wait("document.querySelector('.stage').dataset.meshes === '2'");
+    // without its meshes the picture of the robot is another one
+    let space = browser.evaluate("(({ x, y, width, height }) => ({ x, y, width, height, scale: 1 }))(document.querySelector('.stage').getBoundingClientRect())");
+    let picture =
+        |browser: &mut Browser| browser.call("Page.captureScreenshot", json!({ "clip": space }))["data"].clone();
+    let still = "new Promise(done => setTimeout(done, 1500))";
+    browser.evaluate(still);
+    let with = picture(&mut browser);
+    browser.evaluate(
+        "[...document.querySelectorAll('.checks label')].find(l => l.textContent.includes('meshes')).click()",
+    );
+    browser.evaluate(still);
+    assert_ne!(picture(&mut browser), with);
 }
 
 /// Poses that are there when the measurement is first looked at.

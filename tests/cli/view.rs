@@ -441,6 +441,7 @@ fn what_if_is_a_run_of_the_campaign_that_it_writes() {
         ("prexyt-cmm", json!({"leave_out_poses": ["3/1", "3/2", "12/4"], "limit_um": 30.0})),
         ("hexapod", json!({"leave_out_targets": ["SMR_2"], "leave_out_poses": ["7", "31"]})),
         ("rail-arm", json!({"hold": ["d_3"]})),
+        ("hexapod", json!({"calibration": "1-25, 31-35", "validation": "36-60"})),
     ];
     for (name, asked) in cases {
         let scratch = copy_sample(name);
@@ -752,4 +753,161 @@ fn of_candidates_the_pose_of_most_information_is_next() {
     let page = Page::open(&["campaign", "--watch", "--candidates", "candidates.csv"], scratch.root());
     let watch = page.events().next("watch", |_| true);
     assert_eq!(watch["next"]["pose"], "102", "{watch}");
+}
+
+/// Label and pose of a line of the hexapod's export: `SMR_1_12_1,..` is `SMR_1_1,..` of pose 12.
+fn without_pose(line: &str) -> (usize, String) {
+    let (label, rest) = line.split_once(',').unwrap();
+    let [name, target, pose, cycle] = label.split('_').collect::<Vec<_>>()[..] else { panic!("{line}") };
+    (pose.parse().unwrap(), format!("{name}_{target}_{cycle},{rest}\n"))
+}
+
+#[test]
+fn a_folder_with_a_file_for_each_pose_is_followed() {
+    let (scratch, [export, log]) = measured();
+    let path = |file: &str| scratch.path().join(file);
+    let mut poses = std::collections::BTreeMap::<usize, String>::new();
+    for (pose, line) in export.lines().map(without_pose) {
+        *poses.entry(pose).or_default() += &line;
+    }
+    let write = |pose: usize| std::fs::write(path(&format!("scans/P{pose}.txt")), &poses[&pose]).unwrap();
+    std::fs::create_dir(path("scans")).unwrap();
+    std::fs::remove_file(path("exports/poses.txt")).unwrap();
+    scratch.replace("campaign.toml", "exports/poses.txt", "scans/P{pose}.txt");
+    scratch.replace("campaign.toml", "label = \"{target}_{pose}_{cycle}\"", "label = \"{target}_{cycle}\"");
+    scratch.replace("campaign.toml", "calibration = \"1-40\"", "calibration = \"all\"");
+    scratch.replace("campaign.toml", "validation = \"41-60\"\n", "");
+    let head = log.lines().next().unwrap();
+    let logged = |poses: usize| -> String {
+        std::iter::once(head).chain(log.lines().skip(1).take(poses)).map(|line| format!("{line}\n")).collect()
+    };
+    std::fs::write(path("encoders.csv"), logged(20)).unwrap();
+    // nothing is measured yet
+    let page = Page::open(&["campaign", "--watch"], scratch.root());
+    let mut events = page.events();
+    let first = events.next("watch", |_| true);
+    assert_eq!((&first["received"], &first["tone"]), (&json!(0), &json!("wait")), "{first}");
+    assert!(page.state()["messages"].as_array().unwrap().iter().any(|m| m["id"] == "export-files-missing"));
+    (1..=20).for_each(write);
+    events.next("watch", |watch| watch["received"] == 20);
+
+    // the instrument writes a file row by row, and another program leaves one of its own
+    std::fs::write(path("scans/P21.txt.part"), "not yet").unwrap();
+    let rows: Vec<&str> = poses[&21].lines().collect();
+    for count in 1..=rows.len() {
+        std::fs::write(path("scans/P21.txt"), rows[..count].join("\n") + "\n").unwrap();
+        std::thread::sleep(Duration::from_millis(60));
+    }
+    std::fs::write(path("encoders.csv"), logged(21)).unwrap();
+    let good = events.next("watch", |watch| watch["received"] == 21);
+    assert_eq!((&good["latest"]["pose"], &good["latest"]["agrees"]), (&json!("21"), &json!(true)), "{good}");
+
+    // a file that vanishes takes its pose with it, and the page says so
+    std::fs::remove_file(path("scans/P7.txt")).unwrap();
+    let gone = events.next("watch", |watch| watch["received"] == 20);
+    assert_eq!((&gone["tone"], &gone["latest"]["pose"]), (&json!("bad"), &json!("7")), "{gone}");
+    assert_eq!(gone["latest"]["message"]["id"], "watch-poses-gone");
+    write(7);
+    let back = events.next("watch", |watch| watch["received"] == 21);
+    assert_eq!((&back["tone"], &back["latest"]["pose"]), (&json!("good"), &json!("7")), "{back}");
+
+    // a file that is emptied is reported, and what was shown stays until it is whole again
+    std::fs::write(path("scans/P21.txt"), "").unwrap();
+    let emptied = events.next("watch", |watch| watch["tone"] == "bad");
+    assert_eq!(emptied["latest"]["message"]["id"], "export-empty", "{emptied}");
+    assert_eq!(page.state()["scene"]["poses"].as_array().unwrap().len(), 21);
+    write(21);
+    events.next("watch", |watch| watch["received"] == 21 && watch["tone"] == "good");
+    drop(page);
+    // a run reads the same files
+    std::fs::remove_file(path("scans/P21.txt.part")).unwrap();
+    std::fs::write(path("encoders.csv"), log).unwrap();
+    (1..=60).for_each(write);
+    let (parameters, _) = run(&scratch.path());
+    let whole = copy_sample("hexapod");
+    whole.replace("campaign.toml", "calibration = \"1-40\"", "calibration = \"all\"");
+    whole.replace("campaign.toml", "validation = \"41-60\"\n", "");
+    assert_eq!(parameters, run(&whole.path()).0);
+}
+
+/// A solid of one triangle at the origin of its link (m).
+const TRIANGLE: &str = "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 0.2 0 0\nvertex 0 0.1 0\nendloop\n\
+    endfacet\nendsolid t\n";
+
+#[test]
+fn meshes_of_a_urdf_are_drawn_where_its_links_are() {
+    let scratch = copy_sample("column-arm");
+    let visual = |file: &str, place: &str| {
+        format!("<visual><origin {place}/><geometry><mesh filename=\"{file}\"/></geometry></visual>")
+    };
+    std::fs::create_dir_all(scratch.path().join("arm_description/meshes")).unwrap();
+    std::fs::write(scratch.path().join("arm_description/meshes/tool.stl"), TRIANGLE).unwrap();
+    std::fs::write(scratch.path().join("base.obj"), "v 0 0 0\nv 0 1 0\nv 0 0 0.5\nf 1 2 3\n").unwrap();
+    // one beside the campaign, and one that is no mesh
+    std::fs::write(scratch.root().join("outside.stl"), TRIANGLE).unwrap();
+    std::fs::write(scratch.path().join("broken.stl"), "solid nothing").unwrap();
+    let urdf = std::fs::read_to_string(scratch.path().join("arm.urdf")).unwrap();
+    let within = |urdf: &str, link: &str, visual: &str| {
+        let head = format!("<link name=\"{link}\"");
+        let at = urdf.find(&head).unwrap_or_else(|| panic!("no link {link}"));
+        let end = at + urdf[at..].find('>').unwrap();
+        match urdf[..end].ends_with('/') {
+            true => format!("{}>{visual}</link>{}", &urdf[..end - 1], &urdf[end + 1..]),
+            false => format!("{}>{visual}{}", &urdf[..end], &urdf[end + 1..]),
+        }
+    };
+    let tool = visual("package://arm_description/meshes/tool.stl", "xyz=\"0 0 0\"");
+    let base = visual("base.obj", "xyz=\"0.3 0 0\"") + &visual("../outside.stl", "") + &visual("broken.stl", "");
+    let urdf = within(&within(&urdf, "tool", &tool), "base_link", &base);
+    std::fs::write(scratch.path().join("arm.urdf"), urdf).unwrap();
+    let page = Page::open(&["campaign"], scratch.root());
+    let state = page.state();
+    assert!(is_whole(&state) && state.get("meshes").is_none());
+    let scene = &state["scene"];
+    let parts: Vec<&str> = scene["parts"].as_array().unwrap().iter().map(|part| part.as_str().unwrap()).collect();
+    assert_eq!((parts.len(), parts[0]), (2, "base"), "{parts:?}");
+    let meshes = page.get("/api/meshes").json();
+    let numbers = |text: &Value| -> Vec<u16> {
+        let bytes = base64::Engine::decode(&base64::engine::general_purpose::STANDARD, text.as_str().unwrap()).unwrap();
+        bytes.chunks_exact(2).map(|two| u16::from_le_bytes([two[0], two[1]])).collect()
+    };
+    // corners (mm) of a part's triangles in the world at a pose
+    let corners = |part: usize, pose: &Value| -> Vec<[f64; 3]> {
+        let (mesh, frame) = (&meshes[part], pose["parts"][part].as_array().unwrap());
+        assert_eq!(mesh["part"], parts[part]);
+        assert_eq!(numbers(&mesh["triangles"]), [0, 1, 2]);
+        let size = mesh["size"].as_f64().unwrap() / 65_535.0;
+        let point = |p: &[u16]| {
+            let own = [0, 1, 2].map(|i| mesh["low"][i].as_f64().unwrap() + f64::from(p[i]) * size);
+            let row =
+                |i: usize| (0..4).map(|k| frame[4 * i + k].as_f64().unwrap() * if k < 3 { own[k] } else { 1.0 }).sum();
+            [row(0), row(1), row(2)]
+        };
+        numbers(&mesh["points"]).chunks_exact(3).map(point).collect()
+    };
+    let far = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+    // a point of a frame, whose 16 numbers are row by row
+    let moved = |frame: &Value, p: [f64; 3]| {
+        [0, 1, 2].map(|i| {
+            (0..3).map(|k| frame[4 * i + k].as_f64().unwrap() * p[k]).sum::<f64>() + frame[4 * i + 3].as_f64().unwrap()
+        })
+    };
+    let frames = scene["frames"].as_array().unwrap();
+    let base = &frames.iter().find(|frame| frame["name"] == "base").unwrap()["pose"];
+    for pose in scene["poses"].as_array().unwrap() {
+        // the flange of the chain is the frame of its last link
+        for (found, own) in corners(1, pose).into_iter().zip([[0.0; 3], [200.0, 0.0, 0.0], [0.0, 100.0, 0.0]]) {
+            assert!(far(found, moved(&pose["tool"], own)) < 0.05, "{found:?} {}", pose["id"]);
+        }
+        for (found, own) in
+            corners(0, pose).into_iter().zip([[300.0, 0.0, 0.0], [300.0, 1000.0, 0.0], [300.0, 0.0, 500.0]])
+        {
+            assert!(far(found, moved(base, own)) < 0.05, "{found:?} {}", pose["id"]);
+        }
+    }
+    let without = page.request("GET /api/meshes", &[("Host", &page.host())], b"");
+    assert_eq!(without.ids(), ["view-token-missing"]);
+    let exported = page.get("/api/export");
+    let text = String::from_utf8(exported.body).unwrap();
+    assert!(exported.head.contains("view.html") && text.contains(meshes[1]["points"].as_str().unwrap()));
 }

@@ -81,6 +81,8 @@ const FRAME: &[Case] = &[
         CHECK,
     ),
     ("labels-unused", CMM, &[("exports/poses.txt", "+", "extra 1 2 3\n")], CHECK),
+    ("export-files-missing", CMM, &[(C, "exports/poses.txt", "exports/{pose}-th.txt")], CHECK),
+    ("key-and-file-name key=pose", CMM, &[(C, "exports/poses.txt", "exports/p{pose}ses.txt")], CHECK),
     ("export-empty", CMM, &[("exports/world.txt", "", "")], CHECK),
     ("quote-unmatched", "delta", &[("exports/poses.txt", "+", "\"SMR_1_99_1,1,2,3\n")], CHECK),
     ("key-and-column key=pose", "abb-irb120", &[(C, "\"x\", \"y\", \"z\"]", "\"x\", \"y\", \"z\", \"pose\"]")], CHECK),

@@ -64,7 +64,7 @@ impl PointColumns {
         let frame_targets = world.and_then(|world| world.targets.as_deref()).unwrap_or_default();
         let targets = if pattern.is_some() { known_targets(campaign) } else { BTreeSet::new() };
         let known = |named: &LabelNames| named.target.as_ref().is_none_or(|target| targets.contains(target));
-        let file: SharedText = export.file.get_ref().as_str().into();
+        let (file, from_name): (SharedText, _) = (export.file.get_ref().as_str().into(), &export.from_name);
         let mut shared = Names::default();
         let origin_is_missing = export.format.origin_is_missing(&rows);
         self.remarks.extend(single_origin(campaign, export, &rows).filter(|_| origin_is_missing));
@@ -77,8 +77,8 @@ impl PointColumns {
                 return None;
             }
             let named = pattern.as_ref().and_then(|p| p.read(&row.label, known)).unwrap_or_default();
-            let named_target =
-                || named.target.as_deref().or(export.target.as_deref()).map(|target| shared.shared(target));
+            let of_file = export.target.as_deref().or(from_name.target.as_deref());
+            let named_target = || named.target.as_deref().or(of_file).map(|target| shared.shared(target));
             let target = row.target.clone().or_else(named_target);
             if target.as_ref().is_some_and(|t| is_formula(t)) {
                 let target = target.unwrap_or_default();
@@ -86,7 +86,8 @@ impl PointColumns {
                 problems.0.push(message.at(row.place_in(export.file.get_ref())));
                 return None;
             }
-            let pose = row.pose.or(named.pose).or_else(|| export.pose.map(|from| from.number(i as i64 + 1).into()));
+            let numbered = || export.pose.map(|from| from.number(i as i64 + 1).into());
+            let pose = row.pose.or(named.pose).or(from_name.pose).or_else(numbered);
             let unreadable = row.xyz_mm.iter().any(|v| v.is_nan());
             let in_frame = |t: &SharedText| frame_targets.iter().any(|f| **f.get_ref() == **t);
             let placed = pose.is_some() || row.time_s.is_some() || unreadable;
@@ -97,7 +98,7 @@ impl PointColumns {
                 return None;
             }
             let mut row = Point { export: file.clone(), row: i as u32 + 1, ..row };
-            let cycle = row.cycle.or(named.cycle).or(target.as_ref().map(|_| 1));
+            let cycle = row.cycle.or(named.cycle).or(from_name.cycle).or(target.as_ref().map(|_| 1));
             if target.is_some() || pose.is_some() || cycle.is_some() {
                 (row.target, row.pose, row.cycle) = (target, pose, cycle);
             }

@@ -22,6 +22,9 @@ joints-joined-by-row = ein Export mit `joints` wird zeilenweise verknüpft
 environment-missing = die Umgebungsvariable `{ $name }` ist nicht gesetzt
     .hint = sie auf den Ordner setzen, der `{ $file }` enthält
 
+export-files-missing = keine Datei hat die Form `{ $file }`
+    .hint = die erste Pose messen, oder `file` dieses [[export]] berichtigen
+
 path-outside = `{ $file }` verlässt den Ordner der Kampagne
     .expected = ein Pfad im Ordner der Kampagne oder einer, der mit `$NAME/` beginnt
 

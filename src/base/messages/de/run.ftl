@@ -50,6 +50,9 @@ join-label-missing = eine Verknüpfung über die Bezeichnung braucht die Bezeich
 key-and-column = `{ $key }` ist zweimal angegeben: als Schlüssel des Exports und als eine seiner Spalten
     .hint = eine der beiden Angaben entfernen
 
+key-and-file-name = `{ $key }` ist zweimal angegeben: durch den Namen der Datei, und durch einen Schlüssel, eine Spalte oder die Bezeichnung
+    .hint = eine der beiden Angaben entfernen
+
 input-in-output-folder = der Ausgabeordner enthält die Eingabe `{ $input }`
     .expected = ein Ordner ohne Eingabedateien: er wird als Ganzes ersetzt
     .hint = einen anderen Ordner angeben oder `output` entfernen: Vorgabe ist `out`

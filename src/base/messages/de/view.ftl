@@ -92,6 +92,12 @@ watch-joints-of-other-pose = Pose { $pose } passt zu den Gelenkwerten von Pose {
 watch-target-missing = an Pose { $pose } nicht gemessen: { $targets }
     .hint = die Zielmarke zum Messgerät drehen und die Pose erneut messen
 
+watch-poses-gone = { $count ->
+        [one] Pose { $poses } ist verschwunden
+       *[other] { $count } Posen sind verschwunden: { $poses }
+    }
+    .hint = die Datei zurücklegen oder die Posen erneut messen
+
 view-opened = Seite: { $url }
 view-next = die Seite schließen oder Strg-C drücken, um das Programm zu beenden
 view-run-begins = Dateien werden gelesen

@@ -50,6 +50,13 @@ joints-joined-by-row = an export with `joints` is joined by its rows
 environment-missing = the environment variable `{ $name }` is not set
     .hint = set { $name } to the folder that contains `{ $file }`
 
+# Means: The name of an export stands for a file for each pose, and no file has this form.
+# Matters: Nothing was measured, or the files are elsewhere.
+# Do: Measure the first pose, or correct `file`. A blank folder is in order before the first pose.
+# Example: `file = "scans/{pose}.txt"` with an empty folder `scans`
+export-files-missing = no file has the form `{ $file }`
+    .hint = measure the first pose, or correct `file` of this [[export]]
+
 # Means: A path leads out of the folder of the campaign.
 # Matters: The folder of a campaign must be complete, so that it can be archived and run elsewhere.
 # Do: Copy the file into the folder, or use a path that starts with `$NAME/`.

@@ -107,6 +107,13 @@ join-label-missing = a join by label needs the label of the point in log `{ $log
 key-and-column = `{ $key }` is given twice: as a key of the export and as one of its columns
     .hint = remove one of them
 
+# Means: The name of an export states pose, target or cycle, and so does a key, a column or the label.
+# Matters: It is undefined which of the two applies.
+# Do: Remove one of them.
+# Example: `file = "scans/{pose}.txt"` with `label = "{target}_{pose}"`
+key-and-file-name = `{ $key }` is stated twice: by the name of the file, and by a key, a column or the label
+    .hint = remove one of them
+
 # Means: The output folder contains a file that the campaign reads.
 # Matters: A run replaces the whole output folder, including the input.
 # Do: Use another folder, or remove `output` to use the default `out`.

@@ -216,6 +216,16 @@ watch-joints-of-other-pose = pose { $pose } agrees with the joint values of pose
 watch-target-missing = pose { $pose } does not contain { $targets }
     .hint = turn the target to the instrument, and measure the pose again
 
+# Means: Readings of poses that were there at the last look are gone: a file vanished, or is shorter.
+# Matters: The poses no longer identify. The page shows the result without them.
+# Do: Put the file back, or measure the poses again.
+# Example: a file of a pose is deleted while the campaign is watched
+watch-poses-gone = { $count ->
+        [one] pose { $poses } is gone
+       *[other] { $count } poses are gone: { $poses }
+    }
+    .hint = put the file back, or measure the poses again
+
 view-opened = page: { $url }
 view-next = close the page or press Ctrl-C to end the program
 view-run-begins = reading files

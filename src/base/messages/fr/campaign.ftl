@@ -22,6 +22,9 @@ joints-joined-by-row = un export avec `joints` se joint ligne par ligne
 environment-missing = la variable d’environnement `{ $name }` n’est pas définie
     .hint = lui donner pour valeur le dossier qui contient `{ $file }`
 
+export-files-missing = aucun fichier n’a la forme `{ $file }`
+    .hint = mesurer la première pose, ou corriger `file` de ce [[export]]
+
 path-outside = `{ $file }` sort du dossier de la campagne
     .expected = un chemin dans le dossier de la campagne, ou qui commence par `$NAME/`
 

@@ -50,6 +50,9 @@ join-label-missing = une jointure par étiquette exige l’étiquette du point d
 key-and-column = `{ $key }` est indiqué deux fois : comme clé de l’export et comme une de ses colonnes
     .hint = supprimer l’un des deux
 
+key-and-file-name = `{ $key }` est indiqué deux fois : par le nom du fichier, et par une clé, une colonne ou l’étiquette
+    .hint = supprimer l’un des deux
+
 input-in-output-folder = le dossier de sortie contient l’entrée `{ $input }`
     .expected = un dossier sans fichiers d’entrée : une exécution remplace le dossier entier
     .hint = indiquer un autre dossier, ou supprimer `output` : la valeur par défaut est `out`

@@ -92,6 +92,12 @@ watch-joints-of-other-pose = la pose { $pose } convient avec les valeurs articul
 watch-target-missing = il manque { $targets } à la pose { $pose }
     .hint = tourner la cible vers l’instrument et mesurer la pose à nouveau
 
+watch-poses-gone = { $count ->
+        [one] la pose { $poses } a disparu
+       *[other] { $count } poses ont disparu : { $poses }
+    }
+    .hint = remettre le fichier en place, ou mesurer de nouveau les poses
+
 view-opened = page : { $url }
 view-next = fermer la page ou appuyer sur Ctrl-C pour terminer le programme
 view-run-begins = lecture des fichiers
