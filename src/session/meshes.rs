@@ -11,7 +11,8 @@ use std::path::{Component, Path, PathBuf};
 
 /// Largest file of a mesh (bytes).
 const LARGEST: u64 = 32 << 20;
-/// Triangles that are drawn of a robot, and at least of a part: meshes with more are drawn coarsely.
+/// Triangles that are drawn of a robot, and at least of a part: meshes with more are drawn
+/// coarsely.
 const MOST: usize = 60_000;
 const LEAST: usize = 2_000;
 /// Millimetres of a metre, the unit of URDF.

@@ -1,5 +1,5 @@
-//! COLLADA 1.4: triangles and polygons of the visual scene, in metres. The direction of `up_axis` is
-//! ignored, as programs of ROS do: links have their own frames.
+//! COLLADA 1.4: triangles and polygons of the visual scene, in metres. The direction of `up_axis`
+//! is ignored, as programs of ROS do: links have their own frames.
 
 use super::{MOST, Triangle};
 use crate::xml::{Elements, Node};
