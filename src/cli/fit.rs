@@ -234,11 +234,10 @@ impl FitCommand {
 
     /// Points of all files, if all are plain tables and no label matters.
     fn plain(&self) -> Result<Option<PackedPoints>, Problems> {
-        let is_plain = self.text.is_of_plain_text();
-        let Some(unit) = self.text.stated_unit()?.filter(|_| is_plain && !self.by_label && !self.all_features()) else {
+        if !self.text.is_of_plain_text() || self.by_label || self.all_features() {
             return Ok(None);
-        };
-        let format = self.format()?;
+        }
+        let (format, unit) = (self.format()?, self.text.stated_unit()?);
         let mut all = PackedPoints::default();
         for path in self.files.iter() {
             match etalon_formats::packed_points(path, &format, unit) {

@@ -1,5 +1,6 @@
-//! Fast reader of plain tables: rows of an optional label and x, y, z, without other columns. The
-//! strict reader reads any other table, and reports each problem with its place.
+//! Fast reader of plain tables: rows of an optional label and x, y, z; cells of other columns are
+//! passed, not split. The strict reader reads any other table, and reports each problem with its
+//! place.
 
 use super::exports::{Format, Plain, PlainRow};
 use super::points::{Line, Point, SharedText};
@@ -7,7 +8,7 @@ use crate::dialect::Unit;
 use etalon_base::message::{Problems, Result};
 use etalon_base::{error, files};
 use etalon_fit::PackedPoints;
-use etalon_tables::lexer::{LONGEST_LINE, Scanner, line_feeds};
+use etalon_tables::lexer::{LONGEST_LINE, PlainColumn, Scanner, line_feeds};
 use indexmap::IndexSet;
 use polars::prelude::{Column, DataFrame, Float64Chunked, IntoColumn, UInt32Chunked};
 use rayon::prelude::*;
@@ -17,6 +18,12 @@ use std::path::Path;
 
 /// Bytes whose lines are read together; fewer in tests, for more of them.
 const BLOCK: u64 = if cfg!(test) { 64 << 10 } else { 8 << 20 };
+
+/// Maximum length of the lines above the data and of the first row (bytes).
+const LONGEST_HEAD: usize = 64 << 10;
+
+/// Mark at the beginning of a file in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Points of a plain table.
 #[derive(Clone, Debug)]
@@ -50,21 +57,22 @@ struct Part {
 /// # Errors
 /// Fails if the file cannot be read.
 pub fn cloud(path: &Path, format: &Format, unit: Unit) -> Result<Option<Cloud>> {
-    let in_mm = |mut part: Part| {
+    let in_mm = |mut part: Part, unit: Unit| {
         if unit.in_mm() != 1.0 {
             part.xyz.iter_mut().flatten().for_each(|value| *value *= unit.in_mm());
         }
         part
     };
-    read(path, format, unit, in_mm)?.map(together).transpose()
+    read(path, format, Some(unit), in_mm)?.map(together).transpose()
 }
 
-/// Reads the points of a table of plain rows without labels, in half the memory of [`cloud`].
+/// Reads the points of a table of plain rows without labels, in half the memory of [`cloud`]; in
+/// the unit that the file states, if `unit` is `None`.
 ///
 /// # Errors
 /// Fails if the file cannot be read.
-pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<PackedPoints>> {
-    let parts = read(path, format, unit, |part| PackedPoints::new(&part.xyz, unit.in_mm()))?;
+pub fn packed_points(path: &Path, format: &Format, unit: Option<Unit>) -> Result<Option<PackedPoints>> {
+    let parts = read(path, format, unit, |part, unit| PackedPoints::new(&part.xyz, unit.in_mm()))?;
     Ok(parts.map(|parts| {
         let mut all = PackedPoints::default();
         parts.into_iter().for_each(|part| all.append(part));
@@ -72,18 +80,42 @@ pub fn packed_points(path: &Path, format: &Format, unit: Unit) -> Result<Option<
     }))
 }
 
+/// Lines at the beginning of a text that decide how it is read; `None` if they are not a text, or
+/// too long.
+fn head(start: &[u8]) -> Option<&str> {
+    let whole = start.len() < LONGEST_HEAD;
+    let lines = if whole { start.len() } else { start[..LONGEST_HEAD].iter().rposition(|b| *b == b'\n')? + 1 };
+    std::str::from_utf8(&start[..lines]).ok()
+}
+
+/// Layout of a file for the fast reader, and its unit.
+fn layout(start: &[u8], format: &Format, unit: Option<Unit>) -> Option<(Plain, Unit)> {
+    let text = start.strip_prefix(BYTE_ORDER_MARK).unwrap_or(start);
+    let head = head(text)?;
+    let unit = unit.or_else(|| format.stated_unit(head))?;
+    let plain = format.plain(head, unit)?;
+    let above = (plain.above.0 + start.len() - text.len(), plain.above.1);
+    Some((Plain { above, ..plain }, unit))
+}
+
 /// Applies `made` to the rows of each block.
-fn read<T: Send>(path: &Path, format: &Format, unit: Unit, made: impl Fn(Part) -> T + Sync) -> Result<Option<Vec<T>>> {
+fn read<T: Send>(
+    path: &Path,
+    format: &Format,
+    unit: Option<Unit>,
+    made: impl Fn(Part, Unit) -> T + Sync,
+) -> Result<Option<Vec<T>>> {
     let file = path.display().to_string();
     let fail = |e: std::io::Error| Problems::from(error!("cannot-read-file", file, reason = e.to_string()));
     let size = files::open(path).and_then(|file| file.metadata()).map_err(fail)?.len();
     let mut start = Vec::new();
-    files::open(path).and_then(|file| file.take(LONGEST_LINE as u64).read_to_end(&mut start)).map_err(fail)?;
-    let Some(plain) = format.plain(&start) else { return Ok(None) };
+    let longest = (BYTE_ORDER_MARK.len() + LONGEST_HEAD) as u64;
+    files::open(path).and_then(|file| file.take(longest).read_to_end(&mut start)).map_err(fail)?;
+    let Some((plain, unit)) = layout(&start, format, unit) else { return Ok(None) };
     let part = |bytes: &mut Vec<u8>, k: u64| {
         read_block(path, k * BLOCK, bytes)?;
-        let part = plain.part(Block { bytes, start: k * BLOCK, size, located: false }, unit);
-        Ok(part.map(|part| (part.angles, made(part))))
+        let part = plain.part(Block { bytes, start: k * BLOCK, size, located: false });
+        Ok(part.map(|part| (part.angles, made(part, unit))))
     };
     let parts: std::io::Result<Vec<Option<(bool, T)>>> =
         (0..size.div_ceil(BLOCK)).into_par_iter().map_init(Vec::new, part).collect();
@@ -99,8 +131,9 @@ const LONG: usize = 1 << 20;
 
 /// Rows of a text like [`Format::read`]; a long table of plain rows is read on all threads.
 pub fn rows(format: &Format, file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
-    let plain = format.plain(text.as_bytes()).filter(|_| text.len() >= LONG);
-    match plain.and_then(|plain| points(text, plain, unit)) {
+    let long = Some(text).filter(|text| text.len() >= LONG);
+    let plain = long.and_then(|text| format.plain(head(text.as_bytes())?, unit));
+    match plain.and_then(|plain| points(text, &plain, unit)) {
         Some(points) if !points.is_empty() => (points, Problems::default()),
         _ => format.read(file, text, unit),
     }
@@ -108,13 +141,13 @@ pub fn rows(format: &Format, file: &str, text: &SharedText, unit: Unit) -> (Vec<
 
 /// Points of a text of plain rows, read on all threads; `None` if only the strict reader can read
 /// the text or report its problems.
-fn points(text: &SharedText, plain: Plain, unit: Unit) -> Option<Vec<Point>> {
+fn points(text: &SharedText, plain: &Plain, unit: Unit) -> Option<Vec<Point>> {
     let (bytes, size) = (text.as_bytes(), text.len() as u64);
     u32::try_from(size).ok()?;
     let part = |k: u64| -> Option<(u32, bool, Vec<Point>)> {
         let from = first_byte(k * BLOCK) as usize;
         let block = &bytes[from..bytes.len().min(from + BLOCK as usize + LONGEST_LINE + 1)];
-        let part = plain.part(Block { bytes: block, start: k * BLOCK, size, located: true }, unit)?;
+        let part = plain.part(Block { bytes: block, start: k * BLOCK, size, located: true })?;
         let labels: Vec<SharedText> = part.labels.split_terminator('\n').map(SharedText::from).collect();
         let none = SharedText::default();
         let point = |(i, [line, start, end]): (usize, &[u32; 3])| Point {
@@ -213,8 +246,7 @@ fn read_block(path: &Path, start: u64, bytes: &mut Vec<u8>) -> std::io::Result<(
 struct WideBlock<'a> {
     machine: pulp::x86::V3,
     block: Block<'a>,
-    unit: Unit,
-    layout: Plain,
+    layout: &'a Plain,
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -223,52 +255,67 @@ impl pulp::NullaryFnOnce for WideBlock<'_> {
 
     #[inline(always)]
     fn call(self) -> Option<Part> {
-        self.layout.part_with(
-            self.block,
-            self.unit,
-            #[inline(always)]
-            |at| super::wide::row(self.machine, self.block.bytes, at, self.layout),
-        )
+        let (machine, block, layout) = (self.machine, self.block, self.layout);
+        match layout.bare() {
+            Some(bare) => layout.part_with(
+                block,
+                #[inline(always)]
+                |at| super::wide::row(machine, block.bytes, at, bare),
+            ),
+            None => layout.part_with(
+                block,
+                #[inline(always)]
+                |at| super::wide::picked(machine, block.bytes, at, layout),
+            ),
+        }
     }
 }
 
 impl Plain {
     /// Points of the lines that begin in the block; `None` if one of them is not plain.
-    fn part(self, block: Block, unit: Unit) -> Option<Part> {
+    fn part(&self, block: Block) -> Option<Part> {
         #[cfg(target_arch = "x86_64")]
         if let Some(machine) = pulp::x86::V3::try_new() {
-            return machine.vectorize(WideBlock { machine, block, unit, layout: self });
+            return machine.vectorize(WideBlock { machine, block, layout: self });
         }
-        self.part_with(block, unit, |_| None)
+        self.part_with(block, |_| None)
     }
 
     /// A row that the scanner reads; `None` for any other line.
     #[inline]
-    fn scanned(self, bytes: &[u8], at: usize, last: bool) -> Option<PlainRow<'_>> {
+    fn scanned<'a>(&self, bytes: &'a [u8], at: usize, last: bool) -> Option<PlainRow<'a>> {
         let mut line = Scanner { bytes, at, delimiter: self.delimiter };
-        let label = if self.labelled { line.label()? } else { &b""[..] };
-        let xyz = [line.number()?, line.number()?, line.number()?];
-        line.end(last).then_some((label, xyz, line.at))
+        let (mut label, mut xyz) = (&b""[..], [0.0; 3]);
+        for (i, (passed, column)) in self.read.iter().enumerate() {
+            line.pass(*passed)?;
+            match column {
+                PlainColumn::Coordinate(axis) => xyz[*axis] = line.number(self.decimal)?,
+                // an empty label may be the end of the line
+                _ => label = line.label().filter(|label| i == 0 || !label.is_empty())?,
+            }
+        }
+        line.pass_rest(self.behind)?;
+        let end = line.at;
+        // cells that are passed are a text, too
+        let is_text = self.bare().is_some() || std::str::from_utf8(&bytes[at..end]).is_ok();
+        (line.end(last) && is_text).then_some((label, xyz, line.at))
     }
 
     /// [`Self::part`] with a quicker reader of most rows.
     #[inline(always)]
-    fn part_with<'a>(
-        self,
-        block: Block<'a>,
-        unit: Unit,
-        quick: impl Fn(usize) -> Option<PlainRow<'a>>,
-    ) -> Option<Part> {
+    fn part_with<'a>(&self, block: Block<'a>, quick: impl Fn(usize) -> Option<PlainRow<'a>>) -> Option<Part> {
         let Block { bytes, start, size, located } = block;
-        let (from, in_mm) = (first_byte(start), unit.in_mm());
+        let (from, labelled) = (first_byte(start), self.is_labelled());
         let last = from + bytes.len() as u64 == size;
         let mut at = match start {
             0 => 0,
             _ => bytes.iter().position(|b| *b == b'\n').map_or(bytes.len(), |i| i + 1),
         };
+        at = at.max(self.above.0.saturating_sub(from as usize)).min(bytes.len());
         let end = (start + BLOCK - from) as usize;
         let rows = line_feeds(&bytes[at..]) + 1;
         let mut part = Part { xyz: std::array::from_fn(|_| Vec::with_capacity(rows)), angles: true, ..Part::default() };
+        part.lines = if start == 0 { self.above.1 } else { 0 };
         part.label.reserve_exact(rows);
         let mut known = Names::default();
         let mut before: (&[u8], u32) = (b"", u32::MAX);
@@ -283,9 +330,9 @@ impl Plain {
                 part.lines += 1;
                 continue;
             };
-            if self.labelled && label != before.0 || before.1 == u32::MAX {
+            if labelled && label != before.0 || before.1 == u32::MAX {
                 let (id, new) = known.place(label);
-                if new && self.labelled {
+                if new && labelled {
                     let text = std::str::from_utf8(label).ok()?;
                     part.labels.push_str(text);
                     part.labels.push('\n');
@@ -293,7 +340,7 @@ impl Plain {
                 before = (label, id);
             }
             part.label.push(before.1);
-            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] * in_mm > 100.0;
+            part.angles &= xyz[0].abs() <= std::f64::consts::TAU && xyz[2] > 100.0;
             for (column, value) in part.xyz.iter_mut().zip(xyz) {
                 column.push(value);
             }
@@ -347,7 +394,7 @@ fn same(a: &[u8], b: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dialect::{ColumnRole, Dialect};
+    use crate::dialect::{ColumnRole, Columns, Dialect};
     use crate::parquet::table;
     use etalon_tables::{Delimiter, Form};
 
@@ -367,7 +414,8 @@ mod tests {
         });
         let decoded = crate::into_text(file.path(), text.into(), None, format).unwrap_or_default().into();
         let (strict, problems) = format.read("f", &decoded, unit);
-        let fast_points = format.plain(text.as_bytes()).and_then(|plain| points(&decoded, plain, unit));
+        let plain = head(decoded.as_bytes()).and_then(|head| format.plain(head, unit));
+        let fast_points = plain.and_then(|plain| points(&decoded, &plain, unit));
         if let Some(points) = fast_points {
             assert!(problems.0.is_empty() && points == strict, "{format}: {text:?}: {points:?}");
         }
@@ -389,6 +437,9 @@ mod tests {
             stated(Delimiter::Comma, &[Label, X, Y, Z]),
             stated(Delimiter::Tab, &[Label, X, Y, Z]),
             stated(Delimiter::Semicolon, &[X, Y, Z]),
+            stated(Delimiter::Comma, &[Skip, X, Y, Skip, Z, Label, Skip, Skip]),
+            stated(Delimiter::Blank, &[X, Skip, Y, Z, Skip]),
+            stated(Delimiter::Semicolon, &[Label, Skip, Z, Y, X]),
         ]
     }
 
@@ -479,10 +530,26 @@ mod tests {
             "a 1.-5 2.5 3.5",
             "a 1.5x 2.5 3.5",
             "a 1.5:2 2.5 3.5",
+            "0,1.5,2.5,x,3.5,a,,",
+            "0,1.5,2.5,,3.5,a",
+            ",1.5,2.5,\"q,r\",3.5,a,9,",
+            "\"0,1.5,2.5,x,3.5,a,,",
+            "0,1.5,2.5,\u{e9},3.5,a,9,9,",
+            "0,1.5,2.5,x,3.5,a,9,9,9",
+            "0,1.5,2.5,x,3.5",
+            "0,1.5,2.5,x,3.5,",
+            "0,1.5,2.5,a cell of more than the thirty-two bytes of a window,3.5,a,9\r",
+            "1.5 x 2.5 3.5 y",
+            "1.5  x\t2.5  3.5  ",
+            "1.5 x 2.5 3.5 y z",
+            "1.5 a_cell_of_more_than_the_thirty-two_bytes_of_a_window 2.5 3.5 y",
+            "a;x;1.5;2.5;3.5",
+            "a;;1.5;2.5;3.5;",
         ];
         let mut read = 0;
-        for first in rows {
-            for second in rows {
+        for (i, first) in rows.iter().enumerate() {
+            // each row with a third of the others
+            for second in rows.iter().skip(i % 3).step_by(3) {
                 for format in formats() {
                     let text = format!("{first}\n{second}\n").repeat(8) + first;
                     let (fast, strict) = both(&text, &format, Unit::Millimetre);
@@ -494,6 +561,55 @@ mod tests {
             }
         }
         assert!(read > 50, "{read}");
+    }
+
+    /// A table with a head, further columns and a decimal comma, in many blocks; a fault of the head
+    /// or of one row is left to the strict reader.
+    #[test]
+    fn columns_that_nobody_asked_for_are_passed() {
+        use etalon_tables::{ColumnSource, Decimal, Header};
+        let named =
+            [(ColumnRole::Label, "name"), (ColumnRole::X, "X [mm]"), (ColumnRole::Y, "Y"), (ColumnRole::Z, "Z")];
+        let columns = named.map(|(role, heading)| (role, ColumnSource::Heading(heading.to_owned())));
+        let form = Form {
+            delimiter: Some(Delimiter::Semicolon),
+            decimal: Some(Decimal::Comma),
+            header: Some(Header::Rows(2)),
+            ..Form::default()
+        };
+        let format = Format::from(Dialect { form, columns: Columns::Named(columns.to_vec()), ..Dialect::default() });
+        let mut noise = etalon_base::noise::Noise::new(5, 1);
+        let mut number = |n: usize| format!("{:.*}", n % 7, noise.gaussian(300.0)).replace('.', ",");
+        let mut rows = String::new();
+        for i in 0..9000 {
+            let before: Vec<String> = (0..3).map(|n| number(i + n)).collect();
+            let behind: Vec<String> = (0..11).map(|n| number(i + n)).collect();
+            let xyz = [number(i), number(i + 1), number(i + 2)].join(";");
+            rows += &format!("{};K{};\"a; b\";{xyz};{}\n", before.join(";"), i % 50, behind.join(";"));
+        }
+        let more = (0..11).map(|n| format!("b{n}")).collect::<Vec<_>>().join(";");
+        let head = format!("tracker 7\na0;a1;a2;name;text;X [mm];Y;Z;{more}\n");
+        let unquoted = rows.replace("\"a; b\"", "a b");
+        for text in [format!("{head}{rows}"), format!("\u{feff}{head}\n{rows}"), format!("{head}{unquoted}")] {
+            assert!(text.len() as u64 > 9 * BLOCK);
+            let (fast, strict) = both(&text, &format, Unit::Millimetre);
+            assert_eq!(fast.as_ref().map(Vec::len), Some(9000));
+            assert!(fast == strict);
+        }
+        // the heading states another unit; a row has a cell more; a cell that is passed is no text
+        assert_eq!(both(&format!("{head}{rows}"), &format, Unit::Metre), (None, None));
+        assert_eq!(
+            both(&format!("{head}{rows}{};9\n", rows.lines().next().unwrap()), &format, Unit::Millimetre).0,
+            None
+        );
+        let file = tempfile::NamedTempFile::new().unwrap();
+        let mut bytes = format!("{head}{rows}").into_bytes();
+        std::fs::write(file.path(), &bytes).unwrap();
+        assert_eq!(packed_points(file.path(), &format, None).unwrap().map(|points| points.len()), Some(9000));
+        let quote = bytes.iter().rposition(|b| *b == b'"').unwrap();
+        bytes[quote - 1] = 0xff;
+        std::fs::write(file.path(), &bytes).unwrap();
+        assert!(packed_points(file.path(), &format, None).unwrap().is_none());
     }
 
     #[test]

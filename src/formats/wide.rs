@@ -1,8 +1,10 @@
-//! Rows of a label and three decimal numbers, read with AVX2: all separators of a line at once,
-//! then both halves of each number at once. Rows of any other kind, and other machines, read with
-//! the scanner.
+//! Rows of tables of points, read with AVX2. In rows of a label and three decimals, all separators of
+//! a line are found at once, and both halves of each number are converted at once. In rows with
+//! further columns, cells that are not read are passed 32 bytes at a time. Rows of any other kind,
+//! and other machines, read with the scanner.
 
-use super::exports::{Plain, PlainRow};
+use super::exports::{Bare, Plain, PlainRow};
+use etalon_tables::lexer::{PlainColumn, Scanner};
 use pulp::cast;
 use pulp::x86::V3;
 
@@ -24,23 +26,23 @@ const TENS: [u64; 16] = {
 /// line has just a label, if rows have one, and three numbers of one to eight digits before and
 /// behind the mark.
 #[inline(always)]
-pub(super) fn row(machine: V3, bytes: &[u8], at: usize, layout: Plain) -> Option<PlainRow<'_>> {
+pub(super) fn row(machine: V3, bytes: &[u8], at: usize, layout: Bare) -> Option<PlainRow<'_>> {
     let line: &[u8; LOADED] = bytes.get(at..)?.first_chunk()?;
-    let delimiter = layout.delimiter.unwrap_or(b' ');
+    let Bare { delimiter, labelled } = layout;
     let mut stops = stops(machine, line, delimiter);
     let mut stop = || {
         let first = stops.trailing_zeros() as usize;
         stops &= stops.wrapping_sub(1);
         first
     };
-    let label = if layout.labelled { stop() } else { 0 };
-    let from = label + usize::from(layout.labelled);
+    let label = if labelled { stop() } else { 0 };
+    let from = label + usize::from(labelled);
     let [x, after_x, y, after_y, z, end] = std::array::from_fn(|_| stop());
     let is = |place: usize, byte: u8| line[place & (LINE - 1)] == byte;
     let points = is(x, b'.') & is(y, b'.') & is(z, b'.');
     let separated = is(after_x, delimiter) & is(after_y, delimiter);
-    let labelled = !layout.labelled | (is(label, delimiter) & (label > 0) & !is(0, b'"'));
-    if end >= LINE || !(points & separated & labelled) {
+    let named = !labelled | (is(label, delimiter) & (label > 0) & !is(0, b'"'));
+    if end >= LINE || !(points & separated & named) {
         return None;
     }
     let next = match (line[end], line[end + 1]) {
@@ -52,6 +54,106 @@ pub(super) fn row(machine: V3, bytes: &[u8], at: usize, layout: Plain) -> Option
     let y = number(machine, line, [after_x + 1, y, after_y]);
     let z = number(machine, line, [after_y + 1, z, end]);
     (x.1 & y.1 & z.1).then_some((&line[..label & (LINE - 1)], [x.0, y.0, z.0], next))
+}
+
+/// Label and coordinates of the line at `at`, and where the next line begins; `None` unless the line
+/// has all columns of the layout and no further ones, without quotes and letters beyond ASCII in the
+/// cells that are passed.
+#[inline(always)]
+pub(super) fn picked<'a>(machine: V3, bytes: &'a [u8], at: usize, layout: &Plain) -> Option<PlainRow<'a>> {
+    let mut line = Scanner { bytes, at, delimiter: layout.delimiter };
+    let (mut label, mut xyz) = (&b""[..], [0.0; 3]);
+    for (i, (passed, column)) in layout.read.iter().enumerate() {
+        if *passed > 0 {
+            line.at = pass(machine, &line, *passed)?;
+        }
+        match column {
+            PlainColumn::Coordinate(axis) => xyz[*axis] = line.number(layout.decimal)?,
+            _ => label = line.label().filter(|label| i == 0 || !label.is_empty())?,
+        }
+    }
+    let (cells, next) = rest(machine, &line)?;
+    (cells <= layout.behind).then_some((label, xyz, next))
+}
+
+/// Beginnings of cells and ends of plain text in 32 bytes of a line.
+struct Window {
+    /// A delimiter, or the first byte of a cell behind blanks.
+    cells: u32,
+    /// First bit at a line end, a quote, another control character or a letter beyond ASCII.
+    stop: u32,
+    /// The last byte belongs to a cell, if blanks separate cells.
+    within: bool,
+}
+
+impl Window {
+    /// The bytes from `at`, behind a cell if `within`; `None` near the end of the bytes.
+    #[inline(always)]
+    fn new(machine: V3, line: &Scanner, at: usize, within: bool) -> Option<Self> {
+        let (avx, avx2) = (machine.avx, machine.avx2);
+        let bytes: [u8; LINE / 2] = *line.bytes.get(at..)?.first_chunk()?;
+        let bytes = cast(bytes);
+        let is = |byte: u8| avx2._mm256_cmpeq_epi8(bytes, avx._mm256_set1_epi8(byte as i8));
+        let bits = |of| avx2._mm256_movemask_epi8(of) as u32;
+        let (tabs, quotes) = (bits(is(b'\t')), bits(is(b'"')));
+        let low = bits(avx2._mm256_cmpgt_epi8(avx._mm256_set1_epi8(b' ' as i8), bytes));
+        let stops = low & !tabs | quotes;
+        // all bits in front of the first stop
+        let plain = stops.wrapping_sub(1) & !stops;
+        let (cells, within) = match line.delimiter {
+            Some(delimiter) => (bits(is(delimiter)), false),
+            None => {
+                let filled = !(tabs | bits(is(b' ')));
+                (filled & !(filled << 1 | u32::from(within)), filled >> 31 == 1)
+            }
+        };
+        Some(Self { cells: cells & plain, stop: stops & stops.wrapping_neg(), within })
+    }
+}
+
+/// Where the cell begins that follows `count` cells of a line; `None` if the line has fewer.
+#[inline(always)]
+fn pass(machine: V3, line: &Scanner, mut count: usize) -> Option<usize> {
+    let mut at = line.at;
+    // blanks before the first of them
+    while line.delimiter.is_none() && matches!(line.bytes.get(at), Some(b' ' | b'\t')) {
+        at += 1;
+    }
+    let mut within = true;
+    loop {
+        let mut window = Window::new(machine, line, at, within)?;
+        let here = window.cells.count_ones() as usize;
+        if here >= count {
+            (1..count).for_each(|_| window.cells &= window.cells.wrapping_sub(1));
+            return Some(at + window.cells.trailing_zeros() as usize + usize::from(line.delimiter.is_some()));
+        }
+        if window.stop != 0 {
+            return None;
+        }
+        (count, at, within) = (count - here, at + LINE / 2, window.within);
+    }
+}
+
+/// Number of cells up to the end of a line, and where the next line begins.
+#[inline(always)]
+fn rest(machine: V3, line: &Scanner) -> Option<(usize, usize)> {
+    // behind a delimiter a cell begins
+    let behind = line.delimiter.is_some() && line.at.checked_sub(1).map(|before| line.bytes[before]) == line.delimiter;
+    let (mut cells, mut at, mut within) = (usize::from(behind), line.at, false);
+    loop {
+        let window = Window::new(machine, line, at, within)?;
+        cells += window.cells.count_ones() as usize;
+        if window.stop != 0 {
+            let end = at + window.stop.trailing_zeros() as usize;
+            let next = match (line.bytes.get(end)?, line.bytes.get(end + 1)) {
+                (b'\n', _) => end + 1,
+                (b'\r', Some(b'\n')) => end + 2,
+                _ => return None,
+            };
+            return Some((cells, next));
+        }
+        (at, within) = (at + LINE / 2, window.within);
+    }
 }
 
 /// One bit for each byte that may end a label or a number: delimiter, mark, blanks, control

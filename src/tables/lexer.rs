@@ -162,24 +162,25 @@ pub fn plain_line<'t>(
     decimal: Decimal,
     columns: &[PlainColumn],
 ) -> Option<(&'t str, [f64; 3])> {
-    let mark = if decimal == Decimal::Point { b'.' } else { b',' };
+    let read = columns.iter().rposition(|column| *column != PlainColumn::Skipped).map_or(0, |last| last + 1);
     let mut scanner = Scanner { bytes: line.as_bytes(), at: 0, delimiter: delimiter.byte() };
     let (mut label, mut coordinates) = ("", [0.0; 3]);
-    for column in columns {
+    for (i, column) in columns[..read].iter().enumerate() {
         if let PlainColumn::Coordinate(at) = column {
             scanner.skip_blanks();
-            coordinates[*at] = scanner.exact(mark)?;
+            coordinates[*at] = scanner.exact(decimal.byte())?;
             if !scanner.separator() {
                 return None;
             }
             continue;
         }
-        let cell = scanner.cell().ok().filter(|cell| !cell.quoted && !cell.last)?;
+        let may_be_last = |cell: &Cell| i + 1 == read && cell.start < cell.end;
+        let cell = scanner.cell().ok().filter(|cell| !cell.quoted && (!cell.last || may_be_last(cell)))?;
         if *column == PlainColumn::Label {
             label = line.get(cell.start..cell.end)?;
         }
     }
-    scanner.skip_blanks();
+    scanner.pass_rest(columns.len() - read)?;
     scanner.is_end().then_some((label, coordinates))
 }
 
@@ -223,9 +224,8 @@ pub fn parsed(field: &str, decimal: Decimal, thousands: Option<Thousands>) -> Op
     if field.len() > LONGEST {
         return None;
     }
-    let mark = if decimal == Decimal::Point { b'.' } else { b',' };
     let mut scanner = Scanner { bytes: field.as_bytes(), at: 0, delimiter: None };
-    let exact = scanner.exact(mark).filter(|_| thousands.is_none() && scanner.at == field.len());
+    let exact = scanner.exact(decimal.byte()).filter(|_| thousands.is_none() && scanner.at == field.len());
     let value = exact.or_else(|| unmarked(field, decimal, thousands)?.parse().ok());
     value.filter(|v: &f64| v.is_finite())
 }
@@ -502,22 +502,41 @@ impl<'a> Scanner<'a> {
 
     /// A number, and its separator from the next field, if any.
     #[inline(always)]
-    pub fn number(&mut self) -> Option<f64> {
+    pub fn number(&mut self, decimal: Decimal) -> Option<f64> {
         self.skip_blanks();
         let start = self.at;
-        match self.exact(b'.') {
+        match self.exact(decimal.byte()) {
             Some(value) if self.separator() => Some(value),
             _ => {
                 self.at = start;
-                self.any_number()
+                self.any_number(decimal)
             }
         }
     }
 
     /// Reads any number and its separator.
-    fn any_number(&mut self) -> Option<f64> {
+    fn any_number(&mut self, decimal: Decimal) -> Option<f64> {
         let cell = self.cell().ok()?;
-        parsed(std::str::from_utf8(&self.bytes[cell.start..cell.end]).ok()?, Decimal::Point, None)
+        parsed(std::str::from_utf8(&self.bytes[cell.start..cell.end]).ok()?, decimal, None)
+    }
+
+    /// Passes cells that are not read; `None` if no further cell follows them.
+    pub fn pass(&mut self, count: usize) -> Option<()> {
+        (0..count).try_for_each(|_| self.cell().ok().filter(|cell| !cell.last).map(|_| ()))
+    }
+
+    /// Passes the cells up to the end of the line; `None` if more than `most` of them are filled.
+    pub fn pass_rest(&mut self, most: usize) -> Option<()> {
+        self.skip_blanks();
+        let mut passed = 0;
+        while !self.is_end() {
+            let cell = self.cell().ok()?;
+            passed += 1;
+            if passed > most && (cell.start < cell.end || cell.quoted) {
+                return None;
+            }
+        }
+        Some(())
     }
 
     /// Passes the end of the line; `false` before other text. Without a line feed, a line ends only

@@ -71,6 +71,14 @@ pub enum Decimal {
 }
 
 impl Decimal {
+    /// Byte of the mark.
+    pub fn byte(self) -> u8 {
+        match self {
+            Self::Point => b'.',
+            Self::Comma => b',',
+        }
+    }
+
     /// Name in campaign.toml.
     pub fn name(self) -> &'static str {
         if self == Self::Point { "." } else { "," }

@@ -13,7 +13,7 @@ use etalon_tables::filter::{Filter, no_row_selected};
 use etalon_tables::lexer::pose_name;
 use etalon_tables::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed, written_out};
 use etalon_tables::sheet::{column, header, number};
-use etalon_tables::{ColumnSource, Decimal, Delimiter, Expression, Form, Header, stated_units};
+use etalon_tables::{ColumnSource, Decimal, Delimiter, Encoding, Expression, Form, Header, stated_units};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 
@@ -38,26 +38,19 @@ impl ExportFormat for Delimited {
         write(rows, how)
     }
 
-    fn plain(&self, dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
-        let Columns::InOrder(roles) = &dialect.columns else { return None };
-        let labelled = match roles[..] {
-            [ColumnRole::X, ColumnRole::Y, ColumnRole::Z] => false,
-            [ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z] => true,
-            _ => return None,
-        };
-        let bare = Dialect {
-            form: Form {
-                delimiter: dialect.form.delimiter,
-                decimal: dialect.form.decimal.filter(|mark| *mark == Decimal::Point),
-                header: dialect.form.header.clone().filter(|header| *header == Header::Rows(0)),
-                ..Form::default()
-            },
-            columns: dialect.columns.clone(),
-            coordinates: dialect.coordinates,
-            ..Dialect::default()
-        };
-        let delimiter = dialect.form.delimiter.filter(|_| *dialect == bare)?.byte();
-        Some(Plain { delimiter, labelled, may_be_angles: dialect.coordinates.is_none() })
+    /// The head is read as the strict reader reads it, and must be without fault.
+    fn plain(&self, dialect: &Dialect, start: &str, unit: Unit) -> Option<Plain> {
+        let utf8 = dialect.form.encoding.is_none_or(|encoding| encoding == Encoding::Utf8);
+        if !utf8 || dialect.form.comment.is_some() || !dialect.check().is_empty() {
+            return None;
+        }
+        let text = SharedText::from(start);
+        let mut problems = Problems::default();
+        let begun = begin("", &text, dialect, unit, &mut problems).ok().filter(|_| problems.0.is_empty())?;
+        let plain = Plain::new(dialect.form.delimiter(), dialect.form.decimal(), &begun.reader.plain()?);
+        let first = begun.first?;
+        let bytes = first.text.as_ptr() as usize - text.as_ptr() as usize;
+        Some(Plain { above: (bytes, first.line as u32 - 1), may_be_angles: dialect.coordinates.is_none(), ..plain })
     }
 }
 
@@ -93,8 +86,8 @@ impl ExportFormat for NamedDialect {
         Delimited.write(rows, how)
     }
 
-    fn plain(&self, dialect: &Dialect, start: &[u8]) -> Option<Plain> {
-        Delimited.plain(dialect, start)
+    fn plain(&self, dialect: &Dialect, start: &str, unit: Unit) -> Option<Plain> {
+        Delimited.plain(dialect, start, unit)
     }
 }
 
@@ -174,6 +167,50 @@ pub(crate) fn columns_not_read(
     computed.is_empty().then(|| [columns.iter().filter(unread).count(), columns.len()])
 }
 
+/// Reader of the data rows of a text, below its head.
+struct Begun<'a, L> {
+    reader: Reader<'a>,
+    /// Lines of the data.
+    lines: L,
+    /// First data row.
+    first: Option<Row<'a>>,
+    /// Least number of cells of a row: cells behind the last one of a row of a sheet are empty, and
+    /// not written.
+    least: usize,
+}
+
+/// Reads the head of a text; an error of the header stops the reading.
+fn begin<'a>(
+    file: &'a str,
+    text: &'a SharedText,
+    dialect: &'a Dialect,
+    unit: Unit,
+    problems: &mut Problems,
+) -> Result<Begun<'a, impl Iterator<Item = (usize, &'a str)> + use<'a>>, Vec<Message>> {
+    let form = &dialect.form;
+    let of_sheet = || each_row(file, text, form).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
+    let least = if form.sheet.is_some() { of_sheet() } else { 0 };
+    let split = |line| split_line(file, line, form, least);
+    let mut lines = lexer::lines(text, form);
+    let mut rows = lines.by_ref().filter_map(|line| split(line).map_err(|message| problems.0.push(message)).ok());
+    let header = header(&mut rows, &dialect.header()).map_err(|message| vec![message.at(Place::file(file))])?;
+    let first = lines.clone().find_map(|line| split(line).ok());
+    let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
+    let filter = Filter::new(file, form, header.as_ref())?;
+    let start = first.as_ref().map_or(0, |row| row.line);
+    problems.0.extend(other_unit(&Above { file, text, start, header: header.as_ref(), roles: &roles }, dialect, unit));
+    problems.0.extend(header.as_ref().and_then(|header| header_with_data(file, header, dialect, &roles)));
+    let reader = Reader { file, text, dialect, unit, header, roles, computed, width, filter };
+    Ok(Begun { reader, lines, first, least })
+}
+
+/// The cells of a numbered line, at least this many.
+fn split_line<'t>(file: &str, (number, line): (usize, &'t str), form: &Form, least: usize) -> Result<Row<'t>, Message> {
+    let mut row = lexer::row(file, number, line, form)?;
+    row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
+    Ok(row)
+}
+
 /// Reads the points of the data rows between header and end; an error of the header stops the
 /// reading.
 fn points(
@@ -184,25 +221,8 @@ fn points(
     problems: &mut Problems,
 ) -> Result<Vec<Point>, Vec<Message>> {
     let form = &dialect.form;
-    // cells behind the last one of a row of a sheet are empty, and not written
-    let of_sheet = || each_row(file, text, form).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
-    let least = if form.sheet.is_some() { of_sheet() } else { 0 };
-    let split = |(number, line)| {
-        lexer::row(file, number, line, form).map(|mut row| {
-            row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
-            row
-        })
-    };
-    let mut lines = lexer::lines(text, form);
-    let mut rows = lines.by_ref().filter_map(|line| split(line).map_err(|message| problems.0.push(message)).ok());
-    let header = header(&mut rows, &dialect.header()).map_err(|message| vec![message.at(Place::file(file))])?;
-    let first = lines.clone().find_map(|line| split(line).ok());
-    let Resolved { roles, computed, width } = resolved(file, header.as_ref(), dialect, first.as_ref())?;
-    let filter = Filter::new(file, form, header.as_ref())?;
-    let start = first.as_ref().map_or(0, |row| row.line);
-    problems.0.extend(other_unit(&Above { file, text, start, header: header.as_ref(), roles: &roles }, dialect, unit));
-    problems.0.extend(header.as_ref().and_then(|header| header_with_data(file, header, dialect, &roles)));
-    let reader = Reader { file, text, dialect, unit, roles, computed, width, filter };
+    let Begun { reader, mut lines, least, .. } = begin(file, text, dialect, unit, problems)?;
+    let split = |line| split_line(file, line, form, least);
     let plain = reader.plain();
     let (mut points, mut names) = (Vec::new(), Names::default());
     while let Some((number, line)) = lines.next() {
@@ -227,7 +247,7 @@ fn points(
         points.extend(reader.point(&row, &mut names, problems));
     }
     if form.is_filtered() && !points.is_empty() && points.iter().all(|point| point.is_left_out) {
-        problems.0.push(no_row_selected(file, header.as_ref()));
+        problems.0.push(no_row_selected(file, reader.header.as_ref()));
     }
     problems.0.extend(reader.looks_spherical(&points));
     Ok(points)
@@ -391,6 +411,8 @@ struct Reader<'a> {
     text: &'a SharedText,
     dialect: &'a Dialect,
     unit: Unit,
+    /// Row that names the columns.
+    header: Option<Row<'a>>,
     /// Roles of the columns; computed columns follow the columns of the file.
     roles: Vec<ColumnRole>,
     computed: Vec<Expression>,

@@ -41,8 +41,8 @@ use etalon_base::message::{Message, Place, Problems};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
-use etalon_tables::lexer::written;
-use etalon_tables::{ColumnSource, Decimal, Form};
+use etalon_tables::lexer::{PlainColumn, written};
+use etalon_tables::{ColumnSource, Decimal, Delimiter, Form};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -115,7 +115,7 @@ pub(crate) trait ExportFormat: Sync {
     fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError>;
 
     /// Layout for the fast reader of a file with this beginning, if the fast reader may read it.
-    fn plain(&self, _dialect: &Dialect, _start: &[u8]) -> Option<Plain> {
+    fn plain(&self, _dialect: &Dialect, _start: &str, _unit: Unit) -> Option<Plain> {
         None
     }
 
@@ -126,13 +126,55 @@ pub(crate) trait ExportFormat: Sync {
 }
 
 /// Layout of a table of plain rows for the fast reader.
-#[derive(Clone, Copy)]
+#[derive(Clone, Debug)]
 pub(crate) struct Plain {
     /// None: blanks and tabs.
     pub delimiter: Option<u8>,
-    pub labelled: bool,
+    pub decimal: Decimal,
+    /// Columns that are read, from the left, each behind the number of cells that are passed before
+    /// it; their contents are a label or a coordinate.
+    pub read: Vec<(usize, PlainColumn)>,
+    /// Maximum number of filled cells behind the last of them.
+    pub behind: usize,
+    /// Bytes and lines above the data.
+    pub above: (usize, u32),
     /// `true` if the strict reader decides whether columns x, y, z hold two angles and a distance.
     pub may_be_angles: bool,
+}
+
+impl Plain {
+    /// Layout of rows with these columns, without lines above them.
+    pub fn new(delimiter: Delimiter, decimal: Decimal, columns: &[PlainColumn]) -> Self {
+        let (mut read, mut behind) = (Vec::new(), 0);
+        for column in columns {
+            match column {
+                PlainColumn::Skipped => behind += 1,
+                column => read.push((std::mem::take(&mut behind), *column)),
+            }
+        }
+        Self { delimiter: delimiter.byte(), decimal, read, behind, above: (0, 0), may_be_angles: false }
+    }
+
+    /// `true` if rows have labels.
+    pub fn is_labelled(&self) -> bool {
+        self.read.iter().any(|(_, column)| *column == PlainColumn::Label)
+    }
+
+    /// Layout of rows of only a label, if any, and x, y, z with a decimal point.
+    pub fn bare(&self) -> Option<Bare> {
+        let numbers = self.read.strip_prefix(&[(0, PlainColumn::Label)]).unwrap_or(&self.read);
+        let in_order = numbers.iter().enumerate().all(|(axis, column)| *column == (0, PlainColumn::Coordinate(axis)));
+        let bare = Bare { delimiter: self.delimiter.unwrap_or(b' '), labelled: self.is_labelled() };
+        (in_order && self.behind == 0 && self.decimal == Decimal::Point).then_some(bare)
+    }
+}
+
+/// Layout of rows of an optional label and x, y, z.
+#[derive(Clone, Copy)]
+pub(crate) struct Bare {
+    /// Byte between the cells.
+    pub delimiter: u8,
+    pub labelled: bool,
 }
 
 /// Label and coordinates of a plain row, and where the next row begins.
@@ -303,8 +345,10 @@ impl Format {
         self.kind.write(rows, &Writing { about, dialect: &self.dialect, unit, decimals, skipped })
     }
 
-    pub(super) fn plain(&self, start: &[u8]) -> Option<Plain> {
-        self.kind.plain(&self.dialect, start)
+    /// Layout for the fast reader of a text that begins with these lines; `None` if only the strict
+    /// reader may read it.
+    pub(super) fn plain(&self, start: &str, unit: Unit) -> Option<Plain> {
+        self.kind.plain(&self.dialect, start, unit)
     }
 
     /// Frame to which the points of a text of the format refer.

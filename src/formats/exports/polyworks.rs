@@ -26,16 +26,20 @@ impl ExportFormat for Polyworks {
     }
 
     /// The first row determines whether rows have labels.
-    fn plain(&self, _dialect: &Dialect, start: &[u8]) -> Option<Plain> {
-        let first = start.split(|b| *b == b'\n').find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
-        let labelled = match first.split(u8::is_ascii_whitespace).filter(|f| !f.is_empty()).count() {
-            3 => false,
-            4 => true,
+    fn plain(&self, _dialect: &Dialect, start: &str, _unit: Unit) -> Option<Plain> {
+        let first = start.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        let columns = match first.split_ascii_whitespace().count() {
+            3 => &LABEL_AND_XYZ[1..],
+            4 => &LABEL_AND_XYZ,
             _ => return None,
         };
-        Some(Plain { delimiter: None, labelled, may_be_angles: false })
+        Some(Plain::new(Delimiter::Blank, Decimal::Point, columns))
     }
 }
+
+/// Columns of a row with a label.
+const LABEL_AND_XYZ: [PlainColumn; 4] =
+    [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
 
 /// Points of a PolyWorks text, and problems; directions are not read.
 fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
@@ -43,10 +47,8 @@ fn rows(file: &str, text: &SharedText, unit: Unit) -> (Vec<Point>, Problems) {
     let mut points = Vec::new();
     let mut names = Names::default();
     let form = Form::delimited(Delimiter::Blank);
-    let columns =
-        [PlainColumn::Label, PlainColumn::Coordinate(0), PlainColumn::Coordinate(1), PlainColumn::Coordinate(2)];
     for (i, line) in lines(text, &form) {
-        if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &columns) {
+        if let Some((label, xyz)) = lexer::plain_line(line, Delimiter::Blank, Decimal::Point, &LABEL_AND_XYZ) {
             points.push(Point::from_line(i, Line::from_part(text, line), names.shared(label), xyz, unit));
             continue;
         }
