@@ -55,6 +55,20 @@ fn joint_extrapolation(robot: &dyn Robot, found: &Extrapolation) -> JointExtrapo
     }
 }
 
+/// Test of the residuals against the stated uncertainty and against repeats.
+fn residual_test(settings: &Settings, found: &Identification) -> ResidualTest {
+    let rejected = |chi_square| etalon_identify::chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom);
+    ResidualTest {
+        stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
+        common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+        stated_values: found.residuals.stated,
+        determined_parameters: Some(found.identifiability.determined),
+        chi_square: found.residuals.chi_square,
+        chi_square_rejected: found.residuals.chi_square.is_some_and(rejected),
+        repeats: found.residuals.replicates.map(Into::into),
+    }
+}
+
 /// Creates the document of an identification. `before` holds the values with only base and targets
 /// fitted.
 pub fn parameters_document(
@@ -95,7 +109,6 @@ pub fn parameters_document(
         written.iter().map(row).collect()
     };
     let covariance = found.uncertainty.covariance.as_ref().map(outward).unwrap_or_default();
-    let rejected = |chi_square| etalon_identify::chi_square_exceeds(chi_square, found.residuals.degrees_of_freedom);
     ParametersDocument {
         schema: ParametersDocument::SCHEMA.to_owned(),
         robot: robot.model().to_owned(),
@@ -119,15 +132,7 @@ pub fn parameters_document(
             max: found.residuals.max,
             degrees_of_freedom: found.residuals.degrees_of_freedom,
             effective_degrees_of_freedom: Some(found.residuals.effective_degrees),
-            test: ResidualTest {
-                stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
-                common_standard_uncertainty_mm: settings.common_uncertainty_mm,
-                stated_values: found.residuals.stated,
-                determined_parameters: Some(found.identifiability.determined),
-                chi_square: found.residuals.chi_square,
-                chi_square_rejected: found.residuals.chi_square.is_some_and(rejected),
-                repeats: found.residuals.replicates.map(Into::into),
-            },
+            test: residual_test(settings, found),
             uncertainties_from: found.uncertainty.from.into(),
             uncertainties_enlarged_by: found.uncertainty.inflation_factor,
             conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),

@@ -198,24 +198,13 @@ fn of_characteristic(key: &str, documents: &Documents) -> Option<Vec<f64>> {
     Some(vec![number(&worst[key]), number(&worst["pose"])])
 }
 
-/// What the numbers of a sentence must be, by the beginning of its template.
-fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
-    let accuracy = documents.read("accuracy.json");
+/// What the numbers of a sentence on a test to ISO 9283 must be.
+fn of_test(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     let starts = |text: &str| s.template.starts_with(text);
     let poses = || documents.poses();
     Some(match () {
-        () if of_error(s, documents).is_some() => of_error(s, documents)?,
-        () if starts("Position residuals: RMS #") => {
-            let rms = number(&documents.statistics("calibration", "position")?["after"]["rms"]);
-            vec![rms, rms / documents.ratio()]
-        }
-        () if starts("Residuals are # ×") || s.template.contains("residuals are # ×") => vec![documents.ratio()],
         () if starts("Largest pose accuracy AP: #") => of_characteristic("ap_mm", documents)?,
         () if starts("Largest pose repeatability RP: #") => of_characteristic("rp_mm", documents)?,
-        () if starts("Within the limit of #") => {
-            let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();
-            vec![*limits.iter().find(|limit| s.numbers[0].is(**limit))?]
-        }
         () if s.template.contains("all # poses conform") => vec![poses().len() as f64],
         () if s.template.contains("exceeds  at pose") => documents.poor(true),
         () if starts("Suitable at poses: #") => documents.poor(false),
@@ -252,6 +241,27 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let together = poses().iter().find(|p| p["pose"] == of["pose"])?["rp_mm"].as_f64()?;
             let [low, high] = [f64::min, f64::max].map(|f| sizes.iter().copied().reduce(f).unwrap());
             vec![number(&of["pose"]), sizes.len() as f64, low, high, together]
+        }
+        _ => return None,
+    })
+}
+
+/// What the numbers of a sentence must be, by the beginning of its template.
+fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
+    let accuracy = documents.read("accuracy.json");
+    let starts = |text: &str| s.template.starts_with(text);
+    if let Some(found) = of_error(s, documents).or_else(|| of_test(s, documents)) {
+        return Some(found);
+    }
+    Some(match () {
+        () if starts("Position residuals: RMS #") => {
+            let rms = number(&documents.statistics("calibration", "position")?["after"]["rms"]);
+            vec![rms, rms / documents.ratio()]
+        }
+        () if starts("Residuals are # ×") || s.template.contains("residuals are # ×") => vec![documents.ratio()],
+        () if starts("Within the limit of #") => {
+            let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();
+            vec![*limits.iter().find(|limit| s.numbers[0].is(**limit))?]
         }
         () if starts("Root-mean-square error at left-out poses: #") => {
             let effect =

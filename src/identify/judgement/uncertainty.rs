@@ -107,13 +107,8 @@ pub(crate) fn with_uncertainty(
     warnings.extend(contradictions(problem, solution, &values, covariance.as_deref()));
     warnings.extend(held_messages(robot, &groups));
     warnings.extend(weak_message(robot, &weak).map(Into::into));
-    let status = |i| match () {
-        () if problem.free.contains(&i) => Status::Identified,
-        () if wanted.contains(&i) => Status::NotIdentifiable,
-        () => Status::Fixed,
-    };
     Ok(Identification {
-        status: (0..values.len()).map(status).collect(),
+        status: (0..values.len()).map(|i| status(&problem.free, wanted, i)).collect(),
         residuals: ResidualStatistics {
             rms: rms(lengths.iter().copied()) * problem.unit,
             max: lengths.iter().fold(0.0f64, |w, r| w.max(r.abs())) * problem.unit,
@@ -143,6 +138,15 @@ pub(crate) fn with_uncertainty(
         termination: solution.termination,
         warnings,
     })
+}
+
+/// Status of a parameter by the identified parameters and those that should be.
+fn status(free: &[usize], wanted: &[usize], index: usize) -> Status {
+    match () {
+        () if free.contains(&index) => Status::Identified,
+        () if wanted.contains(&index) => Status::NotIdentifiable,
+        () => Status::Fixed,
+    }
 }
 
 /// Free parameters that the data determine separately: all but those that only nominal values
