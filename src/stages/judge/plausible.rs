@@ -15,8 +15,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Condition, Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings, allowed_mm,
-    chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
+    Condition, Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings,
+    allowed_mm, chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
