@@ -339,9 +339,6 @@ def test_replaced_columns_are_keywords_where_hints_name_them(arm, remedy):
     calls = {"identify": (etalon.identify, (robot, without)), "plan": (etalon.plan, (robot, without, 20))}
     if "pose" in remedy:
         calls["iso9283"] = (etalon.iso9283, ({name: without[name] for name in ("cycle", "x_mm", "y_mm", "z_mm")},))
-    else:
-        sweeps = {name: without[name] for name in ("x_mm", "y_mm", "z_mm")} | {"joint": ["q1"] * 60}
-        calls["axes"] = (etalon.axes, (sweeps,))
     stated = next(f'{name}="' for name in remedy)
     for name, (function, arguments) in calls.items():
         with pytest.raises(etalon.Error) as raised:
