@@ -825,6 +825,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     "IntervalScore": {
         "count": ("", None),
         "coverage": ("", None),
+        "coverage_interval": ("", None),
         "coverage_standard_uncertainty": ("", None),
         "mean_score": ("", None),
         "mean_width": ("", None),

@@ -1251,6 +1251,8 @@ class IntervalScore(Record):
     """Number of intervals."""
     coverage: float
     """Share of measured values within their intervals."""
+    coverage_interval: NDArray[np.float64] | None
+    """Exact interval of the coverage at the same probability (Clopper & Pearson 1934). Each pose counts as one trial: the values of one pose share its error."""
     coverage_standard_uncertainty: float | None
     """Standard uncertainty of the coverage from the scatter between poses; absent with fewer than two poses."""
     mean_score: float

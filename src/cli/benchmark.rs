@@ -65,7 +65,7 @@ Predictions may state uncertainties of the difference from a measured value:
 
 Errors: mean, root mean square, 95th percentile, maximum.
 Intervals (95 %): share of measured values inside, mean width, and mean interval score (Gneiting & Raftery 2007).
-A smaller score is better. `--json` adds the standard uncertainty of the share, from pose to pose.")]
+A smaller score is better. `--json` adds the standard uncertainty of the share, from pose to pose, and its exact interval.")]
 struct Score {
     /// Predictions (CSV).
     predictions: PathBuf,

@@ -99,6 +99,10 @@ pub struct IntervalScore {
     /// two poses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coverage_standard_uncertainty: Option<f64>,
+    /// Exact interval of the coverage at the same probability (Clopper & Pearson 1934). Each pose
+    /// counts as one trial: the values of one pose share its error.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coverage_interval: Option<[f64; 2]>,
     /// Mean width.
     pub mean_width: f64,
     /// Mean interval score (Gneiting & Raftery 2007, eq. 43): width, and 2 / α times the distance

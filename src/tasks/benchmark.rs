@@ -4,7 +4,7 @@
 use super::inputs::{Inputs, Table};
 use crate::stages::evaluate::accuracy::summarise;
 use crate::stages::table_file::TableFile;
-use crate::stages::verify::expected_scatter::ExpectedScatter;
+use crate::stages::verify::expected_scatter::{ExpectedScatter, variance_factor};
 use crate::stages::verify::predicted::Prediction;
 use etalon_base::error;
 use etalon_base::message::{Problems, Result};
@@ -18,7 +18,7 @@ use etalon_formats::table::{COVARIANCES, QUATERNION, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::joint_values;
 use etalon_math::statistics::{interval_score, mean, ratio_uncertainty};
 use nalgebra::{Cholesky, Matrix3, Vector3};
-use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
+use statrs::distribution::{Beta, ChiSquared, ContinuousCDF, Normal};
 use std::collections::BTreeMap;
 
 /// Probability of the intervals that are scored.
@@ -42,7 +42,8 @@ pub fn predict(inputs: &Inputs, document: &ParametersDocument) -> Result<Predict
     let mut targets: BTreeMap<&str, Prediction> = BTreeMap::new();
     for name in &names {
         if !targets.contains_key(&**name) {
-            targets.insert(name, Prediction::new(inputs.robot, document, name)?);
+            let stated = Prediction::new(inputs.robot, document, name)?;
+            targets.insert(name, stated.with_variance_factor(document, variance_factor(&document.residuals)));
         }
     }
     let Some(robot) = targets.values().next().map(Prediction::robot) else {
@@ -240,14 +241,26 @@ fn interval_scores(poses: &[PoseName], rows: &[Vec<([f64; 2], f64)>]) -> Interva
         *count += row.len() as f64;
     }
     let uncertainty = ratio_uncertainty(by_pose.values().copied());
+    let coverage = mean(all().map(|one| f64::from(is_within(one))));
     IntervalScore {
         probability: PROBABILITY,
         count: all().count(),
-        coverage: mean(all().map(|one| f64::from(is_within(one)))),
+        coverage,
+        coverage_interval: share_interval(coverage, by_pose.len() as f64),
         coverage_standard_uncertainty: Some(uncertainty).filter(|u| u.is_finite()),
         mean_width: mean(all().map(|(interval, _)| interval[1] - interval[0])),
         mean_score: mean(all().map(|(interval, value)| interval_score(*interval, *value, 1.0 - PROBABILITY))),
     }
+}
+
+/// Exact interval of a share of this number of trials, by quantiles of the beta distribution
+/// (Clopper & Pearson 1934, Biometrika 26, 404); `None` without trials.
+fn share_interval(share: f64, trials: f64) -> Option<[f64; 2]> {
+    let (held, missed, tail) = (share * trials, (1.0 - share) * trials, 0.5 * (1.0 - PROBABILITY));
+    let quantile = |a, b, p| Beta::new(a, b).ok().map(|of| of.inverse_cdf(p));
+    let low = if held > 0.0 { quantile(held, missed + 1.0, tail)? } else { 0.0 };
+    let high = if missed > 0.0 { quantile(held + 1.0, missed, 1.0 - tail)? } else { 1.0 };
+    (trials > 0.0).then_some([low, high])
 }
 
 /// Errors of orientations.

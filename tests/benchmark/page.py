@@ -109,20 +109,37 @@ def interval_table(results, participants, quantity):
     stated = [
         p for p in participants if any((f["participants"].get(p, {}).get(quantity) or {}).get("intervals") for f in results.values())
     ]
-    head = ["set"] + [f"{LABELS[p]}: {what}" for p in stated for what in ("held (%)", "score")]
+    head = ["set", "poses"] + [f"{LABELS[p]}: {what}" for p in stated for what in ("held (%)", "exact (%)", "score")]
     rows = [cells(head), cells(["---"] * len(head))]
     for name, found in results.items():
-        line = [name]
+        line = [name, str(found["test_poses"])]
         for p in stated:
             intervals = (found["participants"].get(p, {}).get(quantity) or {}).get("intervals")
             if intervals:
                 u = intervals.get("coverage_standard_uncertainty", math.nan)
-                line += [f"{100 * intervals['coverage']:.1f} ± {100 * u:.1f}", number(intervals["mean_score"])]
+                low, high = (100 * v for v in intervals["coverage_interval"])
+                # 95 % outside of the exact interval
+                exact = f"{low:.1f} to {high:.1f}" if low <= 95 <= high else f"**{low:.1f} to {high:.1f}**"
+                line += [f"{100 * intervals['coverage']:.1f} ± {100 * u:.1f}", exact, number(intervals["mean_score"])]
             else:
-                line += ["", ""]
-        if any(line[1:]):
+                line += ["", "", ""]
+        if any(line[2:]):
             rows.append(cells(line))
     return rows
+
+
+def left_out_table(results, participants):
+    """Reasons of participants, and the sets for which they give them."""
+    reasons = {}
+    for p in participants:
+        for name, found in results.items():
+            failed = found["participants"].get(p, {}).get("failed", "")
+            if failed.startswith("left out: "):
+                reasons.setdefault((p, failed.removeprefix("left out: ")), []).append(name)
+            elif p not in found["participants"]:
+                reasons.setdefault((p, "not run for this page: a fit of hundreds of poses takes many minutes"), []).append(name)
+    rows = [cells(["participant", "reason", "sets"]), cells(["---"] * 3)]
+    return rows + [cells([LABELS[p], reason, ", ".join(names)]) for (p, reason), names in reasons.items()]
 
 
 def section(name, described, found, participants):
@@ -147,6 +164,8 @@ def section(name, described, found, participants):
     for p in participants:
         score = found["participants"].get(p)
         if not score:
+            continue
+        if score.get("failed", "").startswith("left out"):
             continue
         if "failed" in score:
             rows.append(cells([LABELS[p], f"failed: `{score['failed'][:100].replace('|', ' ').replace('`', ' ')}`", "", "", "", "", f"{score['seconds']:.1f}"]))
@@ -193,14 +212,19 @@ def write(folder, described, results, program):
         "",
         "## Position errors at test poses",
         "",
-        "Root-mean-square error (mm). The numbers of poses are for calibration and test. A participant that was not run on a set is left out.",
+        "Root-mean-square error (mm). The numbers of poses are for calibration and test.",
         "",
         *position_table(results, participants),
         "",
+        "Sets that a participant leaves out:",
+        "",
+        *left_out_table(results, participants),
+        "",
         "## Intervals of positions",
         "",
-        "Share of measured coordinates within the stated 95 % intervals, with its standard uncertainty from pose to pose. The score is the mean interval",
-        "score (mm; Gneiting & Raftery 2007): less is better.",
+        "Share of measured coordinates within the stated 95 % intervals, with its standard uncertainty from pose to pose. The exact 95 % interval of the",
+        "share (Clopper & Pearson 1934) counts each test pose once. It is bold if it does not contain 95 %; the sections of these sets give the cause. The",
+        "score is the mean interval score (mm; Gneiting & Raftery 2007): less is better.",
         "",
         *interval_table(results, participants, "position"),
         "",

@@ -49,6 +49,9 @@ fn intervals_of_positions_are_those_of_scipy() {
     close(&intervals["mean_score"], 2.0 * half + 40.0 / 12.0 * (0.3 + 0.4 + 0.2 + 0.2 - 4.0 * half));
     // poses have 4 of 6, 1 of 3 and 3 of 3: Σ (a − 2/3 b)² = 0 + 1 + 1; times 3/2, over 12
     close(&intervals["coverage_standard_uncertainty"], 3f64.sqrt() / 12.0);
+    // scipy.stats.beta.ppf(0.025, 2, 2) and beta.ppf(0.975, 3, 1): two of three poses
+    close(&intervals["coverage_interval"][0], 0.094_299_324_050_246_09);
+    close(&intervals["coverage_interval"][1], 0.991_596_241_340_387_4);
     // the same as ends, and as a covariance; scipy.stats.chi2.ppf(0.95, 3) = 7.814728: 25, 0, 9, 1 hundredths over 0.01
     let [low, high] = [-half, half];
     let ends = |x: f64, y: f64, z: f64| {
@@ -122,5 +125,19 @@ fn intervals_hold_if_uncertainties_are_stated_too_small() {
             let held = found[quantity]["intervals"]["coverage"].as_f64().unwrap();
             assert!((0.90..=0.995).contains(&held), "{um} um, {deg} deg: {quantity} {held}");
         }
+    }
+}
+
+/// Ten times too large a stated uncertainty is a warning, and intervals follow the residuals.
+#[test]
+fn intervals_follow_the_residuals_if_the_uncertainty_is_stated_too_large() {
+    let [right, large] = [("30", "0.01"), ("300", "0.1")].map(|(um, deg)| own_score(um, deg));
+    let messages = large[1]["messages"].as_array().unwrap();
+    assert!(messages.iter().any(|m| m["id"] == "instrument-uncertainty-too-large"), "{messages:?}");
+    for quantity in ["position", "orientation"] {
+        let [right, large] = [&right[0], &large[0]].map(|found| found[quantity]["intervals"].clone());
+        let width = |found: &serde_json::Value| found["mean_width"].as_f64().unwrap();
+        assert!((width(&large) / width(&right) - 1.0).abs() < 0.15, "{quantity}: {large} beside {right}");
+        assert!(large["coverage"].as_f64().unwrap() < 0.995, "{quantity}: {large}");
     }
 }

@@ -2,8 +2,8 @@
 
 use etalon_base::error;
 use etalon_base::message::Result;
-use etalon_documents::{ErrorQuantity, JointExtrapolation, ParametersDocument, ResidualSummary};
-use etalon_identify::{Extrapolation, chi_square_agrees};
+use etalon_documents::{ErrorQuantity, JointExtrapolation, ParametersDocument, ResidualSummary, UncertaintyFrom};
+use etalon_identify::{Extrapolation, chi_square_agrees, chi_square_exceeds};
 use etalon_robots::{Quantity, Robot};
 
 /// Expected scatter of new measurements of the same instrument, without the uncertainty of the
@@ -58,6 +58,16 @@ impl ExpectedScatter {
         let add = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a + c, b + d];
         self.extrapolations.iter().map(excess).fold([1.0; 2], add)
     }
+}
+
+/// Variance of the readings over the stated one: less than 1 if all residuals together are too small
+/// for the stated uncertainty, otherwise 1. An error that is common to all readings, which residuals
+/// do not show, moves the parameters and new readings of the instrument alike.
+pub fn variance_factor(residuals: &ResidualSummary) -> f64 {
+    let dof = residuals.degrees_of_freedom;
+    let is_short = |c: &f64| !chi_square_agrees(*c, dof) && !chi_square_exceeds(*c, dof);
+    let stated = residuals.test.chi_square.filter(|_| residuals.uncertainties_from == UncertaintyFrom::Instrument);
+    stated.filter(is_short).map_or(1.0, |chi_square| chi_square / dof as f64)
 }
 
 /// Residuals of a quantity.

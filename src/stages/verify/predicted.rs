@@ -8,6 +8,7 @@ use etalon_campaign::RobotFile;
 use etalon_documents::ParametersDocument;
 use etalon_identify::Fixture;
 use etalon_robots::Robot;
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Predicted position of a target.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,6 +63,29 @@ impl Prediction {
         let index = robot.targets().iter().position(|name| name == target);
         let target = index.ok_or_else(|| error!("calibrated-targets-missing", names = [target]))?;
         Ok(Self { robot, target, mounting, values: found.values, free: found.free, covariance: found.covariance })
+    }
+
+    /// Prediction with readings of `factor` times the stated variance: C = (C₀⁻¹ − P) / factor + P,
+    /// inverted, where P is the information of the tolerances. Unchanged if `factor` is 1, or if
+    /// the covariance is singular.
+    pub fn with_variance_factor(mut self, document: &ParametersDocument, factor: f64) -> Self {
+        let n = self.free.len();
+        let tolerance = |k: &usize| {
+            let name = &self.robot.parameters()[*k].name;
+            let entry = document.parameters.iter().find(|entry| entry.name == *name)?;
+            let u = self.robot.parameters()[*k].quantity.inward(entry.standard_uncertainty?);
+            Some((1.0 - entry.determined?).max(0.0) / u.powi(2)).filter(|information| information.is_finite())
+        };
+        let prior = DVector::from_iterator(n, self.free.iter().map(|k| tolerance(k).unwrap_or(0.0)));
+        let prior = DMatrix::from_diagonal(&prior);
+        let followed = || {
+            let all = Cholesky::new(DMatrix::from_row_slice(n, n, &self.covariance))?.inverse();
+            Some(Cholesky::new((all - &prior) / factor + &prior)?.inverse())
+        };
+        if let Some(covariance) = (factor != 1.0).then(followed).flatten() {
+            self.covariance = covariance.as_slice().to_vec();
+        }
+        self
     }
 
     /// The robot.

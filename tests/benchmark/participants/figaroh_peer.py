@@ -50,8 +50,10 @@ def main(folder, answer):
     rows, wanted = own.table(folder / "calibration.csv"), own.table(folder / "test_joints.csv")
     described = json.loads((folder / "chain.json").read_text())
     targets = sorted({r["target"] for r in rows})
-    if len(targets) > 1 or len({j["column"] for j in described["joints"]}) < len(described["joints"]):
-        raise SystemExit("left out: this script gives FIGAROH one target and chains without coupled joints")
+    if len(targets) > 1:
+        raise SystemExit("left out: several targets; the script gives FIGAROH one")
+    if len({j["column"] for j in described["joints"]}) < len(described["joints"]):
+        raise SystemExit("left out: coupled joints; the script gives FIGAROH one value a joint")
     oriented = "qw" in rows[0]
     nominal = own.Chain(folder / "chain.json", "nominal")
     some = rows[:: max(1, len(rows) // 40)]
