@@ -563,8 +563,8 @@ mod tests {
         assert!(read > 50, "{read}");
     }
 
-    /// A table with a head, further columns and a decimal comma, in many blocks; a fault of the head
-    /// or of one row is left to the strict reader.
+    /// A table with a head, further columns and a decimal comma, in many blocks; a fault of the
+    /// head or of one row is left to the strict reader.
     #[test]
     fn columns_that_nobody_asked_for_are_passed() {
         use etalon_tables::{ColumnSource, Decimal, Header};

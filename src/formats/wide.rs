@@ -1,5 +1,5 @@
-//! Rows of tables of points, read with AVX2. In rows of a label and three decimals, all separators of
-//! a line are found at once, and both halves of each number are converted at once. In rows with
+//! Rows of tables of points, read with AVX2. In rows of a label and three decimals, all separators
+//! of a line are found at once, and both halves of each number are converted at once. In rows with
 //! further columns, cells that are not read are passed 32 bytes at a time. Rows of any other kind,
 //! and other machines, read with the scanner.
 
@@ -56,9 +56,9 @@ pub(super) fn row(machine: V3, bytes: &[u8], at: usize, layout: Bare) -> Option<
     (x.1 & y.1 & z.1).then_some((&line[..label & (LINE - 1)], [x.0, y.0, z.0], next))
 }
 
-/// Label and coordinates of the line at `at`, and where the next line begins; `None` unless the line
-/// has all columns of the layout and no further ones, without quotes and letters beyond ASCII in the
-/// cells that are passed.
+/// Label and coordinates of the line at `at`, and where the next line begins; `None` unless the
+/// line has all columns of the layout and no further ones, without quotes and letters beyond ASCII
+/// in the cells that are passed.
 #[inline(always)]
 pub(super) fn picked<'a>(machine: V3, bytes: &'a [u8], at: usize, layout: &Plain) -> Option<PlainRow<'a>> {
     let mut line = Scanner { bytes, at, delimiter: layout.delimiter };
@@ -111,7 +111,7 @@ impl Window {
     }
 }
 
-/// Where the cell begins that follows `count` cells of a line; `None` if the line has fewer.
+/// Beginning of the cell that follows `count` cells of a line; `None` if the line has fewer.
 #[inline(always)]
 fn pass(machine: V3, line: &Scanner, mut count: usize) -> Option<usize> {
     let mut at = line.at;

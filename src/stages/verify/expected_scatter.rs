@@ -60,9 +60,9 @@ impl ExpectedScatter {
     }
 }
 
-/// Variance of the readings over the stated one: less than 1 if all residuals together are too small
-/// for the stated uncertainty, otherwise 1. An error that is common to all readings, which residuals
-/// do not show, moves the parameters and new readings of the instrument alike.
+/// Variance of the readings over the stated one: less than 1 if all residuals together are too
+/// small for the stated uncertainty, otherwise 1. An error that is common to all readings, which
+/// residuals do not show, moves the parameters and new readings of the instrument alike.
 pub fn variance_factor(residuals: &ResidualSummary) -> f64 {
     let dof = residuals.degrees_of_freedom;
     let is_short = |c: &f64| !chi_square_agrees(*c, dof) && !chi_square_exceeds(*c, dof);
