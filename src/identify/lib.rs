@@ -392,9 +392,21 @@ impl Fitted {
     /// # Errors
     /// Fails if settings and observations do not match, or if the solver fails.
     pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Result<Self> {
-        let start = start(robot, observations, settings)?;
+        Self::from_start(robot, observations, settings, &start(robot, observations, settings)?)
+    }
+
+    /// The solution of [`identify_from`], without its uncertainty.
+    ///
+    /// # Errors
+    /// Fails like [`Fitted::new`].
+    pub fn from_start(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        start: &[f64],
+    ) -> Result<Self> {
         let wanted = wanted_parameters(robot, observations, settings)?;
-        let found = solve_identifiable(robot, observations, settings, &wanted, &start)?;
+        let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
         let settings = Settings { prior: found.prior, ..settings.with_weight(found.weight) };
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values)?;
         let rms = judgement::uncertainty::rms_mm(&problem, &found.solution);

@@ -17,7 +17,7 @@ use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, PoseSet, Statistics};
 use etalon_identify::{
-    Condition, Effects, Identification, NestedFit, Observation, Settings, Status, Variance, effects,
+    Condition, Effects, Fitted, Identification, NestedFit, Observation, Settings, Status, Variance, effects,
 };
 use etalon_math::statistics::{mean, variance};
 use etalon_robots::{Effect, Robot};
@@ -139,6 +139,12 @@ impl<'a> Study<'a> {
         etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
+    /// Values of all parameters like those of an identification, without uncertainties.
+    fn fitted(&self, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
+        let found = Fitted::from_start(self.robot, observations, settings, &self.before).map_err(remedied)?;
+        Ok(found.values)
+    }
+
     /// Tries a choice of parameters, which may be made again in each fold from its identification.
     pub fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
         let choose = |observations: &[Observation], settings: &Settings| -> Result<Identification> {
@@ -148,14 +154,26 @@ impl<'a> Study<'a> {
                 None => Ok(found),
             }
         };
+        // parameters of a fold alone need no uncertainties
+        let values = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
+            match again {
+                Some(_) => Ok(choose(observations, settings)?.values),
+                None => self.fitted(observations, settings),
+            }
+        };
         let of_fold = |fold: &BTreeSet<PoseName>| -> Result<Squares> {
             let (sets, settings) = split(self.robot, self.sets, settings, fold);
-            let values = choose(&sets.calibration, &settings)?.values;
+            let values = values(&sets.calibration, &settings)?;
             Ok(self.squares_at(&sets.validation, &sets.validation_conditions, &values))
         };
-        let left_out = mean_squares(self.folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
-        let by_block = mean_squares(self.blocks.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?);
-        let found = choose(&self.sets.calibration, settings)?;
+        let squares = |folds: &[BTreeSet<PoseName>]| -> Result<Squares> {
+            Ok(mean_squares(folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?))
+        };
+        let of_folds = || -> Result<[Squares; 2]> { Ok([squares(&self.folds)?, squares(&self.blocks)?]) };
+        // folds leave a thread idle
+        let (parts, whole) = rayon::join(of_folds, || choose(&self.sets.calibration, settings));
+        let [left_out, by_block] = parts?;
+        let found = whole?;
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
         Ok(Tried { found, left_out, by_block, fitted })
     }
@@ -551,7 +569,7 @@ impl Trial<'_> {
         self.left_out(|fold| {
             let (sets, settings) = split(self.robot, self.sets, settings, fold);
             let before = etalon_identify::fit_frames(self.robot, &sets.calibration, &settings).ok()?;
-            let found = etalon_identify::identify_from(self.robot, &sets.calibration, &settings, &before).ok()?;
+            let found = Fitted::from_start(self.robot, &sets.calibration, &settings, &before).ok()?;
             Some(squares_at(self.robot, &sets.validation, &sets.validation_conditions, &found.values))
         })
     }
