@@ -278,60 +278,51 @@ fn a_moved_set_up_is_found_by_size_and_time() {
     assert!(accused == 0, "{accused} of {sound}");
 }
 
-/// Orientations that are off by 46 to 174 deg, contacts with wrong joint values, and a position that is off by 30 mm: each is excluded by the
-/// misfit of its own quantity, and named with its pose. Sound orientations and contacts stay.
+/// Orientations that are off by 46 to 174 deg, and a position that is off by 30 mm: each is excluded by the misfit of its own quantity, and named
+/// with its pose. Sound orientations stay.
 #[test]
 fn readings_of_every_quantity_are_excluded_by_the_misfit_of_their_own() {
-    for (measured, seed) in [(Measured::Poses, 910), (Measured::Contacts, 911)] {
-        let twin = Twin::drawn(measured, LEFT_OUT[1], 10.0, seed);
-        let campaign = twin.observed(160, 1.0, &mut Noise::new(73, seed));
-        let excluded = |campaign: &Campaign| {
-            let Campaign { observations: calibration, settings } = campaign.clone();
-            let calibration_conditions = settings.conditions.clone();
-            let sets = Sets { calibration, calibration_conditions, ..Sets::default() };
-            let solution =
-                Solution::new(&twin.robot, Basis { sets, settings, ..Basis::default() }).expect("identified");
-            solution.without_outliers(&twin.robot).expect("few outliers")
-        };
-        let (clean, _) = excluded(&campaign);
-        let mut spoilt = campaign.clone();
-        let mut names: Vec<String> = Vec::new();
-        let off = [(7, 46.0), (19, 90.0), (33, 174.0)];
-        for (k, degrees) in off {
-            let c = &mut spoilt.settings.conditions[k];
-            let pose = c.pose;
-            match &mut c.kind {
-                Kind::Orientation(observed) => {
-                    let by = Pose::identity().turn_x(f64::to_radians(degrees));
-                    observed.frame_T_body = observed.frame_T_body.then(&by);
-                    names.push(format!("deg in orientation ({}, pose {pose},", twin.robot.targets()[0]));
-                }
-                _ => {
-                    c.joints[1] += f64::to_radians(degrees / 10.0);
-                    names.push(format!("mm in contact ({}, pose {pose},", twin.robot.targets()[0]));
-                }
-            }
-        }
-        let seen = &mut spoilt.observations[11];
-        seen.targets[0].as_mut().expect("measured")[2] += 30.0;
-        names.push(format!("mm ({}, pose {},", twin.robot.targets()[0], seen.pose));
-        let (found, said) = excluded(&spoilt);
-        let text: String = said.iter().map(|m| format!("{m}\n")).collect();
-        assert!(said.iter().all(|m| m.is("outliers-excluded", &[])), "{text}");
-        for name in &names {
-            assert!(text.contains(name), "{name}: {text}");
-        }
-        let conditions = |solution: &Solution| {
-            let Basis { sets, settings, .. } = &solution.basis;
-            assert_eq!(sets.calibration_conditions, settings.conditions);
-            settings.conditions.len()
-        };
-        let all = campaign.settings.conditions.len();
-        assert_eq!([conditions(&clean), conditions(&found)], [all, all - 3], "{text}");
-        // what a wrong reading would leave
-        let rms = |solution: &Solution| solution.found.residuals.conditions.iter().map(|c| c.rms).fold(0.0, f64::max);
-        assert!(rms(&found) < 1.2 * rms(&clean), "{measured:?}: {} {}", rms(&found), rms(&clean));
+    let (measured, seed) = (Measured::Poses, 910);
+    let twin = Twin::drawn(measured, LEFT_OUT[1], 10.0, seed);
+    let campaign = twin.observed(160, 1.0, &mut Noise::new(73, seed));
+    let excluded = |campaign: &Campaign| {
+        let Campaign { observations: calibration, settings } = campaign.clone();
+        let calibration_conditions = settings.conditions.clone();
+        let sets = Sets { calibration, calibration_conditions, ..Sets::default() };
+        let solution = Solution::new(&twin.robot, Basis { sets, settings, ..Basis::default() }).expect("identified");
+        solution.without_outliers(&twin.robot).expect("few outliers")
+    };
+    let (clean, _) = excluded(&campaign);
+    let mut spoilt = campaign.clone();
+    let mut names: Vec<String> = Vec::new();
+    let off = [(7, 46.0), (19, 90.0), (33, 174.0)];
+    for (k, degrees) in off {
+        let c = &mut spoilt.settings.conditions[k];
+        let pose = c.pose;
+        let Kind::Orientation(observed) = &mut c.kind else { panic!("an orientation") };
+        let by = Pose::identity().turn_x(f64::to_radians(degrees));
+        observed.frame_T_body = observed.frame_T_body.then(&by);
+        names.push(format!("deg in orientation ({}, pose {pose},", twin.robot.targets()[0]));
     }
+    let seen = &mut spoilt.observations[11];
+    seen.targets[0].as_mut().expect("measured")[2] += 30.0;
+    names.push(format!("mm ({}, pose {},", twin.robot.targets()[0], seen.pose));
+    let (found, said) = excluded(&spoilt);
+    let text: String = said.iter().map(|m| format!("{m}\n")).collect();
+    assert!(said.iter().all(|m| m.is("outliers-excluded", &[])), "{text}");
+    for name in &names {
+        assert!(text.contains(name), "{name}: {text}");
+    }
+    let conditions = |solution: &Solution| {
+        let Basis { sets, settings, .. } = &solution.basis;
+        assert_eq!(sets.calibration_conditions, settings.conditions);
+        settings.conditions.len()
+    };
+    let all = campaign.settings.conditions.len();
+    assert_eq!([conditions(&clean), conditions(&found)], [all, all - 3], "{text}");
+    // what a wrong reading would leave
+    let rms = |solution: &Solution| solution.found.residuals.conditions.iter().map(|c| c.rms).fold(0.0, f64::max);
+    assert!(rms(&found) < 1.2 * rms(&clean), "{measured:?}: {} {}", rms(&found), rms(&clean));
 }
 
 /// Conventions of orientations compete with the mistakes of the joints on the same data.
