@@ -166,11 +166,11 @@ class AxisEntry(Record):
     axial_error_motion_mm: float | None
     """Axial error motion (ISO 230-7), peak to valley; from three targets."""
     coordinate_standard_uncertainty_mm: float
-    """Standard uncertainty of a coordinate: as stated, or from the residuals."""
+    """Standard uncertainty of a coordinate: as given, or from the residuals."""
     covariance: NDArray[np.float64]
     """Covariance of point (mm) and direction, 6 × 6, in this order."""
     degrees_of_freedom: int | None
-    """Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if it is stated."""
+    """Degrees of freedom of that uncertainty, effective ones where deviations are smooth; absent if it is given."""
     direction: NDArray[np.float64]
     """Unit direction of positive motion."""
     direction_standard_uncertainty_deg: float
@@ -196,7 +196,7 @@ class AxisEntry(Record):
     readings: int
     """Number of readings."""
     set_aside: list[int]
-    """Lines of readings that are set aside."""
+    """Lines of readings that are excluded."""
     tilt_by_noise: MotionByNoise | None
     """Tilt error motion (deg) that noise alone gives."""
     tilt_error_motion_deg: float | None
@@ -292,7 +292,7 @@ class BatchCheck(Record):
 class BatchEntry(Record):
     """One campaign of a batch."""
     alike: str | None
-    """Robots that are alike have the same text: type as stated, otherwise model and nominal parameters. Results are
+    """Robots that are alike have the same text: type as given, otherwise model and nominal parameters. Results are
     compared among robots that are alike.
     """
     campaign: str
@@ -316,7 +316,7 @@ class BatchEntry(Record):
     synthetic: bool
     """`true` if the data are synthetic."""
     valid_until: str | None
-    """Last day on which the calibration is valid, as stated: year-month-day."""
+    """Last day on which the calibration is valid, as given: year-month-day."""
     verdict: str | None
     """Verdict on the result; null if it was not judged or the campaign did not run."""
 
@@ -332,13 +332,13 @@ class BudgetSource(Record):
 class CampaignReference(Record):
     """Campaign to which an answer refers."""
     date: str | None
-    """Date as stated."""
+    """Date as given."""
     instrument: str | None
     """Measuring instrument."""
     name: str
     """Name of the campaign."""
     robot: str | None
-    """Name of the robot, if its file states one."""
+    """Name of the robot, if its file contains one."""
     synthetic: str | None
     """Explanation of synthetic data; absent for measured data."""
 
@@ -383,7 +383,7 @@ class CellFrameEntry(Record):
     standard_uncertainty_deg: NDArray[np.float64] | None
     """Standard uncertainties of a small rotation about the axes of the reference frame (deg)."""
     standard_uncertainty_mm: NDArray[np.float64] | None
-    """Standard uncertainties of the position; absent without redundancy or stated uncertainty."""
+    """Standard uncertainties of the position; absent without redundancy or given uncertainty."""
     xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
@@ -409,7 +409,7 @@ class CellPointEntry(Record):
     reference: str
     """Reference frame: `flange` or `base`."""
     standard_uncertainty_mm: NDArray[np.float64] | None
-    """Standard uncertainties; absent without redundancy or stated uncertainty."""
+    """Standard uncertainties; absent without redundancy or given uncertainty."""
     xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
@@ -467,7 +467,7 @@ class CompareChange(Record):
 class CompareTogether(Record):
     """Joint test of all robot parameters of two campaigns."""
     degrees_of_freedom: float | None
-    """Degrees of freedom of the covariances; null if the uncertainties are stated rather than estimated."""
+    """Degrees of freedom of the covariances; null if the uncertainties are given rather than estimated."""
     f: float
     """Δᵀ (C₁ + C₂)⁻¹ Δ divided by the number of parameters; about 1 if nothing changed."""
     from_: int
@@ -510,13 +510,13 @@ class CompareValue(Record):
 class ComparedCampaign(Record):
     """One campaign."""
     conditions: Conditions
-    """Conditions as stated."""
+    """Conditions as given."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
-    """Date as stated."""
+    """Date as given."""
     degrees_of_freedom: float | None
-    """Degrees of freedom of the standard uncertainties; null if the uncertainties are stated rather than estimated."""
+    """Degrees of freedom of the standard uncertainties; null if the uncertainties are given rather than estimated."""
     expanded_uncertainty_um: float | None
     """Expanded uncertainty of one coordinate."""
     folder: str
@@ -528,7 +528,7 @@ class ComparedCampaign(Record):
     name: str
     """Name of the campaign."""
     robot: str | None
-    """Name of the robot, if its file states one."""
+    """Name of the robot, if its file contains one."""
     synthetic: str | None
     """Explanation of synthetic data; absent for measured data."""
     uncertainties_from: str | None
@@ -573,7 +573,7 @@ class Conditions(Record):
     controller: str | None
     """Make, type and software version of the controller."""
     deviations: list[str] | None
-    """Deviations from the standard; an empty list states that there were no deviations."""
+    """Deviations from the standard; an empty list says that there were no deviations."""
     environment: str | None
     """Room, air, vibrations, electromagnetic fields."""
     humidity_percent: float | None
@@ -640,7 +640,7 @@ class ControllerFiles(Record):
     formats: list[str]
     """Names of the formats."""
     left_out: list[str]
-    """Identified parameters that the formats do not hold. They were at nominal when the others were identified
+    """Identified parameters that the formats cannot contain. They were at nominal when the others were identified
     again.
     """
     values: Records[WrittenParameter]
@@ -684,7 +684,7 @@ class DesignParameter(Record):
     """`mm`, `deg` or `1`."""
 
 class DetectionPower(Record):
-    """Smallest movements that the observations would have detected."""
+    """Smallest movements that the observations can detect."""
     least: Records[LeastDetectable]
     """One entry each for `shift` and `rotation` of the base in the least observable direction, and for every joint."""
     naming: float
@@ -712,8 +712,8 @@ class DistanceStatistics(Record):
     expanded_p95_mm: float | None
     """Expanded uncertainty (mm, k = 2) of `after.p95`."""
     expanded_rms_mm: float | None
-    """Expanded uncertainty (mm, k = 2) of `after.rms` by instrument, frames and base; the parameters are judged and
-    contribute nothing. Absent without a stated uncertainty.
+    """Expanded uncertainty (mm, k = 2) of `after.rms` by instrument, frames and base; the judged parameters do not
+    contribute. Absent without a given uncertainty.
     """
     from_mm: float
     """Shortest measured distance of the range (mm)."""
@@ -735,7 +735,7 @@ class DistributionEntry(Record):
     interval_95: NDArray[np.float64] | None
     """2.5th and 97.5th percentiles of the draws; absent for errors."""
     linear: float | None
-    """Standard uncertainty by linear propagation of what the draws contain, for comparison."""
+    """Standard uncertainty by linear propagation of the same contributions as in the draws, for comparison."""
     mean: float | None
     """Mean of the draws. Absent for errors: draws add scatter to the scatter of the readings, which increases sizes."""
     name: str
@@ -752,7 +752,7 @@ class DistributionEntry(Record):
     """Result of the campaign."""
 
 class EffectProof(Record):
-    """Benefit of an effect of the robot at calibration poses that are left out of the identification."""
+    """Benefit of an effect of the robot at calibration poses that are excluded from the identification."""
     effect: str
     """Effect."""
     gain_over_u: float | None
@@ -766,9 +766,9 @@ class EffectProof(Record):
     robot_key: str | None
     """Line of robot.toml that describes the effect; absent if robot.toml contains it."""
     with_mm: float
-    """Root-mean-square position error at poses that were left out, with the effect (mm)."""
+    """Root-mean-square position error at poses that were excluded, with the effect (mm)."""
     without_mm: float
-    """Root-mean-square position error at poses that were left out, without the effect (mm)."""
+    """Root-mean-square position error at poses that were excluded, without the effect (mm)."""
 
 class EffectStep(Record):
     """Trial of an effect in addition to the effects accepted before."""
@@ -779,9 +779,9 @@ class EffectStep(Record):
     f: float | None
     """F statistic of the improvement over the previous step."""
     gain_over_u: float | None
-    """Decrease of the mean square error at poses that were left out, over its standard uncertainty."""
+    """Decrease of the mean square error at poses that were excluded, over its standard uncertainty."""
     held_out_rms_mm: float
-    """Root-mean-square position error at poses that were left out (mm)."""
+    """Root-mean-square position error at poses that were excluded (mm)."""
     identified: int
     """Number of identified parameters in this step."""
     p_value: float | None
@@ -819,7 +819,7 @@ class Explanation(Record):
     expected: str | None
     """Expected value or state; null if the text contains it."""
     hint: str | None
-    """Hint of the message; null without a hint of its own."""
+    """Hint of the message; null if the message has no hint."""
     id: str
     """Id of the message."""
     meaning: str
@@ -910,11 +910,11 @@ class FieldInputEntry(Record):
     """Length of one unit of distance (mm or deg)."""
 
 class FieldParameter(Record):
-    """Parameter that goes with the field."""
+    """Parameter that belongs to the field."""
     name: str
     """Name."""
     role: str
-    """Owner of the parameter. Programs without the measured targets leave those of targets out."""
+    """Owner of the parameter. Programs without the measured targets omit the parameters of targets."""
     shift: float
     """Change from `parameters.json`."""
     unit: str
@@ -1057,29 +1057,29 @@ class FitSolver(Record):
     """Reason of the termination."""
 
 class FitStated(Record):
-    """Values that a file states for a feature, and their differences from the fit."""
+    """Values that a file contains for a feature, and their differences from the fit."""
     apex_angle_deg: float | None
-    """Stated full angle of a cone."""
+    """Given full angle of a cone."""
     apex_angle_less_stated_deg: float | None
-    """Fitted minus stated full angle."""
+    """Fitted minus given full angle."""
     direction: NDArray[np.float64] | None
-    """Stated normal or direction."""
+    """Given normal or direction."""
     direction_apart_deg: float | None
-    """Angle between the stated and the fitted direction."""
+    """Angle between the given and the fitted direction."""
     id: str
     """Id of the feature in the file."""
     minor_radius_less_stated_mm: float | None
-    """Fitted minus stated radius of the tube."""
+    """Fitted minus given radius of the tube."""
     minor_radius_mm: float | None
-    """Stated radius of the tube of a torus."""
+    """Given radius of the tube of a torus."""
     point_apart_mm: float | None
-    """Distance between the stated point and the fitted centre, axis, line or plane."""
+    """Distance between the given point and the fitted centre, axis, line or plane."""
     point_mm: NDArray[np.float64] | None
-    """Stated location or point of the axis."""
+    """Given location or point of the axis."""
     radius_less_stated_mm: float | None
-    """Fitted minus stated radius."""
+    """Fitted minus given radius."""
     radius_mm: float | None
-    """Stated radius."""
+    """Given radius."""
 
 class FitUncertainty(Record):
     """Standard uncertainties (k = 1) of the quantities of a fit."""
@@ -1127,7 +1127,7 @@ class FramePose(Record):
     covariance: NDArray[np.float64] | None
     """Covariance from the uncertainty of the points that define the frame: of a small shift along the axes of the
     world (mm), followed by a small rotation about them (rad). In a planar world the shift is that at the height
-    of the targets. Absent if the exports state the frame.
+    of the targets. Absent if the exports contain the frame.
     """
     cycle: int | None
     """Cycle number; absent if the frame applies to all cycles."""
@@ -1141,7 +1141,7 @@ class GeneratedCandidates(Record):
     beyond_limits: int
     """Draws beyond limits of joints or links, or without a pose."""
     box_mm: Record
-    """Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as stated."""
+    """Box of the targets in the base of the robot: smallest and largest `x`, `y`, `z` as given."""
     draws: int
     """Number of draws."""
     facing_away: int
@@ -1189,7 +1189,7 @@ class GeometricStep(Record):
     otherwise 1.
     """
     expected_mm: float
-    """Standard deviation expected from the instrument's stated uncertainty."""
+    """Standard deviation expected from the instrument's given uncertainty."""
     max_mm: float
     """Largest residual."""
     name: str
@@ -1207,7 +1207,7 @@ class GivenSummary(Record):
     """Origin of base and targets."""
     p_value: float | None
     """Probability of errors at least this large if the given parameters, base and targets are right within their
-    uncertainty and that of the measurement. Absent if base and targets were fitted.
+    uncertainty and the uncertainty of the measurement. Absent if base and targets were fitted.
     """
     refused: bool
     """`true` if the parameters must not be used on this robot: errors with them are larger than with nominal
@@ -1226,7 +1226,7 @@ class GreedySummary(Record):
     """Index of the poses."""
 
 class HeldOutErrors(Record):
-    """Errors at poses that were left out of the identification of parameters."""
+    """Errors at poses that were excluded from the identification of parameters."""
     all: Statistics
     """Errors with all parameters that the run identifies."""
     none: Statistics
@@ -1252,7 +1252,9 @@ class IntervalScore(Record):
     coverage: float
     """Share of measured values within their intervals."""
     coverage_interval: NDArray[np.float64] | None
-    """Exact interval of the coverage at the same probability (Clopper & Pearson 1934). Each pose counts as one trial: the values of one pose share its error."""
+    """Exact interval of the coverage at the same probability (Clopper & Pearson 1934). Each pose counts as one
+    trial: the values of one pose share its error.
+    """
     coverage_standard_uncertainty: float | None
     """Standard uncertainty of the coverage from the scatter between poses; absent with fewer than two poses."""
     mean_score: float
@@ -1325,13 +1327,13 @@ class Iso9283Corner(Record):
 class Iso9283Distance(Record):
     """Distance between two poses (7.3)."""
     ad_angles_deg: NDArray[np.float64]
-    """AD of the measured angles, in the order a, b, c; empty if those of a pose are not separable."""
+    """AD of the measured angles, in the order a, b, c; empty if the angles of a pose are not separable."""
     ad_axes_mm: NDArray[np.float64]
     """AD_x, AD_y and, if spatial, AD_z."""
     ad_mm: float
     """AD_p: mean attained minus commanded distance."""
     ad_rotation_deg: float | None
-    """AD of the angle between the two orientations, where angles are not separable and their order is stated."""
+    """AD of the angle between the two orientations, where angles are not separable and their order is given."""
     cycles: int
     """Number of cycles with both poses."""
     poses: list[int | str]
@@ -1354,7 +1356,7 @@ class Iso9283Drift(Record):
     drp_mm: float
     """|RP at the start − RP at the end|."""
     is_significant: bool
-    """`true` if dAP exceeds what the scatter within the sets explains, at a significance level of 0.1 %."""
+    """`true` if dAP exceeds the scatter within the sets, at a significance level of 0.1 %."""
     pose: int | str
     """Name of the pose."""
     rp_mm: NDArray[np.float64]
@@ -1403,9 +1405,9 @@ class Iso9283Item(Record):
 class Iso9283NamedStream(Record):
     """A recorded motion."""
     band_mm: float | None
-    """Limit band, if stated."""
+    """Limit band, if given."""
     file: str
-    """File, as the campaign names it."""
+    """File, as in the campaign."""
     name: str
     """Name in the campaign."""
     stream: Iso9283StreamDocument
@@ -1451,7 +1453,7 @@ class Iso9283Path(Record):
     rt_mm: float | None
     """RT_p (8.3): largest mean radius plus three standard deviations; null with a single pass."""
     velocity: Iso9283Velocity | None
-    """Velocity, if the commanded velocity is stated."""
+    """Velocity, if the commanded velocity is given."""
 
 class Iso9283PathPoint(Record):
     """One command point."""
@@ -1469,7 +1471,7 @@ class Iso9283PathPoint(Record):
 class Iso9283Places(Record):
     """A list of poses, or a path."""
     joints: list[Record | None]
-    """Joint values at each place if a robot is stated; null if out of reach."""
+    """Joint values at each place if a robot is given; null if out of reach."""
     name: str
     """Name of the list, and of its files."""
     points: list[Record]
@@ -1480,7 +1482,7 @@ class Iso9283Places(Record):
     """Purpose of the list."""
 
 class Iso9283Pose(Record):
-    """Accuracy and repeatability of one pose. Coordinates that the robot lacks are absent."""
+    """Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent."""
     ap_a_deg: float | None
     """AP_a."""
     ap_b_deg: float | None
@@ -1488,9 +1490,9 @@ class Iso9283Pose(Record):
     ap_c_deg: float | None
     """AP_c."""
     ap_conformity: str | None
-    """Conformity of AP with the stated limit."""
+    """Conformity of AP with the given limit."""
     ap_interval: Iso9283Interval | None
-    """95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
+    """95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if given; null with fewer
     than three visits.
     """
     ap_interval_analytic: Iso9283Interval | None
@@ -1498,8 +1500,8 @@ class Iso9283Pose(Record):
     ap_mm: float | None
     """AP_p (7.2.1); this and its coordinates are null if no position was commanded."""
     ap_rotation_deg: NDArray[np.float64] | None
-    """Rotation from the commanded to the mean orientation about x, y and z of the table, as a rotation vector;
-    instead of AP_a, AP_b and AP_c where two rotations have nearly the same axis and their order is stated.
+    """Rotation from the commanded to the mean orientation about x, y and z of the table, as a rotation vector. It
+    replaces AP_a, AP_b and AP_c if two rotations have nearly the same axis and their order is given.
     """
     ap_x_mm: float | None
     """AP_x: mean minus commanded position."""
@@ -1538,9 +1540,9 @@ class Iso9283Pose(Record):
     rp_c_deg: float | None
     """RP_c."""
     rp_conformity: str | None
-    """Conformity of RP with the stated limit."""
+    """Conformity of RP with the given limit."""
     rp_interval: Iso9283Interval | None
-    """95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if stated; null with fewer
+    """95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if given; null with fewer
     than three visits.
     """
     rp_interval_analytic: Iso9283Interval | None
@@ -1566,7 +1568,7 @@ class Iso9283Pose(Record):
     sd_radius_mm: float | None
     """Standard deviation of the distance from the barycentre."""
     uncertainty_over_ap: float | None
-    """Expanded uncertainty of the instrument for a position (k = 2) over AP, if stated."""
+    """Expanded uncertainty of the instrument for a position (k = 2) over AP, if given."""
     uncertainty_over_rp: float | None
     """Expanded uncertainty of the instrument over RP."""
 
@@ -1607,7 +1609,9 @@ class Iso9283Standstill(Record):
     mean_mm: NDArray[np.float64]
     """Mean position of the middle half: x, y and, if measured, z."""
     noise_mm: float | None
-    """Noise of instrument and hold: mean radius plus three standard deviations of the samples of the middle half."""
+    """Noise of the instrument and of the robot at standstill: mean radius plus three standard deviations of the
+    samples of the middle half.
+    """
     overshoot_mm: float | None
     """Overshoot of the arrival (7.5); null without a limit band."""
     pose: int | str | None
@@ -1624,7 +1628,7 @@ class Iso9283Standstill(Record):
     """Time of the last sample."""
 
 class Iso9283Unreached(Record):
-    """A place that the stated robot does not reach."""
+    """A place that the given robot does not reach."""
     places: str
     """Name of the list."""
     point: int
@@ -1650,7 +1654,7 @@ class Iso9283Variation(Record):
     """vAP_p: largest distance between the barycentres of two approaches."""
     vap_rotation_deg: float | None
     """Largest angle between the mean orientations of two approaches, where angles are not separable and their order
-    is stated.
+    is given.
     """
 
 class Iso9283Velocity(Record):
@@ -1699,13 +1703,13 @@ class Iso9283Weaving(Record):
     """WS: attained minus commanded stroke (% of the commanded stroke)."""
 
 class Issue(Record):
-    """Identification of a report (ISO/IEC 17025:2017, 7.8.2.1). A report shows missing entries as "not stated"."""
+    """Identification of a report (ISO/IEC 17025:2017, 7.8.2.1). A report shows missing entries as "not given"."""
     amends: str | None
     """Number and date of the report that this report amends or replaces, and the reason."""
     authorised_by: str | None
     """Person who authorises the report: name and function."""
     country: Any
-    """Country in which the calibration was made, by ISO 3166-1."""
+    """Country in which the calibration was made (ISO 3166-1)."""
     customer: str | None
     """Name and contact of the customer."""
     external_results: str | None
@@ -1716,8 +1720,8 @@ class Issue(Record):
     """Number of the report, unique in the laboratory."""
 
 class JointExtrapolation(Record):
-    """Growth of the errors of predictions beyond the measured values of a joint, from poses of one half of its
-    values that the other half predicts.
+    """Growth of the errors of predictions beyond the measured values of a joint. It is estimated by predicting one
+    half of the joint's values from the other half.
     """
     distance: float
     """Distance beyond these values at which the excess variances apply. Their square roots grow with the distance."""
@@ -1744,8 +1748,8 @@ class JointTravel(Record):
 class KinematicsEntry(Record):
     """A pose of the tool in the base frame with joint values."""
     free_joints: list[str]
-    """Joints that can move without moving the tool, at a singular pose; the joint values are then those of the
-    family that are nearest to the start.
+    """Joints that can move without moving the tool, at a singular pose; of all solutions, the joint values are then
+    the nearest to the start.
     """
     joints: NDArray[np.float64]
     """Joint values (mm or deg), in the order of the columns."""
@@ -1903,7 +1907,7 @@ class MeanError(Record):
     """Error along y."""
 
 class MeasuringOrder(Record):
-    """Order in which poses are measured: nearest neighbour and exchanges of legs (2-opt)."""
+    """Order in which poses are measured: nearest neighbour and swaps of legs (2-opt)."""
     indices: list[int]
     """Indices of `chosen`, from 0, in the order of measurement."""
     motion: float
@@ -2067,7 +2071,7 @@ class ParameterEntry(Record):
     status: str
     """Identified, fixed or not identifiable."""
     tolerance: float | None
-    """Tolerance about the nominal value, if the robot's file states one."""
+    """Tolerance about the nominal value, if the robot's file contains one."""
     unit: str
     """`mm`, `deg` or `1`."""
     value: float
@@ -2086,7 +2090,7 @@ class ParameterInfluence(Record):
     standard_uncertainty_mm: float | None
     """Displacement of the point by the standard uncertainty of the parameter (mm, k = 1)."""
     tolerance_mm: float | None
-    """Displacement of the point by the stated tolerance of the parameter (mm)."""
+    """Displacement of the point by the given tolerance of the parameter (mm)."""
 
 class ParameterVerdict(Record):
     """Part of a parameter in the answer, and the evidence for its change."""
@@ -2118,7 +2122,7 @@ class ParameterVerdict(Record):
     unit: str
     """Unit of the parameter."""
     verdict: str
-    """Verdict: load or hold."""
+    """Verdict: load the parameters, or do not load them."""
 
 class Phrase(Record):
     """Text of the catalogue with its arguments."""
@@ -2132,7 +2136,7 @@ class Place(Record):
     column: int | None
     """Column in characters, from 1."""
     file: str
-    """File as the campaign names it."""
+    """File as in the campaign."""
     line: int | None
     """Line, from 1."""
     text: str | None
@@ -2160,9 +2164,9 @@ class PlannedObstacle(Record):
     is_link: bool
     """`true` if the body is a link of the arm, which moves with the joint of this name."""
     name: str
-    """Name; that of its joint for a link."""
+    """Name; for a link, the name of its joint."""
     stated: str
-    """Shape and size (mm), as stated."""
+    """Shape and size (mm), as given."""
 
 class PlannedParameter(Record):
     """One parameter and its predicted uncertainty."""
@@ -2173,7 +2177,7 @@ class PlannedParameter(Record):
     name: str
     """Name as in the thesis."""
     standard_uncertainty: float | None
-    """Predicted standard uncertainty; absent if the instrument's uncertainty is not stated."""
+    """Predicted standard uncertainty; absent if the instrument's uncertainty is not given."""
     unit: str
     """`mm`, `deg` or `1`."""
 
@@ -2193,16 +2197,16 @@ class PlannedProgram(Record):
     language: str
     """Language."""
     trigger: str | None
-    """Digital output that is on during the second half of the waiting time, if stated."""
+    """Digital output that is on during the second half of the waiting time, if given."""
 
 class PlannedReflector(Record):
     """A reflector on the flange."""
     acceptance_deg: float | None
-    """Largest angle between the axis and the direction to the instrument, if stated."""
+    """Largest angle between the axis and the direction to the instrument, if given."""
     at_mm: NDArray[np.float64]
     """Nominal position in the frame of the flange."""
     axis: NDArray[np.float64] | None
-    """Outward axis in the frame of the flange, if stated."""
+    """Outward axis in the frame of the flange, if given."""
     name: str
     """Name of the target."""
 
@@ -2321,7 +2325,7 @@ class QuantityScore(Record):
     errors: Statistics
     """Distances of predicted from measured positions, or angles between orientations."""
     intervals: IntervalScore | None
-    """Intervals of coordinates, or of rotations about the axes of the world; absent if the predictions state none."""
+    """Intervals of coordinates, or of rotations about the axes of the world; absent if the predictions give none."""
     unit: str
     """Unit of errors and widths: mm or deg."""
 
@@ -2347,7 +2351,7 @@ class Reading(Record):
 class ReferenceFile(Record):
     """File of the reference data."""
     expected_sha256: str
-    """SHA-256 that the program states."""
+    """SHA-256 that the program gives."""
     name: str
     """Name of the file."""
     pass_: bool
@@ -2364,8 +2368,8 @@ class ReferencePose(Record):
     nominal_mm: NDArray[np.float64]
     """Flange origin, and the points 100 mm along its x and y axes, at nominal parameters (mm)."""
     varied_mm: NDArray[np.float64]
-    """These points with each parameter of the robot 0.1 mm, 0.1 deg or 0.0001 above its nominal value (mm): effects
-    whose nominal values are zero show here.
+    """These points with each parameter of the robot 0.1 mm, 0.1 deg or 0.0001 above its nominal value (mm): this
+    shows effects whose nominal values are zero.
     """
 
 class Refused(Record):
@@ -2399,7 +2403,7 @@ class RelativeAccuracy(Record):
     """All distances."""
     available: int
     """Number of pairs of readings of one target at different poses. Of more than 100 000 pairs an even selection is
-    counted: `all.pairs`; the largest error is that of the selection.
+    counted: `all.pairs`; the largest error is the largest in the selection.
     """
     set: str
     """Set of poses: `validation`, or `calibration` in a campaign without validation poses."""
@@ -2423,13 +2427,13 @@ class ReliabilitySummary(Record):
     median_detectable_mm: float | None
     """Smallest detectable error of a coordinate, 4.13 σ / √r (mm): median over the readings."""
     poses: Records[InfluenceEntry]
-    """Poses whose omission would change the parameters most."""
+    """Poses whose omission changes the parameters most."""
     power: float
     """Power β0 with which an error of detectable size is detected."""
     readings: int
     """Number of measured positions."""
     sigma_mm: float
-    """Standard deviation σ of a coordinate (mm): the stated one if it explains the residuals, otherwise estimated
+    """Standard deviation σ of a coordinate (mm): the given one if it explains the residuals, otherwise estimated
     from the residuals.
     """
     significance: float
@@ -2462,8 +2466,8 @@ class Replicates(Record):
 class ResidualSummary(Record):
     """Residuals of the identification."""
     between_series: SeriesScatter | None
-    """Scatter of the parameters between the series of the campaign (`series` in campaign.toml), as far as it exceeds
-    the scatter between regions of the workspace. Absent for one series.
+    """Scatter of the parameters between the series of the campaign (`series` in campaign.toml), beyond the scatter
+    between regions of the workspace. Absent for one series.
     """
     chi_square: float | None
     """Chi-square with both stated uncertainties."""
@@ -2472,8 +2476,8 @@ class ResidualSummary(Record):
     level of 0.1 %.
     """
     common_standard_uncertainty_mm: float | None
-    """Standard uncertainty common to all observations of the same coordinates (mm): of the instrument, if that of
-    the contact is stated separately.
+    """Standard uncertainty common to all observations of the same coordinates (mm): of the instrument, if the
+    uncertainty of the contact is given separately.
     """
     conditions: Records[QuantityResiduals]
     """Residuals of each quantity other than positions of targets."""
@@ -2510,7 +2514,7 @@ class ResidualSummary(Record):
     rms: float
     """Root mean square (mm). Pose residuals mix mm and rad (thesis, eq. 3.26)."""
     stated_standard_uncertainty_mm: float | None
-    """Stated standard uncertainty of one coordinate (mm): of the contact if stated separately, otherwise of the
+    """Given standard uncertainty of one coordinate (mm): of the contact if given separately, otherwise of the
     instrument.
     """
     stated_values: int
@@ -2518,7 +2522,7 @@ class ResidualSummary(Record):
     fixed points.
     """
     uncertainties_enlarged_by: float
-    """Median ratio of the standard uncertainties to the uncertainties from the instrument alone. Without a stated
+    """Median ratio of the standard uncertainties to the uncertainties from the instrument alone. Without a given
     uncertainty of the instrument, to the uncertainties from independent residuals.
     """
     uncertainties_from: str
@@ -2548,8 +2552,8 @@ class RobustParameter(Record):
     difference: float
     """Robust minus least-squares value."""
     difference_over_u: float
-    """Difference over its standard uncertainty if all readings are sound. For normal residuals that is √(1/0.95 − 1)
-    = 0.23 of the standard uncertainty of the parameter.
+    """Difference over its standard uncertainty if all readings are correct. For normal residuals that is √(1/0.95 −
+    1) = 0.23 of the standard uncertainty of the parameter.
     """
     name: str
     """Name of the parameter."""
@@ -2568,8 +2572,8 @@ class RobustPose(Record):
     """Smallest weight of the pose's residuals, 1 / (1 + (r / c σ)²) (0 to 1)."""
 
 class RobustSummary(Record):
-    """Robust fit beside the least-squares fit: an M-estimator with Cauchy loss that starts at the least-squares
-    optimum.
+    """Robust fit in addition to the least-squares fit: an M-estimator with Cauchy loss that starts at the least-
+    squares optimum.
     """
     constant: float
     """Constant c of the loss c² ln(1 + (r / c σ)²). With c = 2.385 the variance of parameters is 5 % larger than by
@@ -2577,11 +2581,11 @@ class RobustSummary(Record):
     """
     critical: float
     """Critical value of `difference_over_u`: with a probability of 99 % no parameter exceeds this value if all
-    readings are sound.
+    readings are correct.
     """
     critical_residual: float
     """Critical value of a residual over σ: with a probability of 99 % no residual exceeds this value if all readings
-    are sound.
+    are correct.
     """
     disagreeing: int
     """Number of poses with a residual beyond the critical value."""
@@ -2590,7 +2594,7 @@ class RobustSummary(Record):
     poses: Records[RobustPose]
     """Poses of smallest weight, ascending."""
     sigma_mm: float
-    """Standard deviation σ of a coordinate (mm): from the median residual, but at least the stated one."""
+    """Standard deviation σ of a coordinate (mm): from the median residual, but at least the given one."""
 
 class ScaleBarResult(Record):
     """Distance errors of a scale bar."""
@@ -2639,7 +2643,7 @@ class SelftestCheck(Record):
     """Unit of the values; empty for pure numbers."""
 
 class SelftestMustFail(Record):
-    """A slip in the reference data, with which the tests of a requirement were repeated."""
+    """A seeded fault in the reference data, with which the tests of a requirement were repeated."""
     checks: int
     """Number of tests."""
     failed: int
@@ -2649,7 +2653,7 @@ class SelftestMustFail(Record):
     pass_: bool
     """`true` if at least one test failed, as it must."""
     slip: str
-    """Slip, in English."""
+    """Seeded fault, in English."""
     slip_phrase: Phrase
     """Text of the catalogue that is `slip` in English."""
 
@@ -2679,9 +2683,9 @@ class SelftestPerformance(Record):
 class SelftestProgram(Record):
     """Program file."""
     expected_sha256: str | None
-    """Stated SHA-256 (`--program-sha256`); null if none was stated."""
+    """Given SHA-256 (`--program-sha256`); null if none was given."""
     pass_: bool
-    """`true` if the file could be read and has the stated hash."""
+    """`true` if the file could be read and has the given hash."""
     sha256: str | None
     """SHA-256 of the program file; null if the file cannot be read."""
     version: str
@@ -2749,7 +2753,7 @@ class Source(Record):
     dialect_phrase: Phrase | None
     """Text of the catalogue that is `dialect` in English."""
     file: str
-    """File, as the campaign names it."""
+    """File, as in the campaign."""
     kind: str
     """`export`, `log`, `campaign` or `robot`."""
     refused: Records[Refused]
@@ -2936,9 +2940,9 @@ class ToolAccuracy(Record):
     """Set of poses: `validation`, or `calibration` in a campaign without validation poses."""
 
 class Uncontrolled(Record):
-    """An error that no reading would show."""
+    """An error that no reading can show."""
     keys: list[str]
-    """Keys that would control the error."""
+    """Keys of measurements that can show the error."""
     points: list[str]
     """Labels, features or targets with the error; empty if it concerns all readings."""
     what: str
@@ -2949,7 +2953,7 @@ class Uncontrolled(Record):
 class Unmatched(Record):
     """A row without a partner in the join, or with more than one; or a point that nothing uses."""
     file: str
-    """File, as the campaign names it."""
+    """File, as in the campaign."""
     key: str
     """Join key of the row in words: pose and cycle, row, or time; the label of a point."""
     line: int
@@ -2992,7 +2996,7 @@ class UntestedMistake(Record):
     flange_mm: float
     """Largest change of the position of the flange at poses around the measured ones (mm)."""
     stated_mm: float
-    """Standard deviation of a residual with the set-up as stated (mm)."""
+    """Standard deviation of a residual with the set-up as given (mm)."""
 
 class ValidationDistance(Record):
     """Distances from the validation poses to their nearest calibration poses, relative to the spacing of the
@@ -3067,7 +3071,7 @@ class WrittenController(Record):
     format: str
     """Name of the format."""
     left_out: list[str]
-    """Identified parameters that the format does not hold."""
+    """Identified parameters that the format cannot contain."""
     messages: Records[Message]
     """Warnings about this file."""
 
@@ -3111,7 +3115,7 @@ class AccuracyDocument(Document):
     budget: Records[FigureBudget]
     """Standard uncertainties of the limited errors after calibration: of the validation poses, or of the calibration
     poses in a campaign without validation. The parameters are under test and contribute nothing. Empty if no
-    uncertainty is stated.
+    uncertainty is given.
     """
     campaign: CampaignReference | None
     """Campaign whose data judge given parameters; absent in the output folder of a run."""
@@ -3120,7 +3124,7 @@ class AccuracyDocument(Document):
     definition_phrase: Phrase | None
     """Text of the catalogue that is `definition` in English."""
     effects: Records[EffectProof]
-    """Effects of the robot that are proved by poses left out of the identification: effects chosen by `effects =
+    """Effects of the robot that are proved by poses excluded from the identification: effects chosen by `effects =
     "proven"`, and effects that are not identified.
     """
     field: FieldSummary | None
@@ -3130,11 +3134,11 @@ class AccuracyDocument(Document):
     joints: list[str]
     """Joints of the robot, named as columns: `q1_deg`."""
     left_out: LeftOutErrors | None
-    """Errors at calibration poses that are left out of the identification, with nominal and with identified
+    """Errors at calibration poses that are excluded from the identification, with nominal and with identified
     parameters; absent with fewer than three poses, or without measured positions.
     """
     limits: Records[LimitVerdict]
-    """Limits that the campaign states, with their verdicts."""
+    """Limits that the campaign contains, with their verdicts."""
     map: PredictionMap | None
     """Expected error at the tool point over the workspace. Absent without `tool`, without inverse kinematics, or if
     the robot reaches too few places between the poses.
@@ -3205,7 +3209,7 @@ class BatchDocument(Document):
     campaigns: Records[BatchEntry]
     """One entry per campaign, in the order of the command line."""
     done: int
-    """Number of campaigns that meet all limits or state none."""
+    """Number of campaigns that meet all limits or have none."""
     failed: int
     """Number of campaigns that did not run."""
     not_met: int
@@ -3231,21 +3235,21 @@ class BenchmarkScoreDocument(Document):
     """Schema and version: `etalon/benchmark-score/1`."""
 
 class CampaignSummary(Document):
-    """Statements of the campaign about itself, for the head of a report."""
+    """Administrative data of the campaign, for the head of a report."""
     conditions: Conditions
     """Conditions of a test."""
     contact: ContactSummary | None
-    """Repeatability of the robot in returning to a measured point, if stated."""
+    """Repeatability of the robot in returning to a measured point, if given."""
     controller_files: Records[WrittenFile]
     """Controller files that the run wrote."""
     coverage_factor: float | None
     """Coverage factor of `expanded_uncertainty_um`."""
     date: str | None
-    """Date as stated."""
+    """Date as given."""
     decision_rule: str | None
-    """Decision rule for limits, as stated."""
+    """Decision rule for limits, as given."""
     expanded_position_uncertainty_um: float | None
-    """Expanded uncertainty of a position, if stated."""
+    """Expanded uncertainty of a position, if given."""
     expanded_uncertainty_um: float | None
     """Expanded uncertainty of one coordinate."""
     instrument: str | None
@@ -3257,19 +3261,19 @@ class CampaignSummary(Document):
     notes: str | None
     """Remarks."""
     operator: str | None
-    """Operator as stated."""
+    """Operator as given."""
     report: Presentation
     """Presentation of the report."""
     robot: str | None
-    """Name of the robot, if its file states one."""
+    """Name of the robot, if its file contains one."""
     synthetic: str | None
     """Explanation of synthetic data; absent for measured data."""
     temperature_c: float | None
     """Temperature during the campaign."""
     temperature_range_c: NDArray[np.float64] | None
-    """Lowest and highest temperature (°C) that rows of the exports state."""
+    """Lowest and highest temperature (°C) that rows of the exports contain."""
     valid_until: str | None
-    """Last day on which the calibration is valid, as stated: year-month-day."""
+    """Last day on which the calibration is valid, as given: year-month-day."""
 
 class CellDocument(Document):
     """Frames and points of a robot cell from controller poses and measurements."""
@@ -3309,7 +3313,7 @@ class CheckDocument(Document):
     sources: Records[Source]
     """Files read, and rows rejected by a rule; empty if reading found errors."""
     warnings: Records[Finding]
-    """Warnings that a report would show."""
+    """Warnings of a report."""
 
 class CompareDocument(Document):
     """Comparison of several campaigns of one robot, in the order of the command line."""
@@ -3397,8 +3401,8 @@ class FieldDocument(Document):
     noise_mm: float
     """Standard deviation of a measured coordinate without the field's error (mm)."""
     parameters: Records[FieldParameter]
-    """Parameters that go with the field: those of `parameters.json`, estimated again with the field. Beyond the
-    measured poses they fade to those of `parameters.json` as δq fades to 0.
+    """Parameters that belong to the field: the parameters of `parameters.json`, estimated again with the field.
+    Beyond the measured poses they fade to the values of `parameters.json`, as δq fades to 0.
     """
     parameters_sha256: str
     """SHA-256 of the `parameters.json` to which the field belongs."""
@@ -3409,7 +3413,7 @@ class FieldDocument(Document):
     schema: str
     """Schema and version: `etalon/field/1`."""
     synthetic: str | None
-    """Explanation of synthetic data, as the campaign states it; absent for measured data."""
+    """Explanation of synthetic data, as the campaign gives it; absent for measured data."""
 
 class FitDocument(Document):
     """One fitted element."""
@@ -3458,13 +3462,13 @@ class FitDocument(Document):
     schema: str
     """Schema and version: `etalon/fit/1`."""
     set_aside: list[int] | None
-    """Numbers of the points that a robust fit sets aside, from 1; absent without `--robust`."""
+    """Numbers of the points that a robust fit excludes, from 1; absent without `--robust`."""
     solver: FitSolver
     """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
     """Standard uncertainties from the residuals; absent without redundancy."""
     stated: FitStated | None
-    """Values that the file states for the feature."""
+    """Values that the file contains for the feature."""
 
 class FormatsDocument(Document):
     """Proposals of `etalon formats` for reading a file."""
@@ -3477,7 +3481,7 @@ class FormatsDocument(Document):
     file: str
     """The file as the user named it."""
     format: str | None
-    """Name of the format, if the file states one. Such a file needs no proposal."""
+    """Name of the format, if the file contains one. Such a file needs no proposal."""
     join: FormatsJoin | None
     """Join with a log, if several files were named."""
     kind: str
@@ -3487,7 +3491,7 @@ class FormatsDocument(Document):
     question_phrases: Records[Phrase]
     """Texts of the catalogue that are `questions` in English."""
     questions: list[str]
-    """Facts that the file cannot state and the campaign must."""
+    """Facts that the file cannot give and the campaign must."""
     readings: Records[Reading]
     """Readings that explain the file, the proposed one first."""
     reason_phrases: Records[Phrase]
@@ -3504,7 +3508,7 @@ class FormatsDocument(Document):
 class FramesDocument(Document):
     """Frames made from features and targets."""
     not_controlled: Records[Uncontrolled]
-    """Errors that no reading of the campaign can show, with the keys that would control them."""
+    """Errors that no reading of the campaign can show, with the keys of measurements that can show them."""
     schema: str
     """Schema and version: `etalon/frames/1`."""
     world: WorldFrame
@@ -3570,7 +3574,7 @@ class Iso9283ComplianceDocument(Document):
 class Iso9283Document(Document):
     """Characteristics of ISO 9283:1998 of one test."""
     approach_phrases: Record
-    """Texts of the catalogue that are names of approaches in English; names that a table states are absent."""
+    """Texts of the catalogue that are names of approaches in English; names that a table contains are absent."""
     approaches: Records[Iso9283Variation]
     """One entry per pose that was approached in at least two ways."""
     convention_phrases: Records[Phrase]
@@ -3586,13 +3590,13 @@ class Iso9283Document(Document):
     distances: Records[Iso9283Distance]
     """One entry per pair of poses that were visited in the same cycles."""
     drifts: Records[Iso9283Drift]
-    """Drift of each pose, if sets are stated."""
+    """Drift of each pose, if sets are given."""
     exchangeability_mm: float | None
     """Largest distance between the barycentres of two robots at any pose, with several robots."""
     homing: Iso9283Pose | None
     """Homings as visits of one pose with number 0, if a campaign has homings."""
     limits: Records[LimitVerdict]
-    """Limits that the campaign states."""
+    """Limits that the campaign contains."""
     messages: Records[Message]
     """Remarks and warnings."""
     poses: Records[Iso9283Pose]
@@ -3605,7 +3609,7 @@ class Iso9283Document(Document):
     """All visits of a campaign; visits of one pose are in the order of recording."""
 
 class Iso9283PlanDocument(Document):
-    """Layout of a test by ISO 9283:1998 in a workspace."""
+    """Layout of a test to ISO 9283:1998 in a workspace."""
     convention_phrases: Records[Phrase]
     """Texts of the catalogue that are `conventions` in English."""
     conventions: list[str]
@@ -3625,7 +3629,7 @@ class Iso9283PlanDocument(Document):
     test_plane: str
     """Corners of the test plane."""
     unreached: Records[Iso9283Unreached]
-    """Places that the stated robot does not reach."""
+    """Places that the given robot does not reach."""
 
 class Iso9283StreamDocument(Document):
     """Characteristics of ISO 9283:1998 of a recorded motion."""
@@ -3638,11 +3642,11 @@ class Iso9283StreamDocument(Document):
     duration_s: float
     """Time from the first to the last sample."""
     left_out: list[int]
-    """Lines of samples that are left out because no robot moves there from the previous sample in time."""
+    """Lines of samples that are omitted because no robot moves there from the previous sample in time."""
     messages: Records[Message]
     """Remarks and warnings."""
     path: Iso9283Path | None
-    """Characteristics of the commanded path, if a path without weaving is stated."""
+    """Characteristics of the commanded path, if a path without weaving is given."""
     posing: Records[Iso9283Posing]
     """Moves between poses; empty without a limit band."""
     samples: int
@@ -3654,7 +3658,7 @@ class Iso9283StreamDocument(Document):
     standstills: Records[Iso9283Standstill]
     """All standstills in the order of time."""
     weaving: Iso9283Weaving | None
-    """Characteristics of the weave, if stated."""
+    """Characteristics of the weave, if given."""
 
 class Iso9283StreamsDocument(Document):
     """Recorded motions of a campaign."""
@@ -3704,8 +3708,8 @@ class ParametersDocument(Document):
     provenance: Provenance
     """Origin of the numbers."""
     reference_poses: Records[ReferencePose]
-    """Positions of the flange by the nominal geometry, with which a robot file is compared that is given beside
-    these parameters; absent in documents of earlier versions.
+    """Positions of the flange by the nominal geometry, which are compared with a robot file that is given together
+    with these parameters; absent in documents of earlier versions.
     """
     reliability: ReliabilitySummary | None
     """Reliability of readings, and influence of poses. Absent if readings have covariances of their own or common
@@ -3716,8 +3720,8 @@ class ParametersDocument(Document):
     robot: str
     """Model of the robot."""
     robust: RobustSummary | None
-    """Robust fit beside the least-squares fit. Absent if readings have common errors, if readings are poses instead
-    of positions, if there are many unknown points, or without redundancy.
+    """Robust fit in addition to the least-squares fit. Absent if readings have common errors, if readings are poses
+    instead of positions, if there are many unknown points, or without redundancy.
     """
     schema: str
     """Schema and version: `etalon/parameters/2`."""
@@ -3726,11 +3730,11 @@ class ParametersDocument(Document):
     solver: SolverSummary
     """Solver and its termination."""
     synthetic: str | None
-    """Explanation of synthetic data, as the campaign states it; absent for measured data."""
+    """Explanation of synthetic data, as the campaign gives it; absent for measured data."""
     untested: Records[UntestedMistake]
     """Mistakes of the set-up that the measurements do not show."""
     valid_until: str | None
-    """Last day on which the parameters are valid, as the campaign states it: year-month-day."""
+    """Last day on which the parameters are valid, as the campaign gives it: year-month-day."""
 
 class PlanDocument(Document):
     """Poses to measure, and quality of the choice."""
@@ -3745,7 +3749,7 @@ class PlanDocument(Document):
     chosen: Records[PlannedPose]
     """Poses to measure."""
     compared: ComparedPoses | None
-    """Poses for comparison, if stated."""
+    """Poses for comparison, if given."""
     configurations: int
     """Number of configurations of all candidates."""
     definition: str
@@ -3773,7 +3777,7 @@ class PlanDocument(Document):
     places: Records[CandidatePlace]
     """Positions of the candidates (thesis, fig. 4.7)."""
     program: PlannedProgram | None
-    """Measuring program, if one is written. Joint values of `chosen` are those that it commands."""
+    """Measuring program, if one is written. `chosen` contains the joint values that it commands."""
     proven_optimal: bool
     """`true` if the choice is proved to be optimal."""
     provenance: Provenance
@@ -3788,7 +3792,7 @@ class PlanDocument(Document):
     """Index of the chosen poses."""
     workspace: WorkspaceUncertainty | None
     """Predicted standard uncertainty of position over all candidates; absent if the instrument's uncertainty is not
-    stated.
+    given.
     """
 
 class PredictionsDocument(Document):
@@ -3809,7 +3813,7 @@ class RecommendationDocument(Document):
     folds: int
     """Number of folds; each is predicted from the others."""
     held_out: HeldOutErrors
-    """Position errors at poses that were left out of the identification (mm)."""
+    """Position errors at poses that were excluded from the identification (mm)."""
     loading: Loading | None
     """Answer of the run to what a controller should load."""
     meaning: list[str]
@@ -3823,8 +3827,8 @@ class RecommendationDocument(Document):
     poses: int
     """Number of calibration poses."""
     recommended: ParametersDocument
-    """Parameters of the answer: those of the run; with further effects, if these are to be identified first; or
-    nominal ones.
+    """Parameters of the answer: the parameters of the run; with further effects, if these are to be identified
+    first; or nominal ones.
     """
     repeats: int
     """Number of repetitions with other folds."""
@@ -3836,19 +3840,19 @@ class RecommendationDocument(Document):
     """Effects in the order of trial. Accepted effects are part of every later step."""
 
 class SelftestDocument(Document):
-    """Validation of an installation: the program and its machine, comparisons with reference values, and slips that
-    the comparisons must notice.
+    """Validation of an installation: the program and its machine, comparisons with reference values, and seeded
+    faults that the comparisons must notice.
     """
     machine: Machine
     """The machine."""
     must_fail: Records[SelftestMustFail]
-    """Slips in the reference data, each of which must fail a comparison."""
+    """Seeded faults in the reference data, each of which must fail a comparison."""
     packages: Records[LockedPackage]
     """Packages of which program, build scripts and tests are built (Cargo.lock)."""
     pass_: bool
     """`true` if everything passed."""
     performance: SelftestPerformance | None
-    """Comparison of the laboratory's own campaign with its stored result; null if none was stated."""
+    """Comparison of the laboratory's own campaign with its stored result; null if none was given."""
     program: SelftestProgram
     """The program."""
     provenance: Provenance
@@ -3863,7 +3867,7 @@ class SelftestDocument(Document):
     """Schema and version: `etalon/selftest/1`."""
 
 class StudiesDocument(Document):
-    """Comparison of sets of poses under stated noise."""
+    """Comparison of sets of poses under given noise."""
     designs: Records[StudiedDesign]
     """One entry for each set and noise."""
     draws: int
@@ -3882,7 +3886,7 @@ class StudiesDocument(Document):
     """Schema and version: `etalon/study/1`."""
 
 class UncertaintyDocument(Document):
-    """Distributions by Monte Carlo (JCGM 101) and bootstrap, beside the linear uncertainties."""
+    """Distributions by Monte Carlo (JCGM 101) and bootstrap, in addition to the linear uncertainties."""
     campaign: CampaignReference | None
     """The campaign."""
     draws: int
@@ -3906,8 +3910,8 @@ class UncertaintyDocument(Document):
     two_digits_reached: bool
     """`true` if two significant digits of all standard uncertainties and interval ends are stable (JCGM 101, 7.9.4)."""
     uncertainties_from: str
-    """Basis of the standard uncertainties of the identification. Draws of parameters contain the stated
-    uncertainties and the model error; draws of errors contain the stated uncertainties.
+    """Basis of the standard uncertainties of the identification. Draws of parameters contain the given uncertainties
+    and the model error; draws of errors contain the given uncertainties.
     """
 
 class VerdictDocument(Document):
@@ -3919,18 +3923,18 @@ class VerdictDocument(Document):
     limits: Records[LimitVerdict]
     """All limits with their verdicts."""
     loading: Loading | None
-    """Answer to what a controller should load; absent without identified parameters."""
+    """Answer to the question of which values a controller should load; absent without identified parameters."""
     reasons: list[Any]
     """Reasons why the verdict is not `pass`, the worst first. Without limits: reservations about the results."""
     schema: str
     """Schema and version: `etalon/verdict/1`."""
     verdict: str | None
-    """Verdict; null if nothing was judged, because no limit is stated."""
+    """Verdict; null if nothing was judged, because no limit is given."""
 
 class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
     calibration: CampaignReference | None
-    """Campaign that identified the parameters; absent if `campaign.json` is not beside them."""
+    """Campaign that identified the parameters; absent if their folder does not contain `campaign.json`."""
     conditions: Records[VerifiedQuantity]
     """Residuals of each quantity other than positions of targets."""
     expected_position_rms_mm: float
