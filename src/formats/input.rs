@@ -106,21 +106,6 @@ pub fn read_bytes(path: &Path) -> Read<Vec<u8>> {
     Ok(bounded(file.take(files::LARGEST + 1), &shown)?)
 }
 
-/// Name and bytes of a file of numbers beside another file, whose name may be spelled in capitals.
-pub(crate) fn read_beside(folder: &Path, name: &str) -> Read<(String, Vec<u8>)> {
-    let spelled = files_in(folder).into_iter().find(|other| other.eq_ignore_ascii_case(name));
-    let path = folder.join(spelled.as_deref().unwrap_or(name));
-    let shown = path.display().to_string();
-    let Some(name) = spelled else { return Err(error!("numbers-file-missing", file = shown).into()) };
-    let failed = |e: io::Error| error!("cannot-read-file", file = shown, reason = e.to_string());
-    let mut bytes = Vec::new();
-    files::open(&path).and_then(|file| file.take(files::LARGEST + 1).read_to_end(&mut bytes)).map_err(failed)?;
-    if bytes.len() as u64 > files::LARGEST {
-        return Err(error!("file-too-large", file = shown, most_mib = files::LARGEST >> 20).into());
-    }
-    Ok((name, bytes))
-}
-
 /// Maximum number of bytes of a text that a proposal reads.
 const LONGEST_PROPOSED: u64 = if cfg!(test) { 64 << 10 } else { 16 << 20 };
 

@@ -1,9 +1,11 @@
 //! Arrays of a file of NumPy or MATLAB as a table: a cell for each number, a column for each given
 //! part of an array.
 
-use etalon_base::error;
-use etalon_base::message::Message;
+use etalon_base::message::{Message, Result};
+use etalon_base::{error, files};
 use std::fmt::Write as _;
+use std::io::Read as _;
+use std::path::Path;
 
 /// Maximum unpacked size of the arrays of a file (bytes).
 pub(super) const LARGEST: u64 = 2 << 30;
@@ -53,10 +55,10 @@ pub(super) fn encode<const N: usize, T: Copy>(values: &[T], bytes: impl Fn(T) ->
     values.iter().flat_map(|value| bytes(*value)).collect()
 }
 
-/// File of arrays, and the files beside it that contain its numbers.
+/// File of arrays, and the files in its folder that contain its numbers.
 pub(crate) struct ArrayFile<'a> {
     pub bytes: &'a [u8],
-    /// Names and bytes of the files beside it.
+    /// Names and bytes of these files.
     pub beside: Vec<(String, Vec<u8>)>,
 }
 
@@ -66,9 +68,32 @@ impl<'a> From<&'a [u8]> for ArrayFile<'a> {
     }
 }
 
-impl ArrayFile<'_> {
-    /// Returns the bytes of a file beside it, whose name may be spelled in capitals; none if it is
-    /// not there.
+impl<'a> ArrayFile<'a> {
+    /// Reads the files of these names in the folder of a file; a name may be spelled in capitals.
+    ///
+    /// # Errors
+    /// A file that is missing, cannot be read or is too large.
+    pub fn read(path: &Path, bytes: &'a [u8], names: &[String]) -> Result<Self> {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let all = || std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let one = |name: &String| {
+            let spelled = all().filter_map(|entry| entry.file_name().into_string().ok());
+            let found = spelled.filter(|other| other.eq_ignore_ascii_case(name)).min();
+            let shown = folder.join(found.as_ref().unwrap_or(name)).display().to_string();
+            let Some(name) = found else { return Err(error!("numbers-file-missing", file = shown).into()) };
+            let failed = |e: std::io::Error| error!("cannot-read-file", file = shown, reason = e.to_string());
+            let (mut numbers, file) = (Vec::new(), files::open(&folder.join(&name)));
+            file.and_then(|file| file.take(files::LARGEST + 1).read_to_end(&mut numbers)).map_err(failed)?;
+            if numbers.len() as u64 > files::LARGEST {
+                return Err(error!("file-too-large", file = shown, most_mib = files::LARGEST >> 20).into());
+            }
+            Ok((name, numbers))
+        };
+        Ok(Self { bytes, beside: names.iter().map(one).collect::<Result<_>>()? })
+    }
+
+    /// Returns the bytes of one of these files, whose name may be spelled in capitals; none if it
+    /// is not there.
     pub fn beside(&self, name: &str) -> &[u8] {
         let found = self.beside.iter().find(|(other, _)| other.eq_ignore_ascii_case(name));
         found.map_or(&[], |(_, bytes)| bytes)
@@ -188,7 +213,7 @@ impl Array {
 /// # Errors
 /// Fails if an array is missing, a part is not one column or row, or two parts have different
 /// lengths.
-pub(super) fn table(arrays: &[Array], wanted: &[&str], spelling: Spelling) -> Result<String, Message> {
+pub(super) fn table(arrays: &[Array], wanted: &[&str], spelling: Spelling) -> std::result::Result<String, Message> {
     let names = spelling.examples(arrays);
     let mut parts: Vec<(&str, &Array, Run)> = Vec::new();
     for &column in wanted {

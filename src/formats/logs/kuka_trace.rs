@@ -1,5 +1,5 @@
-//! Traces of KUKA: a data set of DIAdem, whose header (`.dat`) lists the channels, and whose numbers
-//! are in a file beside it (`.r64`).
+//! Traces of KUKA: a data set of DIAdem. Its header (`.dat`) lists the channels; its numbers are in
+//! a second file (`.r64`) of the same folder.
 //!
 //! A header is a list of `code,value`: 112 order of bytes; of a channel 200 name, 202 unit, 210
 //! `IMPLICIT` or `EXPLICIT` (controllers write `IMPLIZIT` and `EXPLIZIT`), 211 file, 213 `BLOCK`
@@ -31,7 +31,7 @@ impl LogFormat for KukaTrace {
         About {
             name: "kuka_trace",
             title: "KUKA.Trace",
-            description: "KUKA trace: the header (.dat) of a data set of DIAdem, with its numbers (.r64) beside it.",
+            description: "KUKA trace: the header (.dat) of a data set of DIAdem, with its numbers in a second file (.r64).",
         }
     }
 
@@ -83,7 +83,7 @@ impl LogFormat for KukaTrace {
     }
 }
 
-/// `true` for a channel of the position of a motor, before the gear: its values are no joint values.
+/// `true` for the position of a motor, before the gear: its values are no joint values.
 fn is_of_motor(channel: &str) -> bool {
     ["Istposition", "Sollposition"].contains(&channel)
 }

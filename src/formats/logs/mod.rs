@@ -22,7 +22,6 @@ pub use write::write;
 
 use super::dialect::Column;
 use super::exports::Recognised;
-use super::input::read_beside;
 use crate::table::{ASSEMBLY, LABEL};
 use etalon_base::message::{Message, Problems, Result, SourceText};
 use etalon_base::pose_name::PoseName;
@@ -265,14 +264,12 @@ impl LogKind {
         FORMATS.into_iter().find(|format| format.holds(bytes)).map(Self)
     }
 
-    /// Adds the files beside a file of arrays that contain its numbers.
+    /// Adds the files in the same folder that contain the numbers of a file of arrays.
     ///
     /// # Errors
     /// A file that is missing or cannot be read.
     pub(crate) fn array_file<'a>(self, path: &Path, bytes: &'a [u8]) -> Result<ArrayFile<'a>> {
-        let folder = path.parent().unwrap_or(Path::new(""));
-        let beside = self.0.files_beside(bytes).into_iter().map(|name| read_beside(folder, &name));
-        Ok(ArrayFile { bytes, beside: beside.collect::<Result<_>>()? })
+        ArrayFile::read(path, bytes, &self.0.files_beside(bytes))
     }
 
     /// Returns the wanted parts of the arrays of a file as a text with tabs; `None` for files of

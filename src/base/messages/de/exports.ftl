@@ -498,7 +498,7 @@ arrays-unreadable = die Datei kann nicht als Arrays von { $format ->
     } gelesen werden
     .hint = sie neu speichern oder `format` berichtigen
 
-numbers-file-missing = `{ $file }` fehlt: der Kopf daneben enthält keine Zahlen
+numbers-file-missing = `{ $file }` fehlt: der Kopf allein enthält keine Zahlen
     .hint = alle Dateien der Aufzeichnung in einen Ordner kopieren
 
 trace-of-motor = `Istposition` und `Sollposition` sind Positionen eines Motors, nicht eines Gelenks

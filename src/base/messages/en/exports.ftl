@@ -860,7 +860,7 @@ arrays-unreadable = the file cannot be read as arrays of { $format ->
 # Matters: The header contains no joint values.
 # Do: Copy all files of the trace into one folder, with their names unchanged.
 # Example: `log_KRCIpo.dat` without `log_KRCIpo.r64`
-numbers-file-missing = `{ $file }` is missing: the header beside it contains no numbers
+numbers-file-missing = `{ $file }` is missing: the header contains no numbers
     .hint = copy all files of the recording into one folder
 
 # Means: The trace of a drive contains the position of its motor, before the gear.

@@ -498,7 +498,7 @@ arrays-unreadable = le fichier ne peut pas être lu comme des tableaux de { $for
     }
     .hint = l’enregistrer de nouveau, ou corriger `format`
 
-numbers-file-missing = `{ $file }` manque : l’en-tête à côté ne contient pas de nombres
+numbers-file-missing = `{ $file }` manque : l’en-tête seul ne contient pas de nombres
     .hint = copier tous les fichiers de l’enregistrement dans un même dossier
 
 trace-of-motor = `Istposition` et `Sollposition` sont des positions d’un moteur, non d’une articulation
