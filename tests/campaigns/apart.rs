@@ -83,7 +83,7 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         }
     }
     campaign(&scratch, &table);
-    let said = ends(&scratch, "run", 0, &["[placed-by-validation]: 60 targets ", ": `V0`, `V1`", "located by"]);
+    let said = ends(&scratch, "run", 0, &["[placed-by-validation]: 60 targets ", ": `V0`, `V1`"]);
     assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
     let accuracy = document(&scratch, "accuracy.json");
     // all that is left is noise: two readings place a target, and show half of their errors

@@ -9,7 +9,7 @@ use etalon::campaign::{Campaign, read_robot};
 use etalon::controllers::{self, Description, ExportInput};
 use etalon::documents::{AccuracyDocument, CampaignSummary, ErrorQuantity, ParametersDocument, PointError};
 use etalon::math::statistics::rms;
-use etalon::robots::{Robot, Role};
+use etalon::robots::{PUBLISHED, Robot, Role};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
@@ -230,31 +230,26 @@ fn table(convention: &str, rows: &[[f64; 4]]) -> String {
     format!("name = \"arm\"\nmodel = \"serial\"\nconvention = \"{convention}\"\njoint = [{}]\n", rows.join(", "))
 }
 
-/// Geometry of makers, as `etalon init --robot` has it: name, key of the table, rows.
-fn published() -> Vec<(String, String, toml::Value)> {
-    let text = std::fs::read_to_string(root().join("src/tasks/known_robots.toml")).unwrap();
-    let all: toml::Table = text.parse().unwrap();
-    let of = |robot: &toml::Value| {
-        let key = ["dh", "mdh", "poe"].into_iter().find(|key| robot.get(key).is_some())?;
-        Some((robot["name"].as_str()?.to_owned(), key.to_owned(), robot.clone()))
-    };
-    all["robot"].as_array().unwrap().iter().filter_map(of).collect()
+/// Tables of Universal Robots, as `etalon init --robot` has them: name and rows.
+fn universal_robots() -> impl Iterator<Item = (&'static str, Vec<[f64; 4]>)> {
+    PUBLISHED.iter().filter(|arm| arm.name.starts_with("ur")).map(|arm| (arm.name, arm.rows.to_vec()))
 }
 
-fn rows(robot: &toml::Value) -> Vec<[f64; 4]> {
-    let row = |row: &toml::Value| [0, 1, 2, 3].map(|i| row[i].as_float().unwrap());
-    robot["dh"].as_array().unwrap().iter().map(row).collect()
+/// Arms of six screw axes, as `etalon init --robot` has them: name and robot.
+fn screw_axes() -> Vec<(String, toml::Value)> {
+    let text = std::fs::read_to_string(root().join("src/tasks/known_robots.toml")).unwrap();
+    let all: toml::Table = text.parse().unwrap();
+    let has_six = |robot: &&toml::Value| robot.get("poe").is_some_and(|poe| poe.as_array().unwrap().len() == 6);
+    let named = |robot: &toml::Value| (robot["name"].as_str().unwrap().to_owned(), robot.clone());
+    all["robot"].as_array().unwrap().iter().filter(has_six).map(named).collect()
 }
 
 #[test]
 fn arms_of_universal_robots_are_known_by_their_axes() {
     let scratch = Scratch::with(&[]);
     let of = |convention: &str, rows: &[[f64; 4]]| difference(&scratch, &table(convention, rows));
-    let arms = published();
-    let makers: Vec<_> = arms.iter().filter(|(name, ..)| name.starts_with("ur")).collect();
-    assert_eq!(makers.len(), 8);
-    for (name, _, robot) in makers {
-        let rows = rows(robot);
+    assert_eq!(universal_robots().count(), 8);
+    for (name, rows) in universal_robots() {
         assert_eq!(of("dh", &rows), None, "{name}");
         // a calibrated arm: its parallel axes have distant common normals, its zeros are elsewhere
         let mut noise = etalon::base::noise::Noise::new(19, 7);
@@ -278,10 +273,9 @@ fn arms_of_universal_robots_are_known_by_their_axes() {
         slips(name, &rows, of);
     }
     // arms of other makers
-    let others: Vec<String> = arms
+    let others: Vec<String> = screw_axes()
         .iter()
-        .filter(|(_, key, robot)| key == "poe" && robot["poe"].as_array().unwrap().len() == 6)
-        .map(|(name, _, robot)| {
+        .map(|(name, robot)| {
             let axes = toml::Table::from_iter([("joint".to_owned(), robot["poe"].clone())]);
             let flange = ["flange_xyz_mm", "flange_rpy_deg"].map(|key| format!("{key} = {}\n", robot[key])).concat();
             let text = format!("name = \"arm\"\nmodel = \"serial\"\nconvention = \"poe\"\n{flange}{axes}");
@@ -389,8 +383,7 @@ fn written_frames(yaml: &str) -> Vec<Pose> {
 fn a_universal_robots_file_has_the_frames_of_the_maker_wherever_the_arm_stands() {
     let scratch = Scratch::with(&[]);
     let mount = Pose::from_xyz_rpy([120.0, -80.0, 900.0], [0.0, 0.0, std::f64::consts::FRAC_PI_2]);
-    for (name, _, robot) in published().iter().filter(|(name, ..)| name.starts_with("ur")) {
-        let rows = rows(robot);
+    for (name, rows) in universal_robots() {
         let (mut pose, mut axes) = (mount, Vec::new());
         for (frame, slide) in makers_frames(&rows).iter().zip([40.0, -700.0, 0.0, 1300.0, 12.0, -50.0]) {
             pose = pose.then(frame);

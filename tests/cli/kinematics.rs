@@ -240,7 +240,7 @@ fn out_of_reach_is_said_where_it_is_shown() {
     assert!(
         code == Some(1)
             && said.contains("pose in: no solution within the joint limits was found from ")
-            && said.contains("starts"),
+            && said.contains("starting points"),
         "{said}"
     );
 }

@@ -263,7 +263,7 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();
             vec![*limits.iter().find(|limit| s.numbers[0].is(**limit))?]
         }
-        () if starts("Root-mean-square error at left-out poses: #") => {
+        () if starts("Root-mean-square error at held-out poses: #") => {
             let effect =
                 accuracy["effects"].as_array()?.iter().find(|e| s.numbers[0].is(number(&e["without_mm"])))?.clone();
             vec![number(&effect["without_mm"]), number(&effect["with_mm"])]
@@ -294,7 +294,7 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let distance = &accuracy["validation_distance"];
             vec![number(&distance["median"]), number(&distance["largest"])]
         }
-        () if starts("Distinct joint positions of the validation") => {
+        () if starts("Distinct validation positions with a joint outside") => {
             let distance = &accuracy["validation_distance"];
             vec![number(&distance["outside"]), number(&distance["poses"])]
         }

@@ -8,9 +8,10 @@ use std::path::Path;
 use std::process::Command;
 
 /// Errors of a fragment that the rest of its file and the files that it names would remove.
-const OF_THE_REST: [&str; 9] = [
+const OF_THE_REST: [&str; 10] = [
     "key-missing",
     "input-missing",
+    "export-files-missing",
     "cannot-read-file",
     "limit-without-result",
     "target-not-exported",

@@ -173,7 +173,7 @@ fn errors_that_no_parameter_describes_are_stated_and_refused_by_name() {
     );
     let stated = said(&scratch, &["simulate", "campaign"]).1;
     for part in [
-        "errors that no parameter describes: backlash rho2 0.03",
+        "errors that no parameter of the model describes: backlash rho2 0.03",
         "interpolation rho1 0.004 every 5.08",
         "homing (standard deviation) rho3 0.002",
     ] {

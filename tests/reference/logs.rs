@@ -49,7 +49,7 @@ fn galil_counts_become_joints_by_the_stated_scale_and_the_shorter_array_ends_the
     let source = document.sources.iter().find(|s| s.kind.name() == "log").unwrap();
     let listed: Vec<_> = source.refused.iter().map(|r| (r.line, r.text.as_str())).collect();
     assert_eq!((source.rows_read, listed), (4, vec![(5, ",0")]));
-    assert!(source.refused[0].reason.english().contains("a_mm has ended"));
+    assert!(source.refused[0].reason.phrase().is_some_and(|reason| reason.id == "galil-array-ended"));
     // the array that is not short alone: the empty place of the other is no matter
     let (table, _) = read(&format!("{GALIL}columns = {{ b_mm = {{ name = \"ten\", per_count = 1 }} }}")).unwrap();
     assert_eq!(column(&table, "b_mm"), [0.0, 10.0, 20.0, 0.0]);
@@ -216,7 +216,7 @@ fn trap_16_a_twincat_channel_is_the_same_in_every_variant_of_the_export() {
             assert_eq!(found.0.len(), expected, "{variant} {channel}");
             // 132959733843760000 * 100 ns after 1601 are 13:56:24.376 UTC; the text of the file says 15:56:24, in local time
             let source = document.sources.iter().find(|s| s.kind.name() == "log").unwrap();
-            assert!(source.dialect.english().contains("start 2022-05-02T13:56:24.376Z"), "{}", source.dialect);
+            assert!(source.dialect.english().contains("2022-05-02T13:56:24.376Z"), "{}", source.dialect);
             let same = first.get_or_insert_with(|| found.clone());
             assert_eq!((&same.0, &same.1), (&found.0, &found.1), "{variant} {channel}");
             compared += 1;
