@@ -328,7 +328,7 @@ fn an_empty_campaign_misses_every_key_at_once() {
     std::fs::write(scratch.path().join("campaign.toml"), "temperature = 20\n").unwrap();
     let (code, said) = etalon(&scratch, "check");
     assert_eq!(code, Some(2));
-    for key in ["name", "robot", "instrument", "export", "log", "join", "identify"] {
+    for key in ["robot", "instrument", "export", "log", "join", "identify"] {
         assert!(said.says(&format!("[key-missing] key={key}")), "{key}:\n{said}");
     }
     assert!(said.contains("[unknown-key]") && said.contains("did you mean `temperature_c`?"), "{said}");

@@ -121,7 +121,7 @@ fn units_are_never_guessed() {
     for (from, to, said) in [
         ("<Factor>0.001</Factor>", "<Factor>0</Factor>", "[unit-factor-invalid]"),
         ("<Factor>0.001</Factor>", "<Factor>0.001</Factor><Offset>1</Offset>", "offset 1"),
-        ("<UnitConversion><Factor>0.001</Factor></UnitConversion>", "", "[record-missing]: `mm`"),
+        ("<UnitConversion><Factor>0.001</Factor></UnitConversion>", "", "[record-missing]"),
         ("<UnitName>mm", "<SIUnitName>foot</SIUnitName><UnitName>mm", "[unit-unknown]: `foot`"),
     ] {
         error(&text.replace(from, to), &[said]);

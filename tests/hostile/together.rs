@@ -103,7 +103,7 @@ fn statements_that_count_for_nothing_are_refused() {
         "\"cycle\"]\nclock_offset_s = 1.0",
         &["[key-of-other-join]: `clock_offset_s`", "campaign.toml:"],
     );
-    campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["feature `rails` names `rail2_a` twice", ":31:21"]);
+    campaign("\"rail2_a\", ", "\"rail2_a\", \"rail2_a\", ", &["[feature-label-twice]", ":31:21"]);
     campaign("calibration = \"1-8\"", "calibration = \"1-8, 13\"", &["[sets-overlap]", "13", ":43:14"]);
     let series = |stated: &str| format!("calibration = \"1-8\"\nseries = {stated}");
     campaign("calibration = \"1-8\"", &series("[\"1-9\", \"8-59\"]"), &["[series-overlap]", "8, 9", ":43:18"]);

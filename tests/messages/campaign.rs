@@ -218,7 +218,7 @@ const GEOMETRIC: &[Case] = &[
     (
         "scale-bar-uncertain",
         GEOMETRY,
-        &[(C, "length_mm = 300.0", "length_mm = 300.0\npermissible_error_um = 5.0\nlength_uncertainty_um = 3.0")],
+        &[(C, "length_mm = 300.0", "length_mm = 300.0\npermissible_error_um = 15.0\nlength_uncertainty_um = 10.0")],
         "run @",
     ),
     (

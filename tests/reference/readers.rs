@@ -54,7 +54,7 @@ fn calypso_characteristics_of_one_feature_without_z_are_told() {
     let (points, source) = read("exports/calypso/excerpt_chr.txt", "\"calypso\"", "mm").unwrap();
     assert!(points.is_empty());
     let told: Vec<_> = source.refused.iter().map(|r| (r.line, r.reason.english())).collect();
-    assert_eq!(told, [(2, "no point: X, Y, diameter without Z")]);
+    assert_eq!(told, [(2, "not a point: X, Y, diameter without Z")]);
     // the column `unit` says mm
     refused(
         "exports/calypso/excerpt_chr.txt",
@@ -152,7 +152,7 @@ fn polyworks_report_has_one_control_which_is_no_point() {
     assert_eq!((control.nominal, control.measured, control.tolerance), (Some(95.0), Some(120.007), Some((2.0, -2.0))));
     let (points, source) = read(file, "\"polyworks_report\"", "mm").unwrap();
     assert!(points.is_empty());
-    assert_eq!(source.refused[0].reason.english(), "no point: Y Distance without X, Y, Z");
+    assert_eq!(source.refused[0].reason.english(), "not a point: Y Distance without X, Y, Z");
 }
 
 #[test]
