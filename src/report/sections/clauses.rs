@@ -1,7 +1,7 @@
 //! Clauses of ISO 9283:1998: which of them a test covers, and how their evaluation is verified.
 
 use crate::model::{Block, Columns, Section, Table, term};
-use crate::words::{Words, tr};
+use crate::words::{Words, isolated, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{Characteristics, Iso9283Document, Iso9283Path, Iso9283StreamDocument};
@@ -177,8 +177,9 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let listed = |is_tested: bool| {
         let clauses = CLAUSES.iter().filter(|clause| (clause.is_tested)(tested) == is_tested);
         let named = clauses.map(|clause| match clause.symbols {
-            [] => clause.number.to_owned(),
-            symbols => format!("{} ({})", clause.number, symbols.join(", ")),
+            // the point of a clause is no decimal mark
+            [] => isolated(clause.number),
+            symbols => format!("{} ({})", isolated(clause.number), symbols.join(", ")),
         });
         named.collect::<Vec<_>>().join(", ")
     };
@@ -205,6 +206,15 @@ pub(super) fn tested_characteristics(tested: &Characteristics, words: &Words) ->
 mod tests {
     use super::*;
     use crate::tests::demo_iso9283::whole;
+    use etalon_documents::Language;
+
+    #[test]
+    fn numbers_of_clauses_keep_their_point_in_every_language() {
+        for language in [Language::En, Language::De, Language::Fr] {
+            let text = serde_json::to_string(&section(&whole(), &Words::new(language)).unwrap()).unwrap();
+            assert!(text.contains("7.3") && !text.contains("7,3"), "{text}");
+        }
+    }
 
     #[test]
     fn the_title_claims_what_the_table_shows() {

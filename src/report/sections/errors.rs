@@ -203,10 +203,9 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
         section.push(Block::text(tr!(words, "no-error-to-draw")));
         return section.whole();
     }
-    section.push(Block::note(tr!(words, "picture-marks")));
-    let page = Text::from(tr!(words, "picture-page")).and(" ").and(Text::file(PAGE)).and(". ");
-    let page = page.and(tr!(words, "picture-page-command"));
-    section.push(Block::Text { text: page, tone: Tone::Note });
+    let note = Text::from(tr!(words, "picture-marks")).and(" ").and(tr!(words, "picture-page")).and(" ");
+    let note = note.and(Text::file(PAGE)).and(", ").and(tr!(words, "picture-page-command"));
+    section.push(Block::Text { text: note, tone: Tone::Note });
     let undrawn = errors.len() - drawable.len();
     if undrawn > 0 {
         let note = tr!(words, "errors-not-drawn", count = undrawn);

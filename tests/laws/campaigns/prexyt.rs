@@ -276,8 +276,10 @@ fn a_single_theta_is_warned_of() {
                 .iter()
                 .map(|w| w.parameters.iter().map(|&i| robot.parameters()[i].name.as_str()).collect())
                 .collect();
-            let said =
-                found.warnings.iter().any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different |theta|")));
+            let said = found
+                .warnings
+                .iter()
+                .any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different values of |theta|")));
             assert!(said, "{:?}", found.warnings);
             assert_eq!(names, [["d", "x_c"]], "{kind:?} {seed}");
             predicted.push(found.standard_uncertainty(6).expect("identified"));

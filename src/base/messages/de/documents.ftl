@@ -24,7 +24,7 @@ instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Ke
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
     }
-    .hint = die Werte als Obergrenzen verwenden oder mit einem besseren Messgerät messen
+    .hint = RP als Obergrenze verwenden oder mit einem besseren Messgerät messen
 
 positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
     .hint = `drift_set` in [poses] angeben (`--drift-set`) oder den Roboter vor der Prüfung warmfahren
