@@ -231,7 +231,7 @@ fn table(convention: &str, rows: &[[f64; 4]]) -> String {
 }
 
 /// Tables of Universal Robots, as `etalon init --robot` has them: name and rows.
-fn universal_robots() -> impl Iterator<Item = (&'static str, Vec<[f64; 4]>)> {
+fn tables_of_the_maker() -> impl Iterator<Item = (&'static str, Vec<[f64; 4]>)> {
     PUBLISHED.iter().filter(|arm| arm.name.starts_with("ur")).map(|arm| (arm.name, arm.rows.to_vec()))
 }
 
@@ -248,8 +248,8 @@ fn screw_axes() -> Vec<(String, toml::Value)> {
 fn arms_of_universal_robots_are_known_by_their_axes() {
     let scratch = Scratch::with(&[]);
     let of = |convention: &str, rows: &[[f64; 4]]| difference(&scratch, &table(convention, rows));
-    assert_eq!(universal_robots().count(), 8);
-    for (name, rows) in universal_robots() {
+    assert_eq!(tables_of_the_maker().count(), 8);
+    for (name, rows) in tables_of_the_maker() {
         assert_eq!(of("dh", &rows), None, "{name}");
         // a calibrated arm: its parallel axes have distant common normals, its zeros are elsewhere
         let mut noise = etalon::base::noise::Noise::new(19, 7);
@@ -383,7 +383,7 @@ fn written_frames(yaml: &str) -> Vec<Pose> {
 fn a_universal_robots_file_has_the_frames_of_the_maker_wherever_the_arm_stands() {
     let scratch = Scratch::with(&[]);
     let mount = Pose::from_xyz_rpy([120.0, -80.0, 900.0], [0.0, 0.0, std::f64::consts::FRAC_PI_2]);
-    for (name, rows) in universal_robots() {
+    for (name, rows) in tables_of_the_maker() {
         let (mut pose, mut axes) = (mount, Vec::new());
         for (frame, slide) in makers_frames(&rows).iter().zip([40.0, -700.0, 0.0, 1300.0, 12.0, -50.0]) {
             pose = pose.then(frame);

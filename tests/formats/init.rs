@@ -591,6 +591,14 @@ fn the_tool_link_is_that_of_the_measured_points() {
     std::fs::write(at.join("joints.csv"), log).unwrap();
     let robot = chosen("joints.csv", "");
     assert!(robot.contains("tool_link = \"?\"") && robot.matches("fits the files").count() == 2, "{robot}");
+    // a second finger that mimics the first: two chains with the same joints
+    let urdf = std::fs::read_to_string(at.join("arm.urdf")).unwrap();
+    let second = "<link name=\"other\"/><joint name=\"grip_2\" type=\"prismatic\"><parent link=\"l6\"/><child link=\"other\"/>\
+                  <axis xyz=\"-1 0 0\"/><limit lower=\"0\" upper=\"0.05\"/><mimic joint=\"grip\"/></joint></robot>";
+    std::fs::write(at.join("arm.urdf"), urdf.replace("</robot>", second)).unwrap();
+    let robot = chosen("joints.csv", "");
+    assert!(robot.contains("tool_link = \"?\"") && robot.contains("finger") && robot.contains("other"), "{robot}");
+    std::fs::write(at.join("arm.urdf"), urdf).unwrap();
     // a finger that moves, and a reflector on the flange
     std::fs::write(at.join("both.csv"), rows_of_arm(at, "tool0", &moving)).unwrap();
     let robot = chosen("both.csv", "");

@@ -105,7 +105,9 @@ fn evidence(beside: &Path, name: &str, chain: &TreeChain, files: &[PathBuf]) -> 
 fn untested(chains: &[TreeChain], evidence: &[Evidence], fit: &[usize], by_name: bool) -> Choice {
     let longer = |at: &usize| {
         let own = names(&chains[*at]);
-        fit.iter().any(|other| other != at && names(&chains[*other]).starts_with(&own))
+        // fingers with one joint, of which one mimics the other, are equally long
+        let is_longer = |names: &[&str]| names.len() > own.len() && names.starts_with(&own);
+        fit.iter().any(|other| is_longer(&names(&chains[*other])))
     };
     let moves = |at: &usize| evidence[*at].still == 0;
     let ends = |at: &&usize| chains[**at].is_end && moves(at) || !longer(at);
