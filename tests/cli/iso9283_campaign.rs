@@ -382,7 +382,6 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             let conforms = verdict == "pass";
             let scratch = copy_sample(sample);
             let name = key.split(' ').next().unwrap();
-            let title = if name == "accuracy_max_mm" { "largest pose accuracy" } else { "largest pose" };
             scratch.replace("campaign.toml", key, &format!("{name} = {limit_mm}"));
             let run = etalon(scratch.root(), &["run", "campaign"]);
             let found: Iso9283Document = read(&scratch, "iso9283.json");
@@ -403,7 +402,10 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             }
             let limit = found.limits.iter().find(|l| l.name.to_string() == name).unwrap();
             assert_eq!(limit.met, conforms, "{sample} {limit_mm}");
-            assert!(judged(&text(&run.stdout), title, verdict), "{sample}");
+            // the name of a limit is as wide as the other columns let it be
+            let of_limit = |row: &String| row.starts_with("largest pose") && row.contains(&format!(" {limit_mm} "));
+            let shown = rows(&text(&run.stdout));
+            assert!(shown.iter().any(|row| of_limit(row) && row.ends_with(verdict)), "{sample}: {shown:?}");
         }
     }
 }
