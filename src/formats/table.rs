@@ -459,9 +459,9 @@ pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approac
 fn names_coordinate(heading: &str, name: &str) -> bool {
     let Some((letter, _)) = name.rsplit_once('_') else { return false };
     let heading = heading.to_lowercase();
-    let words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     let is_unit = |word: &&str| ["mm", "m", "um", "inch", "in"].contains(word);
-    words.filter(|word| !is_unit(word)).next_back() == Some(letter)
+    words.rfind(|word| !is_unit(word)) == Some(letter)
 }
 
 /// Digits of a heading.

@@ -107,6 +107,9 @@ fn grouped(arrays: &[Array]) -> Vec<ArrayParts> {
     groups
 }
 
+/// Reads a number from its bytes in ascending order.
+type Read = fn(&[u8]) -> f64;
+
 /// Channel of a header.
 #[derive(Debug, Default)]
 struct Channel {
@@ -178,7 +181,7 @@ impl Channel {
     }
 
     /// Returns the size (bytes) of a number, and the number of its bytes in ascending order.
-    fn number(&self) -> Option<(usize, fn(&[u8]) -> f64)> {
+    fn number(&self) -> Option<(usize, Read)> {
         fn read<const N: usize>(bytes: &[u8]) -> [u8; N] {
             bytes.try_into().unwrap_or([0; N])
         }

@@ -115,6 +115,9 @@ fn untested(chains: &[TreeChain], evidence: &[Evidence], fit: &[usize], by_name:
     // of a chain whose last joints stand still, the part that moves
     let part = |at: usize| {
         let own = names(&chains[at]);
+        if evidence[at].still == 0 {
+            return at;
+        }
         let moving = &own[..own.len() - evidence[at].still];
         fit.iter().copied().find(|other| names(&chains[*other]) == moving).unwrap_or(at)
     };

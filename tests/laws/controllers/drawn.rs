@@ -60,7 +60,7 @@ pub fn universal_robot(seed: u64) -> Scratch {
     for [alpha, a, theta, d] in table {
         let _ = writeln!(text, "[[joint]]\nalpha_deg = {alpha:?}\na_mm = {a:?}\ntheta_deg = {theta:?}\nd_mm = {d:?}");
     }
-    measured(&mut Noise::new(44, seed), &text, "dh", if seed % 2 == 0 { 1e-3 } else { 0.0 })
+    measured(&mut Noise::new(44, seed), &text, "dh", if seed.is_multiple_of(2) { 1e-3 } else { 0.0 })
 }
 
 /// Measurements of an arm in a description, which is written in a convention. Gains are off by up to `gains` and identified, if any are.
