@@ -209,7 +209,8 @@ mod tests {
             let limits: Vec<String> = robot.limits_deg.iter().map(ends).collect();
             assert_eq!(limits.len(), robot.joints().len(), "{}", robot.name);
             let source = robot.limits_source.as_deref().unwrap_or_default();
-            let row = format!("| `{}` | {} | {} | {source} |\n", robot.name, robot.title, limits.join(", "));
+            let title = robot.published().map_or(robot.title.as_str(), |arm| arm.title);
+            let row = format!("| `{}` | {title} | {} | {source} |\n", robot.name, limits.join(", "));
             assert!(page.contains(&row), "docs/robot.md lacks\n{row}");
         }
     }

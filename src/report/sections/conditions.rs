@@ -253,7 +253,7 @@ mod tests {
         c.deviations = Some(vec![]);
         let all = facts(&documents.results(), &Words::default());
         assert_eq!(fact(&all, "load").as_deref(), Some("0.5 kg"));
-        assert_eq!(fact(&all, "load centre, from the mechanical interface").as_deref(), Some("x 0, y 1.5, z 30 mm"));
+        assert_eq!(fact(&all, "load centre (from the mechanical interface)").as_deref(), Some("x 0, y 1.5, z 30 mm"));
         assert_eq!(fact(&all, "velocities").as_deref(), Some("100, 50 % of the rated velocity; 400 mm/s"));
         assert_eq!(fact(&all, "deviations from the method").as_deref(), Some("none"));
         assert_eq!(fact(&all, "instrument's uncertainty").as_deref(), Some("U = 2.7 µm per coordinate (k = 2)"));

@@ -546,10 +546,10 @@ mod tests {
         documents.tested = whole();
         let open = report_verdict(&documents);
         let expected = [
-            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. By guarded acceptance \
+            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. According to guarded acceptance \
              (ILAC-G8:09/2019, 4.2.2): poses 1, 2 are undecided.",
             "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
-            "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. By guarded acceptance \
+            "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. According to guarded acceptance \
              (ILAC-G8:09/2019, 4.2.2): all 2 poses conform.",
             "Suitable: the measurement uncertainty is within 25 % of AP and RP at every pose.",
             "Undecided (limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance \

@@ -140,7 +140,7 @@ fn preconditions_of_a_test_are_steps_in_every_rendering() {
     let renderer = Renderer::campaign(&documents.results()).unwrap();
     let page = String::from_utf8(renderer.file("html").unwrap()).unwrap();
     let terminal = renderer.terminal();
-    let text = "Warm the robot up before the test, and state";
+    let text = "Warm the robot up before the test, and set";
     assert!(page.contains(text) && terminal.contains(text), "{terminal}");
     assert!(terminal.contains("To complete before signing: ") && page.contains("To complete before signing: "));
     let json = serde_json::to_string(&documents.results().verdict).unwrap();

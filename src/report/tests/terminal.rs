@@ -55,7 +55,7 @@ fn missing_limits_come_first() {
     let at = |part: &str| shown.find(part).unwrap_or_else(|| panic!("{part}: {shown}"));
     assert!(at("There are no limits, so no verdict is possible.") < at("Largest "), "{shown}");
     assert!(
-        shown.contains("\n1. State the tolerance of the application in [limits]. A verdict needs limits.\n"),
+        shown.contains("\n1. Give the tolerance of the application in [limits]. A verdict needs limits.\n"),
         "{shown}"
     );
     // an implausible result fails without limits, and its cause is the first step
