@@ -65,7 +65,7 @@ fn missing_limits_come_first() {
     documents.parameters.messages.push(cause);
     let shown = self::terminal(&documents);
     assert!(!shown.contains("There are no limits"), "{shown}");
-    assert!(shown.contains("\n2. State the tolerance of the application in [limits]."), "{shown}");
+    assert!(shown.contains("\n2. Give the tolerance of the application in [limits]."), "{shown}");
 }
 
 #[test]
