@@ -138,6 +138,25 @@ pub trait Robot: Send + Sync {
     /// Writes ∂ positions / ∂ parameters, row by row: (targets × dimension) × parameters.
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
 
+    /// Calls `write` with the derivatives of target positions, like
+    /// [`Parametrised::target_derivatives`].
+    fn target_derivatives(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: &[usize],
+        write: &mut dyn FnMut(usize, usize, Vector),
+    ) {
+        let (n, d) = (parameters.len(), self.dimension());
+        let mut all = vec![0.0; d * self.targets().len() * n];
+        self.jacobian(parameters, joints, &mut all);
+        for &k in targets {
+            let own = &all[d * k * n..];
+            let component = |i: usize, j: usize| if i < d { own[i * n + j] } else { 0.0 };
+            (0..n).for_each(|j| write(k, j, [0, 1, 2].map(|i| component(i, j))));
+        }
+    }
+
     /// Writes ∂ positions / ∂ joint values, row by row: (targets × dimension) × joints. Bending is
     /// evaluated at the joint values themselves.
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]);
@@ -385,14 +404,7 @@ impl<R: Robot + ?Sized> Parametrised for Anew<'_, R> {
         self.robot.joint_jacobian(self.parameters, state.joints, out);
     }
     fn target_derivatives(&self, state: State, targets: &[usize], write: &mut dyn FnMut(usize, usize, Vector)) {
-        let (n, d) = (self.parameters.len(), self.robot.dimension());
-        let mut all = vec![0.0; d * self.robot.targets().len() * n];
-        self.jacobian(state, &mut all);
-        for &k in targets {
-            let own = &all[d * k * n..];
-            let component = |i: usize, j: usize| if i < d { own[i * n + j] } else { 0.0 };
-            (0..n).for_each(|j| write(k, j, [0, 1, 2].map(|i| component(i, j))));
-        }
+        self.robot.target_derivatives(self.parameters, state.joints, targets, write);
     }
 }
 

@@ -342,23 +342,39 @@ impl<L: Legs> Robot for Parallel<L> {
         }
     }
     fn jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
-        let n = parameters.len();
-        let Some((platform, twists)) = self.moving(parameters, joints) else { return out.fill(f64::NAN) };
+        let (n, targets) = (parameters.len(), Vec::from_iter(0..self.targets().len()));
         out.fill(0.0);
+        self.target_derivatives(parameters, joints, &targets, &mut |target, column, moved| {
+            write(&mut out[3 * target * n..], n, column, moved);
+        });
+    }
+    /// The position of a target depends on its own coordinates alone, not on those of the others.
+    /// NaN if the legs do not meet the platform.
+    fn target_derivatives(
+        &self,
+        parameters: &[f64],
+        joints: &[f64],
+        targets: &[usize],
+        write: &mut dyn FnMut(usize, usize, Vector),
+    ) {
+        let Some((platform, twists)) = self.moving(parameters, joints) else {
+            let all = targets.iter().flat_map(|&k| (0..parameters.len()).map(move |column| (k, column)));
+            return all.for_each(|(k, column)| write(k, column, [f64::NAN; 3]));
+        };
         let base = base_pose(parameters);
         let flange = base.then(&platform);
         let axes = turning_axes([parameters[3], parameters[4], parameters[5]]);
-        for (k, out) in out.chunks_exact_mut(3 * n).enumerate() {
+        for &k in targets {
             let (place, on_platform) = (self.target_place(k), self.on_platform(parameters, k));
+            let lever = platform.rotate(on_platform);
             let from_base = base.rotate(platform.apply(on_platform));
             for (i, axis) in axes.into_iter().enumerate() {
-                write(out, n, i, Pose::identity().axis(i));
-                write(out, n, 3 + i, cross(axis, from_base));
-                write(out, n, place + i, flange.axis(i));
+                write(k, i, Pose::identity().axis(i));
+                write(k, 3 + i, cross(axis, from_base));
+                write(k, place + i, flange.axis(i));
             }
-            for (j, twist) in twists.by_parameters.iter().enumerate() {
-                write(out, n, self.first() + j, twist.moves(platform.rotate(on_platform), &base));
-            }
+            let legs = twists.by_parameters.iter().enumerate();
+            legs.for_each(|(j, twist)| write(k, self.first() + j, twist.moves(lever, &base)));
         }
     }
     fn joint_jacobian(&self, parameters: &[f64], joints: &[f64], out: &mut [f64]) {
