@@ -76,7 +76,7 @@ use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, 
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::estimation::Estimation;
-use solution::solver::solve_identifiable;
+use solution::solver::{Identifiable, solve_again, solve_identifiable};
 
 /// Result of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -407,6 +407,32 @@ impl Fitted {
     ) -> Result<Self> {
         let wanted = wanted_parameters(robot, observations, settings)?;
         let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
+        Self::evaluated(robot, observations, settings, found)
+    }
+
+    /// [`Fitted::from_start`], with fewer steps: beginning at an identification from more or fewer
+    /// observations.
+    ///
+    /// # Errors
+    /// Fails like [`Fitted::new`].
+    pub fn near(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        start: &[f64],
+        found: &Identification,
+    ) -> Result<Self> {
+        let wanted = wanted_parameters(robot, observations, settings)?;
+        let estimation = Estimation { robot, observations, settings, wanted: &wanted };
+        Self::evaluated(robot, observations, settings, solve_again(estimation, start, found)?)
+    }
+
+    fn evaluated(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        found: Identifiable,
+    ) -> Result<Self> {
         let settings = Settings { prior: found.prior, ..settings.with_weight(found.weight) };
         let problem = Residuals::new(robot, observations, &settings, &found.free, &found.values)?;
         let rms = judgement::uncertainty::rms_mm(&problem, &found.solution);

@@ -7,7 +7,7 @@ use crate::model::residuals::Residuals;
 use crate::solution::estimation::Estimation;
 use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
-use crate::{Error, Result};
+use crate::{Error, Identification, Result};
 use crate::{Observation, Settings};
 use etalon_base::angle::Turn;
 use etalon_base::pattern::matches_pattern;
@@ -82,24 +82,13 @@ pub(crate) fn solve_identifiable(
         let subset: Vec<Observation> = observations.iter().step_by(step).cloned().collect();
         near = Estimation { observations: &subset, ..estimation }.near(start).ok();
     }
-    let mut found = estimation.solve(start, near)?;
-    if let Some(other) = estimation.freed(start, &found)? {
-        found = other;
-    }
-    if settings.prior == Prior::None && !settings.rigid.is_empty() {
-        // residuals show how far errors of the robot exceed the instrument's: the parts stay rigid
-        // beside them
-        let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
-        let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
-        let held = found.groups.iter().map(|g| g.held).collect();
-        let settings = settings.with_weight(weight);
-        found = Estimation { settings: &settings, ..estimation }.rounds(found.values, Some(held))?;
-        found.weight = weight;
-        found.iterations += before;
-    }
-    whole_turns(robot, &mut found.values);
-    found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
-    Ok(found)
+    estimation.whole(start, near)
+}
+
+/// Like [`solve_identifiable`], beginning at the solution of more or fewer observations.
+pub(crate) fn solve_again(estimation: Estimation, start: &[f64], found: &Identification) -> Result<Identifiable> {
+    let held = held_by(&found.identifiability.groups);
+    estimation.whole(start, Some(Near { values: found.values.clone(), held: Some(held), prior: found.prior }))
 }
 
 /// Chooses the angles nearest to nominal: a whole turn more or less is the same robot. Components
@@ -114,6 +103,29 @@ fn whole_turns(robot: &dyn Robot, values: &mut [f64]) {
 }
 
 impl Estimation<'_> {
+    /// Solution in which every parameter has its value next to nominal, and rigid parts stay rigid.
+    fn whole(&self, start: &[f64], near: Option<Near>) -> Result<Identifiable> {
+        let Self { robot, observations, settings, .. } = *self;
+        let mut found = self.solve(start, near)?;
+        if let Some(other) = self.freed(start, &found)? {
+            found = other;
+        }
+        if settings.prior == Prior::None && !settings.rigid.is_empty() {
+            // residuals show how far errors of the robot exceed the instrument's: the parts stay
+            // rigid beside them
+            let problem = Residuals::new(robot, observations, settings, &found.free, &found.values)?;
+            let (weight, before) = (problem.noise(Some(&found.solution)), found.iterations);
+            let held = found.groups.iter().map(|g| g.held).collect();
+            let settings = settings.with_weight(weight);
+            found = Estimation { settings: &settings, ..*self }.rounds(found.values, Some(held))?;
+            found.weight = weight;
+            found.iterations += before;
+        }
+        whole_turns(robot, &mut found.values);
+        found.solution.x = found.free.iter().map(|&i| found.values[i]).collect();
+        Ok(found)
+    }
+
     /// Solves from `start` (all parameters of the robot), or from a solution of some of the poses.
     fn solve(&self, start: &[f64], near: Option<Near>) -> Result<Identifiable> {
         match (self.settings.prior, near) {

@@ -139,12 +139,6 @@ impl<'a> Study<'a> {
         etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
-    /// Values of all parameters like those of an identification, without uncertainties.
-    fn fitted(&self, observations: &[Observation], settings: &Settings) -> Result<Vec<f64>> {
-        let found = Fitted::from_start(self.robot, observations, settings, &self.before).map_err(remedied)?;
-        Ok(found.values)
-    }
-
     /// Tries a choice of parameters, which may be made again in each fold from its identification.
     pub fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
         let choose = |observations: &[Observation], settings: &Settings| -> Result<Identification> {
@@ -154,11 +148,15 @@ impl<'a> Study<'a> {
                 None => Ok(found),
             }
         };
-        // parameters of a fold alone need no uncertainties
+        let found = choose(&self.sets.calibration, settings)?;
+        // parameters of a fold alone need no uncertainties, and are near those of all poses
         let values = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
             match again {
                 Some(_) => Ok(choose(observations, settings)?.values),
-                None => self.fitted(observations, settings),
+                None => {
+                    let near = Fitted::near(self.robot, observations, settings, &self.before, &found);
+                    Ok(near.map_err(remedied)?.values)
+                }
             }
         };
         let of_fold = |fold: &BTreeSet<PoseName>| -> Result<Squares> {
@@ -169,11 +167,7 @@ impl<'a> Study<'a> {
         let squares = |folds: &[BTreeSet<PoseName>]| -> Result<Squares> {
             Ok(mean_squares(folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?))
         };
-        let of_folds = || -> Result<[Squares; 2]> { Ok([squares(&self.folds)?, squares(&self.blocks)?]) };
-        // folds leave a thread idle
-        let (parts, whole) = rayon::join(of_folds, || choose(&self.sets.calibration, settings));
-        let [left_out, by_block] = parts?;
-        let found = whole?;
+        let (left_out, by_block) = (squares(&self.folds)?, squares(&self.blocks)?);
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
         Ok(Tried { found, left_out, by_block, fitted })
     }
