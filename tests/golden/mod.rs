@@ -44,6 +44,35 @@ fn the_page_of_messages_is_current() {
     compare("docs/messages.md", &escaped(&page));
 }
 
+#[test]
+fn the_page_of_options_is_current() {
+    let mut page = "# Options of all commands\n\nGenerated from the help of the program. `etalon COMMAND --help` prints the same; \
+                    [Commands](commands.md) explains the commands by task.\n"
+        .to_owned();
+    add_help(&[], &mut page);
+    assert!(page.matches("\n## ").count() > 30, "{page}");
+    compare("docs/options.md", &page);
+}
+
+/// Help of a command, then of its subcommands, in Markdown.
+fn add_help(names: &[&str], page: &mut String) {
+    let mut program = std::process::Command::new(crate::support::program());
+    let ended = program.args(names).arg("--help").env_remove("COLUMNS").output().unwrap();
+    let help = String::from_utf8(ended.stdout).unwrap();
+    let help: String = help.lines().map(|line| line.trim_end().to_owned() + "\n").collect();
+    *page += &format!("\n## {}\n\n```text\n{help}```\n", [&["etalon"][..], names].concat().join(" "));
+    // the program lists its commands by task, before its options
+    let list = match names {
+        [] => help.split("\nOptions:").next(),
+        _ => help.split("\nCommands:\n").nth(1).and_then(|rest| rest.split("\n\n").next()),
+    };
+    let rows = list.unwrap_or_default().lines().filter_map(|line| line.strip_prefix("  "));
+    let commands = rows.filter(|row| row.starts_with(|c: char| c.is_ascii_lowercase()));
+    for name in commands.filter_map(|row| row.split(' ').next()).filter(|name| *name != "help") {
+        add_help(&[names, &[name]].concat(), page);
+    }
+}
+
 /// Markdown in which `<` outside of code is text and begins no HTML element.
 fn escaped(markdown: &str) -> String {
     let line = |line: &str| {
