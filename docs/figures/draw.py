@@ -406,6 +406,67 @@ def errors(runs):
     return svg
 
 
+def first_report(runs):
+    """Result of the first page to learn from: answer of `run`, and the errors at its validation poses as its report lists them."""
+    examples = ROOT / "python/examples"
+    runs.call("init", "mine", "--robot", examples / "arm.toml", "--from", examples / "arm.csv")
+    campaign = runs.folder / "mine/campaign.toml"
+    text = re.sub(r'^name = "\?".*$', 'name = "Laser tracker"', campaign.read_text(), flags=re.M)
+    campaign.write_text(re.sub(r'^expanded_uncertainty_um = "\?".*$', "expanded_uncertainty_um = 20", text, flags=re.M))
+    answer = next(line for line in runs.call("run", "mine").splitlines() if line.startswith("Largest position error"))
+    report = (runs.folder / "mine/out/report.html").read_text()
+    shown = r"<title>pose (\d+), cycle 1, \S+ \(validation\): ([\d.]+) µm before, ([\d.]+) µm after"
+    rows = sorted({(int(pose), float(before), float(after)) for pose, before, after in re.findall(shown, report)})
+    assert len(rows) == 18, rows
+    svg = Svg("first-report", "Errors at the 18 validation poses of the first campaign, before and after calibration")
+    x, y = lambda i: 80 + 31 * i, lambda error: 310 - 80 * math.log10(error)
+    svg.text(20, 24, answer, size=14)
+    for decade in range(4):
+        svg.line([(62, y(10**decade)), (620, y(10**decade))], "#ddd", 1)
+        svg.text(56, y(10**decade) + 4, f"{10**decade} µm", GREY, "end", 12)
+    for i, (pose, before, after) in enumerate(rows):
+        svg.line([(x(i), y(before)), (x(i), y(after))], GREY, 1.5, arrow=True)
+        svg.dot(x(i), y(before), ORANGE, 4)
+        svg.dot(x(i), y(after), BLUE, 4)
+        svg.text(x(i), 328, pose, GREY, "middle", 12)
+    svg.text(340, 350, "validation pose", GREY, "middle", 12)
+    svg.text(70, 58, "error before", ORANGE)
+    svg.text(160, 58, "error after calibration", BLUE)
+    return svg
+
+
+def one_joint(runs):
+    """Five readings of one joint, the fitted line and the residuals, from the files of the page."""
+    page = (ROOT / "docs/learn/one-joint.md").read_text()
+    for name, text in re.findall(r"^```\w+,file=(\S+)\n(.*?)^```$", page, re.M | re.S):
+        (runs.folder / name).parent.mkdir(exist_ok=True)
+        (runs.folder / name).write_text(text)
+    files = ["--robot", "axis/robot.toml", "--observations", "axis/readings.csv"]
+    document = json.loads(runs.call("identify", *files, "--standard-uncertainty-um", 3, "--hold", "base_rx", "--json"))
+    gain, offset, u = named(document, "gain_1")["value"], named(document, "base_x")["value"], 0.003
+    readings = [(float(r["q1_mm"]), float(r["x_mm"])) for r in csv.DictReader((runs.folder / "axis/readings.csv").open())]
+    svg = Svg("one-joint", "Five readings of one joint: x minus q with the fitted line, and the residuals with the standard uncertainty", height=420)
+    at, up, low = lambda q: 100 + 480 * q / 400, lambda v: 220 - 850 * v, lambda v: 340 - 8000 * v
+    svg.text(20, 24, f"x − q (mm): readings, and the fitted line {offset:.4f} + {gain - 1:.6f} q", size=14)
+    for value in (0, 0.1, 0.2):
+        svg.line([(90, up(value)), (600, up(value))], "#ddd", 1)
+        svg.text(82, up(value) + 4, f"{value:.1f}", GREY, "end", 12)
+    svg.line([(at(q), up(offset + (gain - 1) * q)) for q in (0, 400)], BLUE, 2)
+    svg.text(20, 270, "residuals (mm), with the standard uncertainty of 0.003 mm", size=14)
+    for value in (-u, 0, u):
+        svg.line([(90, low(value)), (600, low(value))], "#ddd" if value else GREY, 1)
+        svg.text(82, low(value) + 4, f"{value:+.3f}".replace("-", "−") if value else "0", GREY, "end", 12)
+    for q, x in readings:
+        residual = x - offset - gain * q
+        svg.dot(at(q), up(x - q), ORANGE, 5)
+        svg.line([(at(q), low(residual - u)), (at(q), low(residual + u))], ORANGE, 1.5)
+        svg.dot(at(q), low(residual), ORANGE, 4)
+        svg.text(at(q) + 8, low(residual) + 4, f"{residual:+.4f}".replace("-", "−"), size=12)
+        svg.text(at(q), 404, f"{q:.0f}", GREY, "middle", 12)
+    svg.text(82, 404, "q (mm)", GREY, "end", 12)
+    return svg
+
+
 def main():
     folder = Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).parent
     with tempfile.TemporaryDirectory() as work:
@@ -427,6 +488,8 @@ def main():
             sketch(runs, "linear-delta", "delta", "Delta with carriages on towers: the parameters of leg 1"),
             pseudo_pose(runs),
             errors(runs),
+            first_report(runs),
+            one_joint(runs),
         ]
         for svg in figures:
             svg.save(folder)
