@@ -27,7 +27,7 @@ format-too-many-joints = der Roboter hat { $joints } Gelenke, das Format `{ $for
 urdf-malformed = `{ $file }` ist kein wohlgeformtes XML
     .hint = die Datei berichtigen
 
-formulas-missing = für die Kinematik von `{ $model }` gibt es keine Formeln
+formulas-missing = die Kinematik von `{ $model }` kann nicht als Code geschrieben werden: etalon enthält für dieses Modell keine geschlossenen Formeln
     .hint = ein Format verwenden, das Parameter enthält: `json`, `csv`, `c-header`
 
 formula-constant-not-finite = eine Konstante der Kinematik ist nicht endlich
@@ -93,7 +93,7 @@ parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen b
 parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
 
-positions-not-measured = Format `{ $format }` braucht gemessene Positionen, aber zu den Parametern gehören keine
+positions-not-measured = das Format `{ $format }` enthält gemessene Positionen, aber zu diesen Parametern gehören keine
     .expected = die parameters.json im Ausgabeordner einer Kampagne, die Positionen gemessen hat
 
 recording-failed = die Aufzeichnung kann nicht geschrieben werden: { $reason }

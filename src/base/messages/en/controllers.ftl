@@ -43,11 +43,11 @@ format-too-many-joints = the robot has { $joints } joints, format `{ $format }` 
 urdf-malformed = `{ $file }` is not well-formed XML
     .hint = correct the file
 
-# Means: etalon has no closed-form kinematics for this robot model.
-# Matters: The code for the controller is generated from closed-form kinematics.
+# Means: The program contains no closed-form formulas for the kinematics of this robot model.
+# Matters: Code for a controller is generated from such formulas.
 # Do: Choose a format that contains only the parameters, for example `json` or `c-header`.
 # Example: `etalon export --format c-kinematics` for a model without formulas
-formulas-missing = there is no closed-form solution for the kinematics of `{ $model }`
+formulas-missing = etalon cannot write the kinematics of `{ $model }` as code: it has no closed-form formulas for this model
     .hint = choose a format that contains only the parameters: `json`, `csv`, `c-header`
 
 # Means: A constant of the generated kinematics is infinite or not a number.
@@ -162,12 +162,12 @@ parameter-names-collide = parameters `{ $first }` and `{ $second }` both become 
 parameter-missing = parameter `{ $parameter }` is missing
     .hint = give the robot.toml that the identification of these parameters used
 
-# Means: The format stores measured positions and their errors, but these parameters come without
-# measured positions.
-# Matters: The file is empty.
+# Means: The format stores measured positions and their errors. The folder of these parameters
+# contains no measured positions.
+# Matters: The file would be empty, so it is not written.
 # Do: Use the `parameters.json` in the output folder of a run that measured positions.
 # Example: `etalon export --format mcap` for a parameters.json outside of an output folder
-positions-not-measured = format `{ $format }` needs measured positions, but there are none with these parameters
+positions-not-measured = format `{ $format }` contains measured positions, but no measured positions belong to these parameters
     .expected = the parameters.json in the output folder of a run that measured positions
 
 # Means: The recording cannot be written.

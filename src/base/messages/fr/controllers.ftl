@@ -27,7 +27,7 @@ format-too-many-joints = le robot a { $joints } articulations, le format `{ $for
 urdf-malformed = `{ $file }` n’est pas un document XML bien formé
     .hint = corriger le fichier
 
-formulas-missing = il n’existe pas de formules pour la cinématique de `{ $model }`
+formulas-missing = la cinématique de `{ $model }` ne peut pas être écrite en code : etalon ne contient pas de formules explicites pour ce modèle
     .hint = utiliser un format qui contient des paramètres : `json`, `csv`, `c-header`
 
 formula-constant-not-finite = une constante de la cinématique n’est pas finie
@@ -93,7 +93,7 @@ parameter-names-collide = les paramètres `{ $first }` et `{ $second }` s’appe
 parameter-missing = le paramètre `{ $parameter }` manque
     .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés
 
-positions-not-measured = le format `{ $format }` exige des positions mesurées, et les paramètres sont donnés sans ces positions
+positions-not-measured = le format `{ $format }` contient des positions mesurées, mais aucune position mesurée n’accompagne ces paramètres
     .expected = le parameters.json du dossier de sortie d’une campagne qui a mesuré des positions
 
 recording-failed = l’enregistrement ne peut pas être écrit : { $reason }
