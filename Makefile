@@ -24,7 +24,7 @@
 # make reference write an archive of the reference campaigns with certified values: target/reference
 # make python  build the wheel with the Python module and the program, and test it in a virtual environment beside the build
 # make figures draw the figures of docs/ again from numbers of the program (needs python3)
-# make book    make a book of docs/ with mdBook: target/book/index.html
+# make book    make a book of docs/ with mdBook, without a dead link: target/book/index.html
 # make dist    write an archive, a Debian package, a list of components and checksums of the program: target/dist;
 #              TARGETS="x86_64-unknown-linux-musl ..." adds archives for other systems
 # make samples make the synthetic samples again from their truth
@@ -203,6 +203,7 @@ MDBOOK := $(or $(shell command -v mdbook),$(TOOLS)/bin/mdbook)
 book:
 	[ -x $(MDBOOK) ] || cargo install --quiet --locked --root $(TOOLS) mdbook
 	$(MDBOOK) build docs --dest-dir $(abspath $(CARGO_TARGET_DIR))/book
+	.ci/links $(CARGO_TARGET_DIR)/book
 
 # the program of a package names its own components (`.dep-v0`, cargo-auditable)
 dist:
