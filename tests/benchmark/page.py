@@ -85,6 +85,65 @@ def figure(folder, name, described, participants):
     path.write_text("\n".join(out) + "\n</svg>\n")
 
 
+def rms(found, participant):
+    """Root-mean-square position error (mm) of a participant, if it predicted the set."""
+    return found["participants"].get(participant, {}).get("position", {}).get("errors", {}).get("rms")
+
+
+def compared(results, label, peers):
+    """Sentence that compares etalon with the best of some participants, on the sets that both predicted."""
+    least = {name: min((rms(found, p) for p in peers if rms(found, p)), default=None) for name, found in results.items()}
+    ratios = {name: rms(found, "etalon") / least[name] for name, found in results.items() if least[name] and rms(found, "etalon")}
+    smaller = sorted(100 * (1 - r) for r in ratios.values() if r < 0.99)
+    larger = [name for name, r in ratios.items() if r > 1.01]
+    span = " to ".join(dict.fromkeys(f"{share:.0f}" for share in smaller[:1] + smaller[-1:]))
+    span = f" ({span} %)" if smaller else ""
+    equal = len(ratios) - len(smaller) - len(larger)
+    named = f"{len(larger)} ({', '.join(larger)})" if larger else "none"
+    return f"Compared with {label}, etalon's error is smaller on {len(smaller)} of {len(ratios)} sets{span}. It is equal within 1 % on {equal}, and larger on {named}."
+
+
+def summary(results):
+    """Sentences that compare etalon with its peers, and every program with the nominal robot; errors are root mean squares."""
+    fits = {name: [rms(found, p) for p in LABELS if p != "nominal" and rms(found, p)] for name, found in results.items()}
+    worse = [name for name, found in results.items() if fits[name] and rms(found, "nominal") and min(fits[name]) > rms(found, "nominal")]
+    out = [compared(results, "the better SciPy fit", ("scipy_dh", "scipy_poe")), compared(results, "FIGAROH", ("figaroh",))]
+    return out + ([f"On {', '.join(worse)} every program is less accurate than the nominal robot."] if worse else [])
+
+
+def overview(results):
+    """Root-mean-square error of each set over the error of the nominal robot, a mark a participant."""
+    shown = [p for p in ("scipy_dh", "scipy_poe", "figaroh", "etalon") if any(rms(found, p) for found in results.values())]
+    left, top, step, width = 130, 40, 18, 640
+    height = top + step * len(results) + 50
+    largest = max(rms(found, p) / rms(found, "nominal") for found in results.values() for p in shown if rms(found, p))
+    x = lambda v: left + (width - left - 20) * v / (1.05 * largest)
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12">',
+        "<title>Root-mean-square error at test poses over the error of the nominal robot</title>",
+        f'<rect width="{width}" height="{height}" fill="#ffffff"/>',
+    ]
+    for k, participant in enumerate(shown):
+        out.append(f'<circle cx="{left + 5 + 110 * k}" cy="16" r="4" fill="{COLOURS[participant]}"/>')
+        out.append(f'<text x="{left + 14 + 110 * k}" y="20">{LABELS[participant]}</text>')
+    for tenth in range(0, int(10.5 * largest) + 1, 2):
+        at = x(tenth / 10)
+        out.append(f'<path d="M{at:.1f} {top - 8}V{height - 44}" stroke="{"#888888" if tenth == 10 else "#dddddd"}"/>')
+        out.append(f'<text x="{at:.1f}" y="{height - 28}" text-anchor="middle">{tenth / 10:g}</text>')
+    out.append(f'<text x="{(left + width) / 2}" y="{height - 8}" text-anchor="middle">error over the error of the nominal robot (1: no gain)</text>')
+    for row, (name, found) in enumerate(results.items()):
+        y = top + step * row + 6
+        out.append(f'<text x="{left - 10}" y="{y + 4}" text-anchor="end">{name}</text>')
+        for k, participant in enumerate(shown):
+            if rms(found, participant):
+                # equal errors stay visible one above the other
+                at = y + 3 * (k - (len(shown) - 1) / 2)
+                out.append(f'<circle cx="{x(rms(found, participant) / rms(found, "nominal")):.1f}" cy="{at:.1f}" r="3.5" fill="{COLOURS[participant]}"/>')
+    path = DOCS / "figures" / "benchmark" / "overview.svg"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(out) + "\n</svg>\n")
+
+
 def number(v):
     return f"{v:.3g}" if v < 100 else f"{v:.0f}"
 
@@ -192,6 +251,7 @@ def write(folder, described, results, program):
     own = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.strip()
     for name in results:
         figure(folder, name, described[name], participants)
+    overview(results)
     out = [
         "# Benchmark",
         "",
@@ -199,6 +259,10 @@ def write(folder, described, results, program):
         "",
         f"Programs calibrate {len(results)} sets of real robots and predict test poses that they have not seen. Rules, files and participants:",
         "`tests/benchmark/README.md`.",
+        "",
+        *(f"- {sentence}" for sentence in summary(results)),
+        "",
+        "![Error of each set over the error of the nominal robot](figures/benchmark/overview.svg)",
         "",
         "    make benchmark",
         "    make benchmark REAL_SOURCE=FOLDER        # without a network",
