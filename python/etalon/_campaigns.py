@@ -128,7 +128,7 @@ def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: 
         :class:`etalon.documents.AccuracyDocument`.
 
     Raises:
-        Error: The campaign does not read, or the parameters are those of another robot.
+        Error: The campaign does not read, or the parameters belong to another robot.
     """
     with _keys():
         text = _etalon.validate(_path(folder), json_of(parameters), frames)

@@ -45,7 +45,7 @@ class Robot:
 
     Args:
         source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"`` or ``"UR5e"``.
-        targets: Nominal positions (mm) of targets at the flange, beside those of ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
+        targets: Nominal positions (mm) of targets at the flange, in addition to ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
 
     Raises:
         Error: The file does not read, or there is no robot of this name.

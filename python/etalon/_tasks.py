@@ -118,7 +118,7 @@ def identify(
         Error: The table does not read, does not belong to the robot, or does not determine the parameters.
 
     Warns:
-        MessageWarning: Messages of the document, by id; :class:`etalon.ImplausibleWarning` if the parameters can be those of no such robot.
+        MessageWarning: Messages of the document, by id; :class:`etalon.ImplausibleWarning` if no such robot can have the parameters.
     """
     options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
@@ -243,7 +243,7 @@ def verify(
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
         parameters: The document of :func:`identify`, or the path of a ``parameters.json``.
-        observations: Table of positions as of :func:`identify`; the targets are those of the calibration.
+        observations: Table of positions as of :func:`identify`; it contains targets of the calibration.
         standard_uncertainty_um: Of one measured coordinate (k = 1), um; that of the calibration if None.
         rotation_uncertainty_deg: Of a measured orientation about any axis (k = 1), deg; that of the calibration if None.
         orientation: Order of the angles ``a_deg``, ``b_deg``, ``c_deg``, as in :func:`identify`.
@@ -410,7 +410,7 @@ def iso9283(
     decimal: str | None = None,
     sheet: str | None = None,
 ) -> documents.Iso9283Document:
-    """Evaluate accuracy and repeatability of poses by ISO 9283.
+    """Evaluate accuracy and repeatability of poses to ISO 9283.
 
     Args:
         attained: Table with ``pose``, ``cycle``, ``x_mm``, ``y_mm``, ``z_mm`` and, where measured, ``a_deg``, ``b_deg``, ``c_deg``; rows in the order of
@@ -470,7 +470,7 @@ def iso9283_path(
     decimal: str | None = None,
     sheet: str | None = None,
 ) -> documents.Iso9283StreamDocument:
-    """Evaluate a recorded motion by ISO 9283: standstills, stabilisation, and the characteristics of a path.
+    """Evaluate a recorded motion to ISO 9283: standstills, stabilisation, and the characteristics of a path.
 
     Args:
         recording: Table with ``time_s``, ``x_mm``, ``y_mm``, ``z_mm`` and, where measured, ``a_deg``, ``b_deg``, ``c_deg``.
@@ -520,7 +520,7 @@ def iso230(
     decimal: str | None = None,
     sheet: str | None = None,
 ) -> documents.AxisDocument:
-    """Evaluate the positioning of a linear axis by ISO 230-2:2014.
+    """Evaluate the positioning of a linear axis to ISO 230-2:2014.
 
     Args:
         positions: Table with ``position_mm`` (programmed), ``measured_mm`` and ``direction`` (+1 or -1); each position at least twice in either

@@ -113,7 +113,7 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
         Poses; NaN where the robot cannot be there.
 
     Raises:
-        Error: The shape is another, or the parameters are those of another robot.
+        Error: The shape is another, or the parameters belong to another robot.
     """
     rows, single = _joint_rows(joints)
     found = _etalon.direct(robot_of(robot), rows, json_of(parameters))
@@ -124,7 +124,7 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
 def jacobian(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, parameters: Any = None) -> NDArray[np.float64]:
     """Compute the Jacobian of the flange by the joints, in the base frame.
 
-    Rows 0 to 2 are the velocity of the flange (mm), rows 3 to 5 its rotation vector (deg); columns are the joints, per deg or mm. Derivatives are
+    Rows 0 to 2 are the velocity of the flange (mm), rows 3 to 5 its rotation vector (deg). Columns are the joints, per deg or mm. Derivatives are
     exact.
 
     Args:
@@ -210,7 +210,7 @@ def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: Arra
         Positions in the world of the calibration: base and target are identified parameters.
 
     Raises:
-        Error: The shape is another, or the parameters are those of another robot or other targets.
+        Error: The shape is another, or the parameters belong to another robot or other targets.
     """
     rows, single = _joint_rows(joints)
     xyz_mm, covariance_mm2 = _etalon.predict(robot_of(robot), _needed(parameters), rows, target)
@@ -269,10 +269,10 @@ def inverse(
 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
-        poses: Poses, homogeneous matrices ``(n, 4, 4)`` in mm, or an array ``(n, 7)`` of x, y, z (mm) and the quaternion w, x, y, z; or a single
-            pose, without the first dimension.
-        near: Joint values near which the solution is looked for, ``(joints,)`` for all poses or ``(n, joints)``, a row for each; by default those of
-            the pose before. Values that reach the pose are the answer; of the family of solutions of a singular pose the nearest is.
+        poses: Poses, homogeneous matrices ``(n, 4, 4)`` in mm, or an array ``(n, 7)`` of x, y, z (mm) and the quaternion w, x, y, z. A single pose
+            has no first dimension.
+        near: Start of the search: ``(joints,)`` for all poses, or ``(n, joints)``, one row for each pose. By default it is the solution of the
+            previous pose. If the start reaches the pose, it is the answer. At a singular pose, the answer is the nearest of all solutions.
         all_solutions: All solutions of each pose instead of the nearest; of robots with at most six joints.
         parameters: A parameters document, or the path of one; nominal values without.
 

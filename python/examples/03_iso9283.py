@@ -1,4 +1,4 @@
-"""A test by ISO 9283 from a recording: the robot visits two poses thirty times while a tracker records (synthetic data)."""
+"""A test to ISO 9283 from a recording: the robot visits two poses thirty times while a tracker records (synthetic data)."""
 
 # %%
 import numpy as np
@@ -28,4 +28,4 @@ means = np.array([v.mean_mm for v in visits])
 attained = {"pose": [v.pose for v in visits], "cycle": [v.cycle for v in visits], "x_mm": means[:, 0], "y_mm": means[:, 1], "z_mm": means[:, 2]}
 tested = etalon.iso9283(attained, commanded, expanded_uncertainty_um=6)
 for pose in tested.poses:
-    print(pose.pose, pose.to_dict())
+    print(f"pose {pose.pose}: AP {1000 * (pose.ap_mm or 0):.1f} µm, RP {1000 * (pose.rp_mm or 0):.1f} µm")

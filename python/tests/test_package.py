@@ -21,7 +21,12 @@ def test_an_example_runs(example, tmp_path):
     shutil.copytree(FOLDER / "examples", tmp_path / "examples")
     ran = subprocess.run([sys.executable, example.name], cwd=tmp_path / "examples", capture_output=True, text=True)
     assert ran.returncode == 0, ran.stdout + ran.stderr
-    assert ran.stdout.strip()
+    # what the page shows below the script is printed, in this order
+    page = (FOLDER.parent / "docs/notebooks.md").read_text(encoding="utf-8")
+    shown = re.search(r"/" + re.escape(example.name) + r"\}\}\n```\n\n```text\n(.*?)```", page, re.DOTALL)
+    assert shown and shown[1].strip(), f"{example.name} has no output in docs/notebooks.md"
+    lines = iter(ran.stdout.splitlines())
+    assert all(line in lines for line in shown[1].splitlines()), ran.stdout
 
 
 def test_notebooks_are_those_of_the_scripts(tmp_path):

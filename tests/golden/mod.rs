@@ -54,6 +54,16 @@ fn the_page_of_options_is_current() {
     compare("docs/options.md", &page);
 }
 
+/// The docstrings have the arguments of each function.
+#[test]
+fn the_page_of_python_functions_is_current() {
+    let mut python = std::process::Command::new("python3");
+    let ended = python.arg(root().join("python/generate_reference.py")).arg("-").output();
+    let Ok(ended) = ended else { return crate::support::skipped("python3") };
+    assert!(ended.status.success(), "{}", String::from_utf8_lossy(&ended.stderr));
+    compare("docs/functions.md", &String::from_utf8(ended.stdout).unwrap());
+}
+
 /// Help of a command, then of its subcommands, in Markdown.
 fn add_help(names: &[&str], page: &mut String) {
     let mut program = std::process::Command::new(crate::support::program());
