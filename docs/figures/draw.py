@@ -94,6 +94,14 @@ class Runs:
             self.done.add(name)
         return folder
 
+    def batch(self, names):
+        """Run samples on all cores, without reports."""
+        names = [name for name in names if name not in self.done]
+        for name in names:
+            shutil.copytree(ROOT / "samples" / name, self.folder / name, ignore=shutil.ignore_patterns("out"))
+        self.call("batch", "--documents", "--to", "results", *names)
+        self.done.update(names)
+
     def document(self, name, file):
         return json.loads((self.sample(name) / "out" / file).read_text())
 
@@ -384,23 +392,28 @@ def pseudo_pose(runs):
 
 
 def errors(runs):
-    """Largest errors of the samples before and after calibration."""
-    svg = Svg("errors", "Largest error at validation poses, before and after calibration (µm, logarithmic)", height=300)
-    at = lambda mm: 150 + 440 * (math.log10(1000 * mm) - 0) / 3.2
+    """Largest errors of the samples with validation poses before and after calibration."""
+    names = """prexyt-cmm prexyt-faroarm prexyt-geometric dextar hexapod delta linear-delta column-arm rail-arm payload-arm torque-arm
+        warming-arm elastic-arm field-arm probe-poses second-encoders turntable two-hands draw-wire two-arms contacts surfaces""".split()
+    runs.batch(names)
+    svg = Svg("errors", "Largest error at validation poses, before and after calibration (µm, logarithmic)", height=70 + 22 * len(names))
+    at = lambda mm: 150 + 400 * (math.log10(1000 * mm) - 0) / 3.7
     for decade in range(4):
         x = at(10**decade / 1000)
-        svg.line([(x, 30), (x, 260)], "#ddd", 1)
-        svg.text(x, 278, f"{10**decade} µm", GREY, "middle", 12)
-    for i, name in enumerate(("prexyt-cmm", "dextar", "rail-arm", "hexapod", "linear-delta", "field-arm")):
+        svg.line([(x, 30), (x, 36 + 22 * len(names))], "#ddd", 1)
+        svg.text(x, 54 + 22 * len(names), f"{10**decade} µm", GREY, "middle", 12)
+    for i, name in enumerate(names):
         sets = runs.document(name, "accuracy.json")["sets"]
-        group = next(s for s in sets if s["name"] == "validation")["errors"]
-        position = next(e for e in group if e["quantity"] == "position")
-        before, after = position["before"]["max"], position["after"]["max"]
-        y = 50 + 36 * i
+        group = {e["quantity"]: e for e in next(s for s in sets if s["name"] == "validation")["errors"]}
+        quantity = next(q for q in ("position", "distance", "contact", "surface") if q in group)
+        before, after = group[quantity]["before"]["max"], group[quantity]["after"]["max"]
+        y = 46 + 22 * i
         svg.text(140, y + 4, name, INK, "end")
         svg.line([(at(before), y), (at(after), y)], GREY, 1.5, arrow=True)
         svg.dot(at(before), y, ORANGE, 5)
         svg.dot(at(after), y, BLUE, 5)
+        if quantity != "position":
+            svg.text(at(before) + 10, y + 4, quantity, GREY, size=12)
     svg.text(160, 22, "before", ORANGE)
     svg.text(220, 22, "after", BLUE)
     return svg
