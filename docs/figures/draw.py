@@ -480,6 +480,34 @@ def one_joint(runs):
     return svg
 
 
+def crates():
+    """Crates of the workspace and their dependencies, from the table of docs/architecture.md, which a test compares with cargo."""
+    table = (ROOT / "docs/architecture.md").read_text()
+    rows = re.findall(r"^\| `(\w+)` \| [^|]* \| ([^|]*) \| [^|]* \|$", table, re.M)
+    uses = {name: re.findall(r"`(\w+)`", inside) for name, inside in rows}
+    assert len(uses) > 10, uses
+    reached, level = {}, {}
+    for name in uses:  # the table begins with the crates that use none
+        reached[name] = set(uses[name]).union(*(reached[other] for other in uses[name]))
+    for name in reversed(uses):
+        level[name] = 1 + max((level[user] for user in uses if name in uses[user]), default=-1)
+    # columns in which no line passes behind a crate
+    columns = dict(base=320, math=215, fit=150, robots=280, identify=150, standards=280, documents=200, tables=420)
+    columns |= dict(formats=385, report=75, compare=190, campaign=330, controllers=450, view=570, etalon=320)
+    top = max(level.values())
+    svg = Svg("crates", "Crates of the workspace: each uses the crates to which its lines lead, and the crates that these use", height=60 + 62 * top)
+    at = {name: (columns.get(name, 320), 30 + 62 * (top - level[name])) for name in uses}
+    for name, others in uses.items():
+        for other in others:
+            if not any(other in reached[between] for between in others):
+                (x, y), (u, v) = at[name], at[other]
+                svg.line([(x, y - 12), (u, v + 14)], GREY, 1.2, arrow=True)
+    for name, (x, y) in at.items():
+        svg.area([(x - 52, y - 12), (x + 52, y - 12), (x + 52, y + 12), (x - 52, y + 12)])
+        svg.text(x, y + 5, name, INK, "middle")
+    return svg
+
+
 def main():
     folder = Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).parent
     with tempfile.TemporaryDirectory() as work:
@@ -503,6 +531,7 @@ def main():
             errors(runs),
             first_report(runs),
             one_joint(runs),
+            crates(),
         ]
         for svg in figures:
             svg.save(folder)
