@@ -151,8 +151,8 @@ one-program-each = split the program: one program for each
 state-pose-option = give its pose: --{ $option } x,y,z,qw,qx,qy,qz
 
 # Means: The program sets its tool or base by numbers, and the option gives another pose.
-# Matters: The targets belong to one of the two poses; with the other pose, the compensation is
-# wrong.
+# Matters: The targets were programmed with one of the two poses. If etalon uses the other pose, the
+# compensation is wrong.
 # Do: Give the pose that is written in the program. Omit the option if this pose is the flange or
 # the base.
 # Example: `$TOOL={X 0,Y 0,Z 150,A 0,B 0,C 0}` with `--tool 0,0,0`
@@ -472,7 +472,7 @@ reorientation-alone = a reorientation is given without an initial orientation
 # Matters: The plan cannot be checked against the limits of the robot.
 # Do: Omit `--robot`. Then move to the positions at low speed before the test.
 # Example: a URDF model without limits
-reach-unknown = the reach of the robot is not in the robot file of model `{ $model }`
+reach-unknown = the robot file of model `{ $model }` does not contain the reach of the robot
     .hint = omit --robot, and move to the positions at low speed before the test
 
 # Means: Rows were excluded because `exclude` contains them.

@@ -236,8 +236,8 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
     .hint = measure a longer arc, or fix the radius at its nominal value
 
 # Means: The expanded uncertainty of the direction of the element exceeds a tenth of a radian.
-# Matters: The points determine this direction poorly: the measured area is too narrow for their
-# noise, or too short. Every frame that is aligned with the element has the same error.
+# Matters: The points determine this direction poorly: for the noise of the points, the measured
+# area is too narrow or too short. Every frame that is aligned with the element has the same error.
 # Do: For a line, measure points farther apart. For a plane, measure along both of its directions.
 # Otherwise fix the direction.
 # Example: a plane through a strip 0.1 mm wide with noise of 0.02 mm

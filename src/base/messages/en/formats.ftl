@@ -931,8 +931,8 @@ temperature-invalid = `{ $column }` is { $value ->
     .expected = a temperature in °C, above absolute zero
     .hint = correct the cell, or exclude the row
 
-# Means: In one cycle, the reading of a pose is missing that most other cycles have. The table has
-# no column `approach`, so it is unknown whether the robot passed this pose.
+# Means: One cycle has no reading of a pose that most other cycles contain. The table has no column
+# `approach`, so it is unknown whether the robot passed this pose.
 # Matters: The next visit counts for AP and RP, but not for a single approach and not for vAP.
 # Do: Nothing, if only the reading failed. If the robot took another path, name the approaches in a
 # column `approach`.

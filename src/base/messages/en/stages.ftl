@@ -437,7 +437,7 @@ keys-unmatched = { $count ->
     } ({ $columns }): { $keys }; see import.json
 
 # Means: A rigid part has so many targets that only some of their distances are compared.
-# Matters: A wrong target is still found, because other distances to it are compared.
+# Matters: Each target has distances that are compared, so a wrong target is still found.
 # Do: Nothing. To compare all distances, write parts with at most 64 targets.
 # Example: `targets` of [[rigid]] with 300 names
 rigid-pairs-sampled = { $compared } of the { $pairs } distances between { $targets } targets of a rigid part are compared
@@ -2365,15 +2365,15 @@ sweeps-disagree = { $what ->
     .hint = check the seats of the targets and the joint values; `etalon identify` and `etalon run` can start from this robot
 
 # Means: The parameters of a Denavit-Hartenberg table cannot describe this position of the base.
-# Matters: The base of the table is rotated and shifted against the base that you chose.
+# Matters: The base of the table is rotated and shifted relative to the base that you chose.
 # Do: Identify the base in a calibration, or use `poe`.
 # Example: a base whose x axis is not the common normal of its z axis and axis 1
 table-base-not-held = the table has another base, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
     .hint = identify the base, or use `poe`
 
 # Means: The parameters of a Denavit-Hartenberg table cannot describe this position of the flange.
-# Matters: The flange of the table, with its targets and tools, is rotated and shifted against the
-# flange that you chose.
+# Matters: The flange of the table, with its targets and tools, is rotated and shifted relative to
+# the flange that you chose.
 # Do: Identify the targets in a calibration, or use `poe`.
 # Example: a flange whose z axis is not the last axis
 table-flange-not-held = the table has another flange, rotated by { FIXED($angle_deg, 4) } deg and shifted by { FIXED($shift_mm, 4) } mm
