@@ -704,9 +704,9 @@ pub struct Limits {
     pub contact_max_mm: Option<f64>,
     /// Largest error of a coordinate that was measured singly.
     pub coordinate_max_mm: Option<f64>,
-    /// Largest repeatability RP of all poses.
+    /// Upper limit of pose repeatability RP, for every pose.
     pub repeatability_max_mm: Option<f64>,
-    /// Largest accuracy AP of all poses.
+    /// Upper limit of pose accuracy AP, for every pose.
     pub accuracy_max_mm: Option<f64>,
     /// Decision rule for these limits; guarded by default.
     pub decision_rule: Option<DecisionRule>,

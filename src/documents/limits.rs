@@ -98,9 +98,9 @@ pub enum LimitQuantity {
     ContactMaxMm,
     /// Largest error of a coordinate that was measured singly.
     CoordinateMaxMm,
-    /// Largest repeatability RP of all poses.
+    /// Upper limit of pose repeatability RP, for every pose.
     RepeatabilityMaxMm,
-    /// Largest accuracy AP of all poses.
+    /// Upper limit of pose accuracy AP, for every pose.
     AccuracyMaxMm,
 }
 
