@@ -28,15 +28,71 @@ fn committed_schemas_are_current() {
     }
 }
 
+/// Messages that first campaigns often cause, in the order of the work.
+const FREQUENT: [&str; 20] = [
+    "key-open",
+    "key-missing",
+    "unknown-key",
+    "input-missing",
+    "column-unknown",
+    "header-is-data",
+    "unit-differs",
+    "labels-unused",
+    "keys-unmatched",
+    "nominal-robot-far",
+    "placement-unexplained",
+    "set-up-contradicted",
+    "tolerance-exceeded",
+    "residuals-exceed-uncertainty",
+    "outliers",
+    "reference-moved",
+    "effect-would-prove",
+    "parameters-fixed-by-frames",
+    "parameter-groups-weakly-identifiable",
+    "uncertainty-beyond-bound",
+];
+
+/// Parts of the page of messages: the crate that reports them, and the title.
+const PARTS: [(&str, &str); 17] = [
+    ("base", "Files and values"),
+    ("campaign", "campaign.toml and robot.toml"),
+    ("cli", "Commands and options"),
+    ("compare", "Comparison of campaigns"),
+    ("controllers", "Controller files"),
+    ("documents", "Documents"),
+    ("exports", "Exports"),
+    ("fit", "Elements"),
+    ("formats", "Tables, logs and recordings"),
+    ("identify", "Identification"),
+    ("reporting", "Reports"),
+    ("run", "Runs and output folders"),
+    ("selftest", "Self-test"),
+    ("simulate", "Simulation"),
+    ("stages", "From points to results"),
+    ("standards", "ISO 9283 and ISO 230-2"),
+    ("view", "The page of etalon view"),
+];
+
 #[test]
 fn the_page_of_messages_is_current() {
     let explained: Vec<_> = entries().into_iter().filter(Entry::is_message).collect();
     let mut page =
         "# Messages\n\nGenerated from the catalogue (`src/base/messages`). `etalon explain ID` prints the same.\n"
             .to_owned();
-    for message in ExplanationDocument::new(&explained).messages {
+    page += "\n## Often in a first campaign\n\n";
+    for id in FREQUENT {
+        let entry = explained.iter().find(|entry| entry.id == id).unwrap_or_else(|| panic!("no message `{id}`"));
+        page += &format!("- [`{id}`](#{id}): {}\n", entry.meaning);
+    }
+    let mut part = "";
+    for (entry, message) in explained.iter().zip(ExplanationDocument::new(&explained).messages) {
+        if entry.file != part {
+            part = entry.file;
+            let title = PARTS.iter().find(|(file, _)| *file == part).map(|(_, title)| *title);
+            page += &format!("\n## {}\n", title.unwrap_or_else(|| panic!("no title for `{part}`")));
+        }
         let Explanation { id, text, expected, hint, meaning, reason, action, example } = message;
-        page += &format!("\n## {id}\n\n> {text}\n");
+        page += &format!("\n### {id}\n\n> {text}\n");
         page.extend(expected.map(|text| format!(">\n> expected: {text}\n")));
         page.extend(hint.map(|text| format!(">\n> hint: {text}\n")));
         page += &format!("\n{meaning} {reason}\n\n- Typical case: {example}\n- What to do: {action}\n");
