@@ -69,6 +69,9 @@ def entry(name: str, docstring: str, given: dict[str, str], shared: dict[str, st
         lines += ["| argument | default | meaning |", "| --- | --- | --- |"]
         lines += [f"| `{argument}` | {default} | {meanings[argument]} |".replace("||", "\\|\\|") for argument, default in rows]
         lines.append("")
+    others = [f"`{argument}` ({default})" for argument, default in given.items() if argument not in meanings]
+    if others:
+        lines += [f"{'Other arguments' if rows else 'Arguments'}: {', '.join(others)}.", ""]
     for title in ("Returns", "Raises", "Warns"):
         if title in found:
             lines += [f"{title}: {markdown(found[title])}", ""]
