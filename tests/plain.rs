@@ -214,6 +214,7 @@ fn help_texts_are_plain() {
     for entry in std::fs::read_dir(folder.path().join("pages")).unwrap().flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
         pages += 1;
+        assert!(!name.contains("help"), "{name}: a page of `help`");
         let text = std::fs::read_to_string(entry.path()).unwrap().replace("\\-", "-");
         // requests of roff and names of options end a paragraph
         for text in text.split("\n.").flat_map(|part| part.split_once('\n')).map(|(_, text)| text.replace('\n', " ")) {

@@ -32,5 +32,7 @@ fn pages(command: &Command, files: &mut Vec<(String, Vec<u8>)>) -> anyhow::Resul
     let mut text = Vec::new();
     page.render(&mut text)?;
     files.push((page.get_filename(), text));
-    command.get_subcommands().filter(|inner| !inner.is_hide_set()).try_for_each(|inner| pages(inner, files))
+    // the command line is built, so each command with subcommands has a `help`, which has no page
+    let mut inner = command.get_subcommands().filter(|inner| !inner.is_hide_set() && inner.get_name() != "help");
+    inner.try_for_each(|inner| pages(inner, files))
 }

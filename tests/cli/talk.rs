@@ -34,7 +34,7 @@ fn every_command_has_a_manual_page() {
     let folder = tempfile::tempdir().unwrap();
     let made = etalon(folder.path(), &["man", "man"]);
     assert!(made.status.success(), "{}", text(&made.stderr));
-    for name in commands() {
+    for name in commands().into_iter().filter(|name| name != "help") {
         let page = std::fs::read_to_string(folder.path().join(format!("man/etalon-{name}.1"))).unwrap();
         assert!(page.contains(".SH SYNOPSIS") && page.contains(".SH DESCRIPTION"), "{name}:\n{page}");
     }
