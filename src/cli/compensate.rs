@@ -205,6 +205,9 @@ impl Compensate {
         out.remark(&refused);
         out.remark(&compensator.beyond_field(&answer).into_iter().collect::<Vec<_>>());
         out.remark(uncertain.as_slice());
+        if compensator.language.is_some_and(|(_, language)| language.is_calibrated()) {
+            out.remark(&[warning!("controller-calibrated", robot = self.robot.display().to_string())]);
+        }
         if let Some(ProgramSource { program, .. }) = &source.program {
             out.say(phrase!("targets-compensated", count = answer.targets.len(), left = program.joint_targets));
             if !program.computed.is_empty() {

@@ -231,6 +231,8 @@ fn programs_have_other_targets_and_nothing_else_changed() {
         let (new, code, said) = real.compensate(name, &program, &[]);
         assert!(matches!(code, Some(0 | 1)), "{name}: {said}");
         assert!(has(&said, &phrase!("targets-compensated", count = 2, left = 1)), "{name}: {said}");
+        // a controller of Universal Robots computes with its own calibration
+        assert_eq!(said.says("[controller-calibrated]"), name.ends_with("script"), "{name}: {said}");
         let (rest, old_numbers) = apart(&program, &marks);
         let (new_rest, new_numbers) = apart(&new, &marks);
         assert_eq!(rest, new_rest, "{name}: {}", String::from_utf8_lossy(&new));

@@ -71,6 +71,12 @@ pub trait CommandLanguage: Sync {
     ///
     /// Reports targets that cannot be compensated individually.
     fn targets(&self, program: &[u8], freedoms: Freedoms) -> Result<Program>;
+
+    /// `true` if controllers of this language compute with the factory calibration of their own
+    /// arm instead of nominal values.
+    fn is_calibrated(&self) -> bool {
+        false
+    }
 }
 
 /// Contents of a program.

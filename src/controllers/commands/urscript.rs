@@ -21,6 +21,10 @@ impl CommandLanguage for UrScript {
         '#'
     }
 
+    fn is_calibrated(&self) -> bool {
+        true
+    }
+
     fn units(&self) -> &'static str {
         "m, rad"
     }

@@ -550,6 +550,8 @@ targets-beyond-field = { $count ->
        *[other] Ziele { $targets } liegen
     } außerhalb des Residuenfelds, wo es abklingt
     .hint = Kalibrierposen in diesem Bereich messen
+controller-calibrated = die Steuerung rechnet mit der Werkskalibrierung ihres eigenen Arms; die Befehle stimmen nur, wenn { $robot } diese Werte enthält
+    .hint = die Werte der Kalibrierdatei der Steuerung in { $robot } eintragen oder nach dem Laden einige Posen messen
 parameters-expired = die Parameter gelten bis { $last }; heute ist der { $today }
     .hint = einige Posen messen und `etalon verify` verwenden oder neu kalibrieren
 

@@ -972,6 +972,15 @@ targets-beyond-field = { $count ->
        *[other] targets { $targets } are
     } outside the measured range of the residual field
     .hint = measure calibration poses in this region
+# Means: `compensate` computes the commands for a controller that uses the nominal values of robot.toml.
+# Controllers of Universal Robots use the factory calibration of each arm.
+# Matters: If these values differ from robot.toml, the commands correct errors that the controller
+# already corrects. The robot can be less accurate than without compensation, by more than 1 mm.
+# Do: Put the values of the controller's calibration file into robot.toml, run the campaign again and
+# compensate with them. Measure some poses after loading.
+# Example: `etalon compensate prog.script --robot robot.toml` with the data sheet's values in robot.toml
+controller-calibrated = the controller computes with the factory calibration of its own arm; the commands are right only if { $robot } contains these values
+    .hint = put the values of the controller's calibration file into { $robot }, or measure some poses after loading
 # Means: The laboratory gave a last day of validity for the parameters, and this day has passed.
 # Matters: The robot may have changed: a collision or a new motor changes joint offsets, wear
 # changes the geometry.

@@ -551,6 +551,8 @@ targets-beyond-field = { $count ->
        *[other] les cibles { $targets } sont
     } au-delà du champ résiduel, là où il décroît vers zéro
     .hint = mesurer des poses d’étalonnage dans cette région
+controller-calibrated = la commande calcule avec l’étalonnage d’usine de son propre bras ; les ordres ne sont justes que si { $robot } contient ces valeurs
+    .hint = reporter dans { $robot } les valeurs du fichier d’étalonnage de la commande, ou mesurer quelques poses après le chargement
 parameters-expired = les paramètres sont valables jusqu’au { $last } ; nous sommes le { $today }
     .hint = mesurer quelques poses et utiliser `etalon verify`, ou étalonner à nouveau
 
