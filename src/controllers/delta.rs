@@ -108,9 +108,8 @@ fn has_towers(robot: &dyn Robot) -> bool {
 }
 
 /// Rejection of a robot without towers.
-fn without_towers(format: &str, given: &ExportInput) -> Option<Message> {
-    let robot = given.robot.filter(|robot| !has_towers(*robot))?;
-    Some(super::other_robot(format, robot, phrase!("kind-delta-towers")))
+fn without_towers(format: &str, robot: &dyn Robot) -> Option<Message> {
+    (!has_towers(robot)).then(|| super::other_robot(format, robot, phrase!("kind-delta-towers")))
 }
 
 /// `true` for the tilt angle of a tower.
@@ -149,8 +148,8 @@ impl Exporter for Klipper {
         "klipper_delta.cfg"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        without_towers(self.name(), given)
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+        without_towers(self.name(), robot)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
@@ -182,8 +181,8 @@ impl Exporter for RepRapDelta {
         "reprap_delta.g"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        without_towers(self.name(), given)
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+        without_towers(self.name(), robot)
     }
 
     /// Towers are vertical: the only angles of a leg are the tilts of its tower.
@@ -217,9 +216,8 @@ impl Exporter for DeltaHal {
         "deltakins.hal"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        let robot = given.robot.filter(|robot| pins(robot.model()).is_empty())?;
-        Some(super::other_robot(self.name(), robot, phrase!("kind-delta")))
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+        pins(robot.model()).is_empty().then(|| super::other_robot(self.name(), robot, phrase!("kind-delta")))
     }
 
     /// Only parameters of three equal legs are held.

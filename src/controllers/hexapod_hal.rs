@@ -5,6 +5,7 @@ use super::template::render;
 use super::{ExportInput, Exporter};
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
+use etalon_robots::Robot;
 use minijinja::context;
 use minijinja::value::Serde;
 use std::collections::BTreeMap;
@@ -25,9 +26,8 @@ impl Exporter for HexapodHal {
         "genhexkins.hal"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        let robot = given.robot.filter(|robot| robot.model() != "hexapod")?;
-        Some(super::other_robot(self.name(), robot, phrase!("kind-hexapod")))
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+        (robot.model() != "hexapod").then(|| super::other_robot(self.name(), robot, phrase!("kind-hexapod")))
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -84,9 +84,15 @@ pub trait Exporter {
         false
     }
 
-    /// Rejection of a robot that the format does not describe; `None` if the robot is unknown.
-    fn unsuited(&self, _given: &ExportInput) -> Option<Message> {
+    /// Rejection of a robot that the format does not describe; `has_urdf` states whether a URDF
+    /// describes the robot.
+    fn unsuited_robot(&self, _robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
         None
+    }
+
+    /// Rejection of a result that the format does not describe; `None` if the robot is unknown.
+    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
+        self.unsuited_robot(given.robot?, given.description.is_some())
     }
 
     /// Warning about a file that is written for a robot unlike those of the format; `None` if the

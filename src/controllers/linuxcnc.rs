@@ -10,7 +10,7 @@ use super::{ExportInput, Exporter, is_geometry, six_axes};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use etalon_base::{error, warning};
-use etalon_robots::{JointChain, NEAR_PARALLEL_RAD, Parameter};
+use etalon_robots::{JointChain, NEAR_PARALLEL_RAD, Parameter, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -46,8 +46,7 @@ impl Exporter for LinuxCnc {
         "genserkins.hal"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        let robot = given.robot?;
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 

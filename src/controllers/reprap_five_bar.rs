@@ -28,9 +28,8 @@ impl Exporter for RepRapFiveBar {
         "reprap_five_bar.g"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        let robot = given.robot.filter(|robot| robot.model() != "five_bar")?;
-        Some(super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+        (robot.model() != "five_bar").then(|| super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
     }
 
     /// The tool is on the line of its link.

@@ -7,7 +7,7 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
 use etalon_base::{phrase, warning};
-use etalon_robots::{ChainJoint, JointChain, Parameter, link_frames};
+use etalon_robots::{ChainJoint, JointChain, Parameter, Robot, link_frames};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 use std::f64::consts::PI;
@@ -40,8 +40,7 @@ impl Exporter for UniversalRobots {
         "universal_robots_calibration.yaml"
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        let robot = given.robot?;
+    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 

@@ -5,7 +5,7 @@ use super::{ExportInput, Exporter, is_geometry};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_robots::{Effect, Parameter};
+use etalon_robots::{Effect, Parameter, Robot};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::fmt::Write;
@@ -49,11 +49,8 @@ impl Exporter for Urdf {
         false
     }
 
-    fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        if given.description.is_some() {
-            return None;
-        }
-        Some(super::other_robot(self.name(), given.robot?, phrase!("kind-urdf")))
+    fn unsuited_robot(&self, robot: &dyn Robot, has_urdf: bool) -> Option<Message> {
+        (!has_urdf).then(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))
     }
 
     /// Gains of joints that mimic another joint are in the multiplier of `mimic`.

@@ -7,6 +7,7 @@ use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
 use etalon_controllers::{Exporter, TemplateFormat};
 use etalon_documents::{Source, SourceKind};
+use etalon_robots::Robot;
 use toml::Spanned;
 
 /// The formats that a campaign names, or the usual ones.
@@ -48,6 +49,16 @@ impl ControllerFormats {
             }
         }
         found
+    }
+
+    /// Rejects formats that do not describe the robot of the campaign, before anything is computed.
+    pub fn check(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+        let has_urdf = campaign.robot.description().is_some();
+        for name in campaign.file.controllers.iter().flatten() {
+            let format = etalon_controllers::by_name(name.get_ref());
+            let unsuited = format.and_then(|format| format.unsuited_robot(robot, has_urdf));
+            problems.0.extend(unsuited.map(|message| message.at(campaign.place(name))));
+        }
     }
 
     /// The formats with their names.
