@@ -129,6 +129,13 @@ impl Analysis {
         Self { groups: groups(redundant(problem, values, noise, Choice::Last)), by_nominal: Vec::new() }
     }
 
+    /// This analysis of the parameters that no pose separates, with those that are redundant in the
+    /// `measured` poses alone: nominal values determine these.
+    pub fn with_nominal(self, measured: Self) -> Self {
+        let redundant = measured.groups.iter().map(|group| group.held).chain(measured.by_nominal);
+        Self { by_nominal: redundant.collect(), ..self }
+    }
+
     /// Indices of the parameters that are held.
     pub fn held(&self) -> Vec<usize> {
         self.groups.iter().map(|g| g.held).collect()

@@ -195,9 +195,16 @@ impl Estimation<'_> {
         let Self { robot, observations, settings, wanted } = *self;
         let plain = settings.without_prior();
         let order = by_rank(robot, wanted);
+        let recombined = self.recombined();
         let analyse = |values: &[f64], weight: f64| -> Result<Analysis> {
             let plain = plain.with_weight(weight);
-            Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, &order, values)?, values))
+            let analysis = |observations: &[Observation], free: &[usize]| -> Result<Analysis> {
+                Ok(Analysis::by_prior(&Residuals::new(robot, observations, &plain, free, values)?, values))
+            };
+            let Some(more) = &recombined else { return analysis(observations, &order) };
+            let never = analysis(more, &order)?;
+            let measured = analysis(observations, &without(&order, &never.held()))?;
+            Ok(never.with_nominal(measured))
         };
         let stated = settings.standard_uncertainty_mm;
         let mut weight = if stated.is_some() { 1.0 } else { ANCHOR_MM };
