@@ -74,6 +74,12 @@ fn topic_not_stated(bytes: &[u8]) -> Message {
     }
 }
 
+/// Name of the sheet of a workbook that has a single one; `None` for other files.
+pub fn only_sheet(bytes: &[u8]) -> Option<String> {
+    let mut sheets = workbook::is_workbook(bytes).then(|| Workbook::open(bytes).ok())??.sheets();
+    sheets.pop().filter(|_| sheets.is_empty())
+}
+
 /// Error about a workbook without a given sheet; the hint gives the first sheet with more than one
 /// row.
 fn sheet_not_stated(bytes: &[u8]) -> Message {

@@ -34,7 +34,7 @@ pub use cloud::{Cloud, cloud, packed_points, rows};
 pub use export::Export;
 pub use export::{LabelNames, Pattern as LabelPattern};
 pub use exports::{Format, qif};
-pub use input::{file_text, into_text, read_bytes, read_text};
+pub use input::{file_text, into_text, only_sheet, read_bytes, read_text};
 pub use log_text::LogFile;
 pub use logs::{ChannelValues, JointLog, Log, LogKind, LogRow, StandstillCriterion, is_joint_column, standstill};
 pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, write as write_log};

@@ -1,8 +1,9 @@
 //! Tables with typed columns, and the names of their columns: observations, poses, loads and joints
 //! between their file and their use.
 
+use etalon_base::catalogue::Phrase;
 use etalon_base::cell::cell;
-use etalon_base::message::{Place, Problems, Result, nearest};
+use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
@@ -20,6 +21,9 @@ pub const COVARIANCES: [&str; 6] = ["cxx_mm2", "cxy_mm2", "cxz_mm2", "cyy_mm2", 
 
 /// Columns of the angles (deg): rotations about the axes of the given rotation order.
 pub const ANGLES: [&str; 3] = ["a_deg", "b_deg", "c_deg"];
+
+/// Columns of the angles (rad).
+pub const RADIANS: [&str; 3] = ["a_rad", "b_rad", "c_rad"];
 
 /// Columns of the orientation of a body in the world: quaternion, scalar first.
 pub const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
@@ -45,6 +49,10 @@ pub const ASSEMBLY: &str = "assembly";
 
 /// Column of the names of poses.
 const POSE: &str = "pose";
+/// Column of the numbers of repeats.
+const CYCLE: &str = "cycle";
+/// Column of a direction of motion.
+const DIRECTION: &str = "direction";
 /// Column of the line of each row, in a table that is written.
 const LINE: &str = "line";
 /// Offset of the line numbers of each further file, in a table that is written.
@@ -325,8 +333,23 @@ impl Table {
     /// # Errors
     /// Reports each missing column, at line 1 of the file.
     pub fn require<S: AsRef<str>>(&self, names: impl IntoIterator<Item = S>) -> Result<()> {
-        let missing = names.into_iter().filter_map(|name| self.column(name.as_ref()).err());
-        Problems(missing.flat_map(|problems| problems.at(&self.header()).0).collect()).check().map(drop)
+        self.require_in(names.into_iter().map(|name| (name, None)))
+    }
+
+    /// Checks that the table has these columns like [`Self::require`]. The unit beside a name is the
+    /// one that the values of the columns suggest, for hints.
+    pub fn require_in<S: AsRef<str>>(&self, names: impl IntoIterator<Item = (S, Option<&'static str>)>) -> Result<()> {
+        let missing = names.into_iter().filter(|(name, _)| !self.has(name.as_ref()));
+        let missing = missing.map(|(name, unit)| self.missing(name.as_ref(), unit).at(self.header()));
+        Problems(missing.collect()).check().map(drop)
+    }
+
+    /// Columns of a position that the table needs: x and y; and z, if neither x nor y, but a heading
+    /// of it is there.
+    pub fn coordinate_columns(&self) -> impl Iterator<Item = &'static str> {
+        let has_others = self.has(XYZ[0]) && self.has(XYZ[1]);
+        let needs_z = !has_others && !self.has(XYZ[2]) && self.heading_of_coordinate(XYZ[2]).is_some();
+        XYZ.into_iter().take(if needs_z { 3 } else { 2 })
     }
 
     /// The rows for which `is_kept` is true.
@@ -386,14 +409,63 @@ impl Table {
     }
 
     fn column(&self, name: &str) -> Result<&Values> {
-        self.values(name).ok_or_else(|| self.missing(name))
+        self.values(name).ok_or_else(|| self.missing(name, None).into())
     }
 
-    /// Error about a column that the table does not contain, with the column that may be meant.
-    fn missing(&self, name: &str) -> Problems {
+    /// Headings of other programs.
+    fn foreign(&self) -> impl Iterator<Item = &str> {
+        self.names().filter(|name| !is_native_column(name))
+    }
+
+    /// Heading of another program whose only letter, without a unit, is the letter of a coordinate,
+    /// with numbers below it: `X` for `x_mm`, `A` for `a_deg`.
+    pub fn heading_of_coordinate(&self, name: &str) -> Option<&str> {
+        let mut found = self.foreign().filter(|heading| names_coordinate(heading, name) && self.may_be(name, heading));
+        found.next().filter(|_| found.next().is_none())
+    }
+
+    /// Heading of another program that a missing column of a joint or coordinate may have: the only
+    /// one, or the one with the same number or letter.
+    pub fn heading_for(&self, name: &str) -> Option<&str> {
+        let foreign: Vec<&str> = self.foreign().collect();
+        // of many headings the one with the same number, `J1` for `q1_deg`, or the same letter, `X`
+        // for `x_mm`
+        let alike: Vec<&str> = match digits(name) {
+            _ if foreign.len() < 2 => foreign,
+            _ if name == DIRECTION => foreign.into_iter().filter(|heading| self.may_be(name, heading)).collect(),
+            number if number.is_empty() => {
+                foreign.into_iter().filter(|heading| names_coordinate(heading, name)).collect()
+            }
+            number => foreign.into_iter().filter(|heading| digits(heading) == number).collect(),
+        };
+        // a column of the same quantity in another unit is not the column that is missing
+        let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
+        match alike[..] {
+            [heading] => Some(heading).filter(|heading| {
+                !heading.contains('"')
+                    && stem(heading).is_none_or(|s| stem(name) != Some(s))
+                    && self.may_be(name, heading)
+            }),
+            _ => None,
+        }
+    }
+
+    /// Finite numbers of a column, also if they are texts.
+    pub fn plain_numbers(&self, name: &str) -> Vec<f64> {
+        let Some(values) = self.values(name) else { return Vec::new() };
+        let number = |row: usize| match values {
+            Values::Texts(_) => values.text(row).trim().replace(',', ".").parse().ok(),
+            _ => Some(values.number(row)),
+        };
+        (0..values.len()).filter_map(number).filter(|v: &f64| v.is_finite()).collect()
+    }
+
+    /// Error about a column that the table does not contain, with the column that may be meant, in
+    /// the unit of its heading or in the unit that its values suggest.
+    fn missing(&self, name: &str, suggested: Option<&'static str>) -> Message {
         // the program adds this column
-        let names: Vec<&str> = self.names().filter(|name| *name != "cycle").collect();
-        let foreign: Vec<&str> = names.iter().copied().filter(|name| !is_native_column(name)).collect();
+        let names: Vec<&str> = self.names().filter(|other| *other != CYCLE || name == CYCLE).collect();
+        let foreign: Vec<&str> = self.foreign().collect();
         let message = error!("column-unknown", column = name);
         // a pose or a label is not the column that is missing
         let others: Vec<&str> = names.iter().copied().filter(|name| !OF_ROWS.contains(name)).collect();
@@ -401,50 +473,88 @@ impl Table {
         // `q6_deg` is not `q1_deg`
         let may_be_meant = |other: &&str| !is_native_column(other) || digits(other) == digits(name);
         let similar: Vec<&str> = names.into_iter().filter(may_be_meant).collect();
-        // a column of the same quantity in another unit is not the column that is missing
-        let stem = |name: &'_ str| name.rsplit_once('_').map(|(stem, _)| stem.to_owned());
-        let heading = foreign.first().filter(|_| foreign.len() == 1).copied().unwrap_or("HEADING");
-        // of many headings the one with the same number, `J1` for `q1_deg`, or the same letter, `X`
-        // for `x_mm`
-        let alike: Vec<&str> = match digits(name) {
-            _ if foreign.len() < 2 => foreign.clone(),
-            number if number.is_empty() => {
-                foreign.iter().copied().filter(|heading| names_coordinate(heading, name)).collect()
-            }
-            number => foreign.iter().copied().filter(|heading| digits(heading) == number).collect(),
+        let only = || match name {
+            CYCLE => self.heading_of_cycles(),
+            _ => foreign.first().filter(|_| foreign.len() == 1).copied(),
         };
-        match alike[..] {
-            _ if name == "target" => message.hint(phrase!("state-column-or-target", heading)).into(),
-            _ if name == POSE => message.hint(phrase!("state-column-or-pose", heading)).into(),
-            [heading]
-                if !heading.contains('"')
-                    && stem(heading).is_none_or(|s| stem(name) != Some(s))
-                    && self.may_be(name, heading) =>
-            {
-                message.hint(phrase!("state-column", column = name, heading)).into()
-            }
-            _ if !foreign.is_empty() && nearest(name, similar.iter().copied()).is_none() => {
+        let heading = || nearest(name, foreign.iter().copied()).or_else(only).unwrap_or("HEADING");
+        match self.heading_for(name) {
+            _ if name == "target" => message.hint(phrase!("state-column-or-target", heading = heading())),
+            _ if name == POSE => message.hint(phrase!("state-column-or-pose", heading = heading())),
+            _ if name == CYCLE => message.hint(phrase!("state-column-or-cycle", heading = heading())),
+            Some(heading) => message.hint(match (unit_of_heading(heading), suggested) {
+                (None, Some(unit)) => phrase!("state-column-in-unit", column = in_unit(name, unit), heading, unit),
+                (unit, _) => {
+                    phrase!("state-column", column = unit.map_or(name.to_owned(), |unit| in_unit(name, unit)), heading)
+                }
+            }),
+            None if !foreign.is_empty() && nearest(name, similar.iter().copied()).is_none() => {
                 let names = &foreign[..foreign.len().min(SHOWN)];
-                message.hint(phrase!("state-column-of", column = name, names)).into()
+                message.hint(phrase!("state-column-of", column = name, names))
             }
-            _ => message.hint_names(name, similar).into(),
+            None => message.hint_names(name, similar),
         }
     }
 
+    /// The only heading of another program with counts of repeats.
+    fn heading_of_cycles(&self) -> Option<&str> {
+        let is_count = |name: &&str| {
+            let numbers = self.plain_numbers(name);
+            !numbers.is_empty()
+                && numbers.len() == self.height()
+                && numbers.iter().all(|v| v.fract() == 0.0 && *v >= 0.0)
+        };
+        let mut found = self.foreign().filter(is_count);
+        found.next().filter(|_| found.next().is_none())
+    }
+
     /// `true` if a column of another heading may be the one that is missing: numbers for a
-    /// quantity, and a heading with the letter of the coordinate.
+    /// quantity, and a heading with the letter of the coordinate; a direction is +1 or -1. Whole
+    /// numbers count; they are programmed, but hardly measured.
     fn may_be(&self, name: &str, heading: &str) -> bool {
+        let numbers = self.plain_numbers(heading);
+        if name == DIRECTION {
+            return !numbers.is_empty() && numbers.iter().all(|v| v.abs() == 1.0);
+        }
         let Some((stem, _)) = name.rsplit_once('_').filter(|_| is_native_column(name)) else { return true };
-        let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z"].contains(last));
+        let letter = stem.rsplit('_').next().filter(|last| ["x", "y", "z", "a", "b", "c"].contains(last));
         // columns beside texts are texts as well
         let is_number = match self.values(heading) {
             Some(Values::Texts(texts)) => {
-                let mut all = texts.iter().flatten().map(|text| text.trim().replace(',', "."));
-                all.all(|text| text.is_empty() || text.parse::<f64>().is_ok())
+                texts.iter().flatten().filter(|text| !text.trim().is_empty()).count() == numbers.len()
             }
             values => values.is_some(),
         };
-        is_number && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
+        let counts = !numbers.is_empty() && numbers.iter().all(|v| v.fract() == 0.0);
+        is_number
+            && !(counts && stem == "measured")
+            && letter.is_none_or(|letter| heading.to_lowercase().contains(letter))
+    }
+}
+
+/// Hint that gives the headings of several columns.
+pub fn state_columns(headings: &[(&str, &str)]) -> Phrase {
+    let pair = |(column, heading): &(&str, &str)| {
+        let column = unit_of_heading(heading).map_or((*column).to_owned(), |unit| in_unit(column, unit));
+        format!("{column} = \"{heading}\"")
+    };
+    phrase!("state-columns-together", columns = headings.iter().map(pair).collect::<Vec<_>>())
+}
+
+/// Unit in a heading, as names of columns have it: `m` of `X [m]`.
+fn unit_of_heading(heading: &str) -> Option<&'static str> {
+    let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let last = words.next_back().filter(|_| words.next().is_some())?;
+    let unit = etalon_tables::unit_word(last)?;
+    ["mm", "m", "um", "inch", "deg", "rad"].into_iter().find(|known| *known == unit)
+}
+
+/// Name of a column in another unit of the same quantity; in its own unit otherwise.
+fn in_unit(name: &str, unit: &str) -> String {
+    let is_angle = |unit: &str| ["deg", "rad"].contains(&unit);
+    match name.rsplit_once('_') {
+        Some((stem, own)) if is_angle(own) == is_angle(unit) && is_native_column(name) => format!("{stem}_{unit}"),
+        _ => name.to_owned(),
     }
 }
 
@@ -460,7 +570,7 @@ fn names_coordinate(heading: &str, name: &str) -> bool {
     let Some((letter, _)) = name.rsplit_once('_') else { return false };
     let heading = heading.to_lowercase();
     let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    let is_unit = |word: &&str| ["mm", "m", "um", "inch", "in"].contains(word);
+    let is_unit = |word: &&str| ["mm", "m", "um", "inch", "in", "deg", "rad"].contains(word);
     words.rfind(|word| !is_unit(word)) == Some(letter)
 }
 
@@ -471,7 +581,7 @@ fn digits(heading: &str) -> String {
 
 /// `true` if tables of etalon have a column of this name; columns of other programs have other
 /// names.
-fn is_native_column(name: &str) -> bool {
+pub fn is_native_column(name: &str) -> bool {
     let unit = ["_mm", "_m", "_um", "_inch", "_deg", "_rad", "_ms", "_ns", "_mm2", "_direction"];
     [&OF_ROWS[..], &["force_n"], &TEXTS, &QUATERNION, &MATRIX].iter().any(|names| names.contains(&name))
         || unit.iter().any(|unit| name.ends_with(unit))
@@ -527,7 +637,7 @@ mod tests {
         for name in ["J1", "J2", "q6_deg", "x_mm", "target"] {
             table.set(name, Values::Numbers(vec![Some(1.0)]));
         }
-        let hint = |name: &str| table.missing(name).0.remove(0).hint.unwrap();
+        let hint = |name: &str| table.missing(name, None).hint.unwrap();
         assert_eq!(hint("q2_deg"), phrase!("state-column", column = "q2_deg", heading = "J2").to_string());
         let one_of_both = phrase!("state-column-of", column = "q3_deg", names = ["J1", "J2"]);
         assert_eq!(hint("q3_deg"), one_of_both.to_string());
@@ -540,10 +650,34 @@ mod tests {
         for name in ["J1", "Pos X [mm]", "Y", "index", "target"] {
             table.set(name, Values::Numbers(vec![Some(1.0)]));
         }
-        let hint = |name: &str| table.missing(name).0.remove(0).hint.unwrap();
+        let hint = |name: &str| table.missing(name, None).hint.unwrap();
         assert_eq!(hint("x_mm"), phrase!("state-column", column = "x_mm", heading = "Pos X [mm]").to_string());
         assert_eq!(hint("y_mm"), phrase!("state-column", column = "y_mm", heading = "Y").to_string());
         assert!(hint("z_mm") != phrase!("state-column", column = "z_mm", heading = "index").to_string());
+        // the unit of a heading, or of the values
+        table.set("Z (m)", Values::Numbers(vec![Some(0.5)]));
+        assert_eq!(hint("z_mm"), phrase!("state-column", column = "z_m", heading = "Z (m)").to_string());
+        let of_values = table.missing("y_mm", Some("m")).hint.unwrap();
+        let expected = phrase!("state-column-in-unit", column = "y_m", heading = "Y", unit = "m");
+        assert_eq!(of_values, expected.to_string());
+    }
+
+    /// Repeats are counts, directions are signs, and measured values are no counts.
+    #[test]
+    fn a_heading_is_proposed_if_its_values_suit_the_column() {
+        let mut table = Table::default();
+        table.set("run", texts(&["1", "2", "1"]));
+        table.set("sign", texts(&["1", "-1", "+1"]));
+        let hint = |table: &Table, name: &str| table.missing(name, None).hint.unwrap();
+        let expected = phrase!("state-column", column = "direction", heading = "sign").to_string();
+        assert_eq!(hint(&table, "direction"), expected);
+        assert_eq!(hint(&table, "cycle"), phrase!("state-column-or-cycle", heading = "run").to_string());
+        let none = phrase!("state-column-of", column = "measured_mm", names = ["run"]).to_string();
+        let mut counts = Table::default();
+        counts.set("run", texts(&["1", "2", "1"]));
+        assert_eq!(hint(&counts, "measured_mm"), none);
+        table.set("Pose", texts(&["1", "2", "1"]));
+        assert_eq!(hint(&table, "pose"), phrase!("state-column-or-pose", heading = "Pose").to_string());
     }
 
     #[test]

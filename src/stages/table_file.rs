@@ -44,11 +44,13 @@ impl TableFile {
         Self::new(path, files::text(path, files::read(path)?)?, etalon_formats::observations)
     }
 
-    /// A table in a text or in a sheet of a workbook.
+    /// A table in a text or in a sheet of a workbook; its only sheet, if none is given.
     pub fn observations(path: &Path, bytes: &[u8], reading: &TableReading) -> Result<Self> {
-        let form = &reading.layout.form;
+        let mut reading = reading.clone();
+        let form = &mut reading.layout.form;
+        form.sheet = form.sheet.take().or_else(|| etalon_formats::only_sheet(bytes));
         let text = etalon_formats::file_text(path, bytes, form.encoding, &Format::from(form.clone()))?;
-        Self::new(path, text, |name, text| etalon_formats::observations_with(name, text, reading))
+        Self::new(path, text, |name, text| etalon_formats::observations_with(name, text, &reading))
     }
 
     /// A table that is in memory as CSV; `name` stands for its file.

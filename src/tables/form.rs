@@ -58,6 +58,21 @@ impl Form {
         Self { sheet, ..Self::default() }
     }
 
+    /// This form for a text with commas and decimal points: without marks, encoding and sheet.
+    #[must_use]
+    pub fn without_marks(&self) -> Self {
+        let (header, comment, missing, end) = (&self.header, &self.comment, &self.missing, &self.end);
+        Self {
+            header: header.clone(),
+            comment: comment.clone(),
+            missing: missing.clone(),
+            end: end.clone(),
+            only: self.only.clone(),
+            without: self.without.clone(),
+            ..Self::default()
+        }
+    }
+
     /// Form of a text with this delimiter.
     pub fn delimited(delimiter: Delimiter) -> Self {
         Self { delimiter: Some(delimiter), ..Self::default() }

@@ -4,6 +4,8 @@ use crate::stages::table_file::TableFile;
 use etalon_base::files;
 use etalon_base::message::Result;
 use etalon_campaign::RobotFile;
+use etalon_formats::TableReading;
+use etalon_tables::{Form, TableLayout};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -12,11 +14,18 @@ use std::path::Path;
 pub enum Table<'a> {
     /// A file.
     File(&'a Path),
+    /// A sheet of a workbook, or a topic of a recording.
+    Sheet {
+        /// The file.
+        path: &'a Path,
+        /// Name of the sheet or topic.
+        sheet: &'a str,
+    },
     /// CSV text with a header.
     Text {
         /// Name for messages and for the list of inputs.
         name: &'a str,
-        /// Text, with commas and decimal points unless options give other marks.
+        /// Text, with commas and decimal points; marks of files do not apply.
         text: &'a str,
     },
 }
@@ -25,7 +34,7 @@ impl Table<'_> {
     /// Name for messages and for the list of inputs.
     pub(super) fn name(&self) -> String {
         match self {
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) | Self::Sheet { path, .. } => path.display().to_string(),
             Self::Text { name, .. } => (*name).to_owned(),
         }
     }
@@ -34,6 +43,12 @@ impl Table<'_> {
     pub(crate) fn read(&self) -> Result<TableFile> {
         match self {
             Self::File(path) => TableFile::read(path),
+            Self::Sheet { path, sheet } => {
+                let layout =
+                    TableLayout { form: Form::with_sheet(Some((*sheet).to_owned())), ..TableLayout::default() };
+                let reading = TableReading { layout, ..TableReading::default() };
+                TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
+            }
             Self::Text { name, text } => TableFile::parse(name, text),
         }
     }
@@ -41,7 +56,7 @@ impl Table<'_> {
     /// Name, and SHA-256 of the contents.
     pub(super) fn hashed(&self) -> Result<(String, String)> {
         let sha256 = match self {
-            Self::File(path) => files::sha256(&files::read(path)?),
+            Self::File(path) | Self::Sheet { path, .. } => files::sha256(&files::read(path)?),
             Self::Text { text, .. } => files::sha256(text.as_bytes()),
         };
         Ok((self.name(), sha256))
@@ -65,7 +80,7 @@ impl Inputs<'_> {
         let mut all: BTreeMap<String, String> =
             [self.stated, self.table].iter().map(Table::hashed).collect::<Result<_>>()?;
         match self.stated {
-            Table::File(_) => all.extend(files::sha256_by_name(self.robot.description_path())?),
+            Table::File(_) | Table::Sheet { .. } => all.extend(files::sha256_by_name(self.robot.description_path())?),
             Table::Text { .. } => {
                 let described = self.robot.description();
                 all.extend(described.map(|(name, text)| (name.to_owned(), files::sha256(text.as_bytes()))));

@@ -4,7 +4,7 @@ use super::inputs::Table;
 use super::text_format::TableFormat;
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
-use etalon_base::message::Result;
+use etalon_base::message::{Problems, Result};
 use etalon_controllers::axis_tables::{self, Deviation};
 use etalon_documents::AxisDocument;
 use etalon_standards::iso230::{Approach, AxisPosition};
@@ -31,9 +31,9 @@ fn positions(file: &TableFile) -> Result<Vec<AxisPosition>> {
     file.table.require(["position_mm", "measured_mm", "direction"])?;
     let column = |name: &str| file.table.numbers(name);
     let (programmed, measured, direction) = (column("position_mm")?, column("measured_mm")?, column("direction")?);
-    if programmed.iter().chain(&measured).any(|v| !v.is_finite()) || direction.iter().any(|d| d.abs() != 1.0) {
-        return Err(error!("iso230-row-incomplete").into());
-    }
+    let is_whole = |i: usize| programmed[i].is_finite() && measured[i].is_finite() && direction[i].abs() == 1.0;
+    let incomplete = (0..programmed.len()).filter(|&i| !is_whole(i));
+    Problems(incomplete.map(|i| error!("iso230-row-incomplete").at(file.table.place(i))).collect()).check()?;
     let mut all = programmed.clone();
     all.sort_by(f64::total_cmp);
     all.dedup();

@@ -256,7 +256,7 @@ impl TextFormat {
         match table {
             Table::Text { text, .. } => Ok(text.to_owned()),
             Table::File(path) if self.is_of_plain_text() => etalon_formats::text_in(path, format),
-            Table::File(path) => {
+            Table::File(path) | Table::Sheet { path, .. } => {
                 let encoding = stated("--encoding", self.form.cells.encoding.as_deref())?;
                 etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, encoding, format)
             }
@@ -309,6 +309,21 @@ impl TableFormat {
         self.form.one_of_several(table, self.reading(true)?)
     }
 
+    /// Reads a table that belongs to attained poses: without constant columns, and numbered by its
+    /// rows if it has no column `pose`.
+    pub(crate) fn read_beside(&self, table: Table) -> Result<TableFile, Problems> {
+        let reading = self.reading(true)?;
+        let (layout, pose) =
+            (TableLayout { constants: BTreeMap::new(), pose: None, ..reading.layout }, reading.layout.pose);
+        let reading = TableReading { layout, ..reading };
+        let read = self.form.one_of_several(table, reading.clone())?;
+        if read.table.has("pose") || pose.is_none() {
+            return Ok(read);
+        }
+        let layout = TableLayout { pose, ..reading.layout };
+        self.form.one_of_several(table, TableReading { layout, ..reading })
+    }
+
     /// Names of the columns whose source is given.
     pub(crate) fn named(&self) -> Result<Vec<String>, Problems> {
         Ok(self.form.columns()?.into_keys().collect())
@@ -335,11 +350,20 @@ impl TableFormat {
     }
 }
 
-/// Reads a table in a layout.
+/// Reads a table in a layout. Marks, encoding and sheet of the layout are those of files.
 pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Problems> {
+    let with_form = |form: Form| {
+        let layout = TableLayout { form, ..reading.layout.clone() };
+        TableReading { layout, ..reading.clone() }
+    };
+    let form = &reading.layout.form;
     match table {
         Table::File(path) => TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading),
-        Table::Text { name, text } => TableFile::parse_with(name, text, reading),
+        Table::Sheet { path, sheet } => {
+            let reading = with_form(Form { sheet: Some(sheet.to_owned()), ..form.clone() });
+            TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
+        }
+        Table::Text { name, text } => TableFile::parse_with(name, text, &with_form(form.without_marks())),
     }
 }
 

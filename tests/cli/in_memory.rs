@@ -75,7 +75,7 @@ fn a_predicted_position_has_the_covariance_of_its_parameters() {
 }
 
 #[test]
-fn candidates_in_memory_have_the_marks_that_are_stated() {
+fn candidates_in_memory_have_commas_and_points_beside_files_with_other_marks() {
     let (text, table) = three_axes();
     let file = etalon::campaign::parse_robot("robot.toml".as_ref(), &text).unwrap();
     let comma = table.replace(',', ";").replace('.', ",");
@@ -87,7 +87,7 @@ fn candidates_in_memory_have_the_marks_that_are_stated() {
     };
     let twelve = r#"{"positions": 12, "starts": 1}"#;
     let marks = r#"{"positions": 12, "starts": 1, "delimiter": ";", "decimal": ","}"#;
-    let [first, second] = [plan(&table, twelve), plan(&comma, marks)].map(|plan| plan.unwrap());
+    let [first, second] = [plan(&table, twelve), plan(&table, marks)].map(|plan| plan.unwrap());
     assert_eq!(first.optimality.value, second.optimality.value);
     assert!(plan(&comma, twelve).is_err());
 }

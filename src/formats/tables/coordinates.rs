@@ -1,6 +1,6 @@
 //! Positions and angles of a table `x_mm,y_mm[,z_mm][,a_deg][,b_deg][,c_deg]`, checked.
 
-use crate::table::{ANGLES, Table, XYZ};
+use crate::table::{ANGLES, RADIANS, Table, XYZ, state_columns};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::{PoseName, two_spellings};
@@ -60,8 +60,12 @@ impl Table {
     /// Reports empty and non-finite cells, with their lines.
     pub fn coordinates(&self) -> Result<Coordinates> {
         let read = || -> Result<Coordinates> {
-            let angles: Vec<usize> = (0..3).filter(|&k| self.has(ANGLES[k])).collect();
-            let radians = |&k: &usize| Ok(self.numbers(ANGLES[k])?.into_iter().map(f64::to_radians).collect());
+            self.require(self.coordinate_columns())?;
+            let angles: Vec<usize> = (0..3).filter(|&k| self.has(ANGLES[k]) || self.has(RADIANS[k])).collect();
+            let radians = |&k: &usize| match self.has(ANGLES[k]) {
+                true => Ok(self.numbers(ANGLES[k])?.into_iter().map(f64::to_radians).collect()),
+                false => self.numbers(RADIANS[k]),
+            };
             Ok(Coordinates {
                 positions_mm: self.positions()?,
                 angles_rad: angles.iter().map(radians).collect::<Result<_>>()?,
@@ -79,14 +83,23 @@ impl Table {
         Ok(all)
     }
 
-    /// Returns a warning about columns other than coordinates and those in `read`.
+    /// Returns a warning about columns other than coordinates and those in `read`. If their headings
+    /// name missing coordinates, the hint gives them.
     pub fn unread(&self, read: &[&str]) -> Option<Message> {
+        let in_radians = |name: &&str| ANGLES.iter().zip(RADIANS).any(|(deg, rad)| rad == *name && !self.has(deg));
         let known: Vec<&str> = read.iter().chain(&XYZ).chain(&ANGLES).copied().collect();
-        let others: Vec<&str> = self.names().filter(|name| !known.contains(name)).collect();
+        let others: Vec<&str> = self.names().filter(|name| !known.contains(name) && !in_radians(name)).collect();
         let first = *others.first()?;
         let columns: Vec<String> = others.iter().map(|name| format!("`{name}`")).collect();
         let message = warning!("columns-not-read", count = columns.len(), columns).routine();
-        Some(message.at(Place::file(self.file())).hint_names(first, known.iter().copied()))
+        let message = message.at(Place::file(self.file()));
+        let optional = XYZ[2..].iter().chain(&ANGLES).copied().filter(|name| !self.has(name));
+        let meant: Vec<(&str, &str)> =
+            optional.filter_map(|name| Some((name, self.heading_of_coordinate(name)?))).collect();
+        match meant.is_empty() {
+            true => Some(message.hint_names(first, known.iter().copied())),
+            false => Some(message.hint(state_columns(&meant))),
+        }
     }
 
     /// Places problems without a place in the file of the table.

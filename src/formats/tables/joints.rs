@@ -1,9 +1,9 @@
 //! Columns of joints in tables: values, directions and assembly modes.
 
-use crate::table::{ASSEMBLY, Table};
+use crate::table::{ASSEMBLY, Table, XYZ};
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase};
-use etalon_robots::{Circumstance, Joint, Robot};
+use etalon_robots::{Circumstance, Joint, Quantity, Robot, Role};
 
 /// Columns of the payload of a reading: mass, and centre of mass in the flange.
 pub const PAYLOAD: [&str; 4] = ["load_kg", "load_x_mm", "load_y_mm", "load_z_mm"];
@@ -45,7 +45,11 @@ pub fn is_stated_column(column: &str) -> bool {
 pub fn joint_values(robot: &dyn Robot, table: &Table, needed: &[&str]) -> Result<Vec<Vec<f64>>> {
     let columns: Vec<(String, f64)> =
         robot.joints().iter().map(|joint| joint_column(joint, table)).collect::<Result<_>>()?;
-    table.require(needed.iter().copied().chain(columns.iter().map(|c| c.0.as_str())))?;
+    let needed = needed.iter().map(|name| (*name, length_unit(robot, table, name)));
+    let angles = angle_unit(robot, table);
+    let joints = robot.joints().iter().zip(&columns);
+    let joints = joints.map(|(joint, c)| (c.0.as_str(), angles.filter(|_| joint.quantity == Quantity::Angle)));
+    table.require_in(needed.chain(joints))?;
     let mut rows = vec![Vec::with_capacity(columns.len() + robot.approached().len()); table.height()];
     for (column, factor) in &columns {
         let values = table.numbers(column)?;
@@ -67,6 +71,37 @@ pub fn joint_values(robot: &dyn Robot, table: &Table, needed: &[&str]) -> Result
     }
     add_stated(robot, table, &mut rows)?;
     Ok(rows)
+}
+
+/// Unit that the values of missing columns of revolute joints suggest: radians if all are within a
+/// turn of radians.
+fn angle_unit(robot: &dyn Robot, table: &Table) -> Option<&'static str> {
+    const TURN: f64 = 2.0 * std::f64::consts::PI * 1.001;
+    let revolute = robot.joints().iter().filter(|joint| joint.quantity == Quantity::Angle);
+    let missing = revolute.filter(|joint| table.names().all(|name| joint.factor(name).is_none()));
+    let headings: Vec<&str> = missing.filter_map(|joint| table.heading_for(&joint.column())).collect();
+    let mut values = headings.iter().flat_map(|heading| table.plain_numbers(heading)).peekable();
+    (headings.len() > 1 && values.peek().is_some() && values.all(|v| v.abs() <= TURN)).then_some("rad")
+}
+
+/// Smallest extent of measured positions, and largest, relative to the lengths of a robot.
+const EXTENT: [f64; 2] = [0.02, 4.0];
+
+/// Unit that the values of a missing column of a coordinate suggest: metres if the positions are a
+/// point beside the robot in millimetres, and of its size in metres.
+fn length_unit(robot: &dyn Robot, table: &Table, name: &str) -> Option<&'static str> {
+    let place = XYZ.iter().position(|column| *column == name)?;
+    let headings = XYZ[..robot.dimension().max(place + 1)].iter().filter_map(|name| table.heading_for(name));
+    let range = |heading: &str| {
+        let values = table.plain_numbers(heading);
+        let [least, most] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).unwrap_or(0.0));
+        most - least
+    };
+    let extent = headings.map(range).fold(0.0, f64::hypot);
+    let lengths = robot.parameters().iter().filter(|p| p.role == Role::Robot && p.quantity == Quantity::Length);
+    let size_mm: f64 = lengths.map(|p| p.nominal.abs()).sum();
+    let [least, most] = EXTENT.map(|share| share * size_mm);
+    (extent > 0.0 && extent < least && (least..=most).contains(&(1000.0 * extent))).then_some("m")
 }
 
 /// Adds the values that each reading gives.

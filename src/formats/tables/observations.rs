@@ -1,7 +1,7 @@
 //! Tables of observations: one row per pose, repeat and target, a column per joint with its unit.
 
 use crate::logs::meaning;
-use crate::table::{COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, Table, UNCERTAINTIES, Values, XYZ};
+use crate::table::{self, COVARIANCES, FLANGE, MATRIX, QUATERNION, TEXTS, Table, UNCERTAINTIES, Values, XYZ};
 use etalon_base::cell::is_formula;
 use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result};
@@ -51,6 +51,7 @@ struct ReadColumn<'t> {
 impl TableReading {
     /// Returns the columns to read of a sheet.
     fn read_columns<'t>(&self, sheet: &Sheet<'t>) -> Result<Vec<ReadColumn<'t>>> {
+        self.check_direction(sheet)?;
         let mut problems = Problems::default();
         let TableLayout { columns, form, .. } = &self.layout;
         let header = sheet.header.as_ref();
@@ -115,6 +116,23 @@ impl TableReading {
         all.retain(|column| computed.iter().all(|other| other.name != column.name) && !serves(column));
         all.extend(computed);
         Ok(all)
+    }
+
+    /// Rejects columns that are given by the headings of the table instead of the names of etalon.
+    fn check_direction(&self, sheet: &Sheet) -> std::result::Result<(), Message> {
+        let has = |name: &str| sheet.headings().iter().any(|heading| heading.trim() == name);
+        let inverted = |(name, source): (&'_ String, &'_ ColumnSource)| match source {
+            ColumnSource::Heading(heading) if has(name) && !has(heading) && table::is_native_column(heading) => {
+                Some((heading.clone(), name.clone()))
+            }
+            _ => None,
+        };
+        let inverted: Vec<(String, String)> = self.layout.columns.iter().filter_map(inverted).collect();
+        let pairs: Vec<(&str, &str)> = inverted.iter().map(|(name, heading)| (&**name, &**heading)).collect();
+        match pairs.is_empty() {
+            true => Ok(()),
+            false => Err(error!("columns-inverted").hint(table::state_columns(&pairs)).at(sheet.place())),
+        }
     }
 
     /// Adds the columns that every observation needs, and the constant columns.

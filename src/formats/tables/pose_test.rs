@@ -32,9 +32,12 @@ pub fn pose_test(
     rotation_order: Option<RotationOrder>,
 ) -> Result<PoseTest> {
     let mut problems = Problems::default();
-    let mut read = |table: &Table| problems.keep(rows(table));
-    let a = read(attained);
-    let c = commanded.map(|table| (table, read(table)));
+    let mut read = |table: &Table, needed: &'static [&'static str]| {
+        let needed = needed.iter().copied().chain(table.coordinate_columns());
+        problems.keep(table.require(needed).map_err(|p| table.in_file(p)).and_then(|()| rows(table)))
+    };
+    let a = read(attained, &["pose", "cycle"]);
+    let c = commanded.map(|table| (table, read(table, &["pose"])));
     let (Some(a), Some(c)) = (a, c.map_or(Some(None), |(table, c)| Some(Some((table, c?))))) else {
         return Err(problems);
     };

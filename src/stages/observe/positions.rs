@@ -58,7 +58,8 @@ fn assumed_modes_warning(AssumedModes { positive, negative, least_clear: (pose, 
 
 /// The measured positions of a table, in the order of its rows.
 fn positions(robot: &dyn Robot, table: &Table) -> Result<Vec<Measured>> {
-    let joints = joint_values(robot, table, &["pose", "cycle", "target", XYZ[0], XYZ[1]])?;
+    let needed = ["pose", "cycle", "target"].into_iter().chain(XYZ[..robot.dimension()].iter().copied());
+    let joints = joint_values(robot, table, &needed.collect::<Vec<_>>())?;
     let (poses, cycles) = (table.poses()?, table.integers("cycle")?);
     let (names, xyz) = (table.texts("target")?, table.positions()?);
     let modes = stated_modes(robot, table)?;

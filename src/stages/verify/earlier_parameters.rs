@@ -58,7 +58,16 @@ fn entry<'d>(document: &'d ParametersDocument, p: &Parameter) -> Option<&'d Para
 fn other_robot_message(robot: &dyn Robot, document: &ParametersDocument, missing: &[&Parameter]) -> Message {
     let names = truncated(missing.iter().map(|p| format!("`{}`", p.name)), NAMED);
     if document.robot == robot.model() && missing.iter().all(|p| p.role != Role::Robot) {
-        return error!("calibrated-targets-missing", names);
+        let message = error!("calibrated-targets-missing", names);
+        let target = |name: &'_ str| name.rsplit_once('_').map(|(target, _)| target.to_owned());
+        let missing = missing.iter().filter(|p| p.role == Role::Target).find_map(|p| target(&p.name));
+        let of_targets = document.parameters.iter().filter(|entry| entry.role == etalon_documents::Role::Target);
+        let mut targets: Vec<String> = of_targets.filter_map(|entry| target(&entry.name)).collect();
+        targets.dedup();
+        return match missing {
+            Some(target) if !targets.is_empty() => message.hint_names(&target, targets.iter().map(String::as_str)),
+            _ => message,
+        };
     }
     let message = error!("parameters-of-other-robot", identified = document.robot, stated = robot.model());
     if names.is_empty() { message } else { message.hint(phrase!("parameters-lacking", names)) }

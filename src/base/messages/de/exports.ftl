@@ -88,6 +88,7 @@ sheet-too-large = Blatt `{ $sheet }` hat eine Zelle in Spalte { $column }, Zeile
 
 state-column-or-pose = `columns = {"{"} pose = "{ $heading }" {"}"}` mit der Überschrift der Spalte angeben (Option --column) oder `pose = "row"`, wenn die Zeilennummer die Nummer der Pose ist (Option --pose)
 state-column-or-target = `columns = {"{"} target = "{ $heading }" {"}"}` mit der Überschrift der Spalte angeben (Option --column) oder `target = "NAME"`, wenn alle Zeilen zu einer Zielmarke gehören (Option --target)
+state-column-or-cycle = die Überschrift der Spalte angeben, `columns = {"{"} cycle = "{ $heading }" {"}"}` (Option --column), oder `cycle = "visit"`, falls die Zeilen in der Reihenfolge der Messung stehen (Option --constant cycle=visit)
 
 unpacked-too-large = { $kind ->
         [workbook] die entpackte Arbeitsmappe ist
@@ -518,6 +519,8 @@ state-sheet = `sheet = "{ $sheet }"` angeben (Option --sheet)
 
 state-column = ist es die Spalte `{ $heading }`, `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column)
 state-column-of = ihre Überschrift angeben: `columns = {"{"} { $column } = "HEADING" {"}"}` (Option --column); Überschriften, die nichts liest: { $names }
+state-column-in-unit = falls es die Spalte `{ $heading }` ist: `columns = {"{"} { $column } = "{ $heading }" {"}"}` angeben (Option --column); ihre Werte sprechen für { $unit }
+state-columns-together = `columns = {"{"} { $columns } {"}"}` angeben (Option --column)
 row-marked-deleted = weggelassen: als gelöscht markiert (`{ $cell }`)
 row-left-out-by-cell = weggelassen: `{ $column }` ist `{ $cell }`
 row-without-coordinates = nicht gemessen: keine Koordinaten

@@ -355,6 +355,8 @@ reference-targets-differ = die Referenzmarken von Zyklus { $cycle } unterscheide
 observation-column-unknown = `{ $column }` ist keine Spalte von Beobachtungen
     .hint = Koordinaten und Gelenke enden mit ihrer Einheit: x_mm, q1_deg; docs/observations.md nennt alle Spalten
 
+columns-inverted = `columns` ist vertauscht: Überschriften der Tabelle stehen als Namen von Spalten
+
 column-stated-twice = die Spalte `{ $column }` ist als `{ $first }` und als `{ $second }` angegeben
     .hint = eine Angabe berichtigen
 

@@ -142,6 +142,7 @@ sheet-too-large = sheet `{ $sheet }` has a cell in column { $column }, row { $ro
 
 state-column-or-pose = set `columns = {"{"} pose = "{ $heading }" {"}"}` with the heading of the column (option --column), or `pose = "row"` if the number of the row is the number of the pose (option --pose)
 state-column-or-target = set `columns = {"{"} target = "{ $heading }" {"}"}` with the heading of the column (option --column), or `target = "NAME"` if all rows belong to one target (option --target)
+state-column-or-cycle = set `columns = {"{"} cycle = "{ $heading }" {"}"}` with the heading of the column (option --column), or `cycle = "visit"` if the rows are in the order of measurement (option --constant cycle=visit)
 
 # Means: A compressed file (workbook, arrays, recording) is larger than the maximum size when
 # unpacked.
@@ -896,6 +897,8 @@ state-sheet = set `sheet = "{ $sheet }"` (option --sheet)
 
 state-column = if it is the column `{ $heading }`, set `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
 state-column-of = state its heading: `columns = {"{"} { $column } = "HEADING" {"}"}` (option --column); headings that nothing reads: { $names }
+state-column-in-unit = if it is the column `{ $heading }`, set `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column): its values suggest { $unit }
+state-columns-together = set `columns = {"{"} { $columns } {"}"}` (option --column)
 row-marked-deleted = excluded: it is marked as deleted (`{ $cell }`)
 row-left-out-by-cell = excluded: `{ $column }` is `{ $cell }`
 row-without-coordinates = not measured: no coordinates

@@ -702,6 +702,12 @@ reference-targets-differ = the reference targets of cycle { $cycle } differ from
 observation-column-unknown = `{ $column }` is not a column of observations
     .hint = the names of coordinates and joints end with their unit: x_mm, q1_deg; docs/observations.md lists all columns
 
+# Means: `columns` gives headings of the table as names, and names of etalon as headings.
+# Matters: No column can be read.
+# Do: Write the name of etalon first, then the heading of the table.
+# Example: `columns = { J1 = "q1_deg" }` instead of `columns = { q1_deg = "J1" }`
+columns-inverted = `columns` is inverted: it gives headings of the table as names of columns
+
 # Means: Two quantities have the same column of the file.
 # Matters: At least one of the two is wrong.
 # Do: Correct the column of one quantity.

@@ -88,6 +88,7 @@ sheet-too-large = la feuille `{ $sheet }` a une cellule en colonne { $column }, 
 
 state-column-or-pose = indiquer `columns = {"{"} pose = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `pose = "row"` si le numéro de la ligne est celui de la pose (option --pose)
 state-column-or-target = indiquer `columns = {"{"} target = "{ $heading }" {"}"}` avec son en-tête (option --column), ou `target = "NAME"` si toutes les lignes sont d’une seule cible (option --target)
+state-column-or-cycle = indiquer l’en-tête de la colonne, `columns = {"{"} cycle = "{ $heading }" {"}"}` (option --column), ou `cycle = "visit"` si les lignes sont dans l’ordre des mesures (option --constant cycle=visit)
 
 unpacked-too-large = { $kind ->
         [workbook] le classeur décompressé dépasse
@@ -518,6 +519,8 @@ state-sheet = indiquer `sheet = "{ $sheet }"` (option --sheet)
 
 state-column = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column)
 state-column-of = indiquer son en-tête : `columns = {"{"} { $column } = "HEADING" {"}"}` (option --column) ; en-têtes que rien ne lit : { $names }
+state-column-in-unit = si c’est la colonne `{ $heading }`, indiquer `columns = {"{"} { $column } = "{ $heading }" {"}"}` (option --column) : ses valeurs font penser à { $unit }
+state-columns-together = indiquer `columns = {"{"} { $columns } {"}"}` (option --column)
 row-marked-deleted = omise : elle est marquée comme supprimée (`{ $cell }`)
 row-left-out-by-cell = omise : `{ $column }` est `{ $cell }`
 row-without-coordinates = non mesurée : pas de coordonnées

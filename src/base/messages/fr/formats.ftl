@@ -355,6 +355,8 @@ reference-targets-differ = les cibles de référence du cycle { $cycle } diffèr
 observation-column-unknown = `{ $column }` n’est pas une colonne d’observations
     .hint = les coordonnées et les articulations se terminent par leur unité : x_mm, q1_deg ; docs/observations.md énumère les colonnes
 
+columns-inverted = `columns` est inversé : des en-têtes du tableau y sont donnés comme noms de colonnes
+
 column-stated-twice = la colonne `{ $column }` est indiquée comme `{ $first }` et comme `{ $second }`
     .hint = corriger l’une des deux
 
