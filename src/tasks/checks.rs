@@ -1,8 +1,8 @@
 //! Checks of options that several commands have.
 
 use crate::stages::orientations::AngleOrder;
-use etalon_base::error;
 use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::{error, phrase};
 use etalon_campaign::PLAUSIBLE_EXPANDED_UM;
 
 /// Checks that the number of an option, if given, is positive.
@@ -18,6 +18,14 @@ pub(super) fn check_uncertainty(option: &str, stated_um: Option<f64>) -> Result<
     match stated_um.is_none_or(|u| PLAUSIBLE_EXPANDED_UM.contains(&(2.0 * u))) {
         true => Ok(()),
         false => Err(error!("uncertainty-implausible", option).into()),
+    }
+}
+
+/// Rejects values that cannot be the expanded uncertainty of a coordinate in micrometres.
+pub(super) fn check_expanded(option: &str, stated_um: Option<f64>) -> Result<()> {
+    match stated_um.is_none_or(|u| PLAUSIBLE_EXPANDED_UM.contains(&u)) {
+        true => Ok(()),
+        false => Err(error!("uncertainty-implausible", option).hint(phrase!("state-expanded-um")).into()),
     }
 }
 

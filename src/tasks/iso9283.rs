@@ -1,10 +1,10 @@
 //! Task of `etalon iso9283 pose`.
 
-use super::checks::{check_beside, check_positive};
+use super::checks::{check_beside, check_expanded, check_positive};
 use super::inputs::Table;
 use super::text_format::TableFormat;
 use crate::stages::iso9283::limits;
-use crate::stages::iso9283::pose::PoseTables;
+use crate::stages::iso9283::pose::{PoseTables, parse_order};
 use etalon_base::message::Result;
 use etalon_base::{error, warning};
 use etalon_campaign::Limits;
@@ -33,8 +33,8 @@ pub struct PoseOptions {
     /// Number of cycles in one set of a drift test, e.g. 10.
     #[arg(long, value_name = "CYCLES")]
     pub drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)": recorded, and with --reference
-    /// used to compensate angles.
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)", multiplied from left to right: angles
+    /// that are not separable become rotation vectors, and --reference also compensates angles.
     #[arg(long, value_name = "TEXT")]
     pub rotation_order: Option<String>,
 }
@@ -57,10 +57,11 @@ pub struct TestTables<'a> {
 pub fn iso9283(tables: &TestTables, format: &TableFormat, options: &PoseOptions, seed: u64) -> Result<Iso9283Document> {
     options.check(tables)?;
     let [commanded, reference] =
-        [tables.commanded, tables.reference].map(|table| table.map(|table| format.read_poses(table)).transpose());
+        [tables.commanded, tables.reference].map(|table| table.map(|table| format.read_beside(table)).transpose());
     let (commanded, reference) = (commanded?, reference?);
     let read = PoseTables::new(format.read_poses(tables.attained)?, commanded, reference);
-    let mut document = read.test(options.rotation_order.as_deref())?.evaluate(&PoseTestSettings {
+    let order = options.rotation_order.as_deref().map(parse_order).transpose()?;
+    let mut document = read.test(order)?.evaluate(&PoseTestSettings {
         expanded_uncertainty_mm: options.expanded_uncertainty_um.map(|u| u / 1000.0),
         drift_set: options.drift_set,
         rotation_order: options.rotation_order.clone(),
@@ -88,6 +89,7 @@ pub fn iso9283(tables: &TestTables, format: &TableFormat, options: &PoseOptions,
 impl PoseOptions {
     fn check(&self, tables: &TestTables) -> Result<()> {
         check_positive("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
+        check_expanded("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
         check_beside("ap_limit_mm", self.ap_limit_mm.is_some(), "commanded", tables.commanded.is_some())?;

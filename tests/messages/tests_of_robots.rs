@@ -117,6 +117,46 @@ const CASES: &[Case] = &[
         ],
         "iso9283 pose @/t.csv --commanded @/c.csv",
     ),
+    (
+        "angles-in-other-unit table=attained count=1",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,c_deg\n1,1,0,0,0.5236\n2,1,100,0,1.0472\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,c_deg\n1,0,0,30\n2,100,0,60\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    (
+        "angles-far-from-commanded",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,c_deg\n1,1,0,0,30\n2,1,100,0,20\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,c_deg\n1,0,0,30\n2,100,0,60\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    (
+        "readings-outlying count=1",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "pose,cycle,x_mm,y_mm,z_mm\n1,1,500.001,0,500\n1,2,500.002,0,500\n1,3,500,0,500\n1,4,500.001,0,500\n1,5,500.002,0,500\n1,6,500,0,500\n1,7,505,0,500\n1,8,500.002,0,500\n1,9,500,0,500\n1,10,500.001,0,500\n1,11,500.002,0,500\n1,12,500,0,500\n",
+        )],
+        "iso9283 pose @/t.csv",
+    ),
+    (
+        "rotation-order-unknown text=zyx",
+        "",
+        &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg\n1,1,0,0,0,10,20,30\n")],
+        "iso9283 pose @/t.csv --rotation-order zyx",
+    ),
+    (
+        "uncertainty-implausible option=--expanded-uncertainty-um",
+        "",
+        &[("t.csv", "", "pose,cycle,x_mm,y_mm\n1,1,0,0\n")],
+        "iso9283 pose @/t.csv --expanded-uncertainty-um 0.015",
+    ),
     ("data-rows-missing", "", &[("t.csv", "", "position_mm,measured_mm,direction\n")], "iso230 @/t.csv"),
     ("iso230-few-runs", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n")], "iso230 @/t.csv"),
     (

@@ -11,13 +11,14 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::decision::DecisionRule;
-use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced_poses};
+use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced_angles, misplaced_poses};
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
 use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
 use etalon_standards::iso9283::pose::drift::{Drift, drifts, largest_trend};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
+use etalon_standards::iso9283::pose::outlying::{OutlyingReading, outlying_readings};
 use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
 use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
@@ -85,7 +86,8 @@ impl Iso9283Document {
         if count > 1 && settings.ap_limit_mm.or(settings.rp_limit_mm).is_some() {
             return Err(error!("limits-for-several-robots", robots = count).into());
         }
-        let placed = misplaced_poses(robots).map(|found| misplacement(&found)).transpose()?;
+        let placed = [misplaced_poses(robots), misplaced_angles(robots)].into_iter().flatten();
+        let placed: Vec<Message> = placed.map(|found| misplacement(&found)).collect::<Result<_>>()?;
         let test = &robots.first_robot_test();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
         let conventions = conventions(robots, settings);
@@ -106,7 +108,12 @@ impl Iso9283Document {
             visits: Vec::new(),
             limits: Vec::new(),
             reference: Vec::new(),
-            messages: placed.into_iter().chain(messages(test, &poses)).chain(unstated_drift(test, settings)).collect(),
+            messages: [placed, messages(test, &poses)]
+                .into_iter()
+                .flatten()
+                .chain(outlying(robots))
+                .chain(unstated_drift(test, settings))
+                .collect(),
             poses,
         })
     }
@@ -444,6 +451,24 @@ fn unstated_drift(test: &PoseTest, settings: &PoseTestSettings) -> Option<Messag
     Some(warning!("positions-drift", pose, change_mm).to_decide())
 }
 
+/// Maximum number of readings that a warning names.
+const NAMED: usize = 5;
+
+/// Warning of readings that are far from all others of their pose.
+fn outlying(test: &PoseTest) -> Option<Message> {
+    let found = outlying_readings(test);
+    let named = |v: &OutlyingReading| {
+        let OutlyingReading { pose, cycle, distance_mm, median_mm, near } = v;
+        match near {
+            Some(near) => phrase!("outlying-reading-near", pose, cycle, distance_mm, median_mm, near),
+            None => phrase!("outlying-reading", pose, cycle, distance_mm, median_mm),
+        }
+    };
+    let readings: Vec<Phrase> = found.iter().take(NAMED).map(named).collect();
+    let more = found.len() - readings.len();
+    (!found.is_empty()).then(|| warning!("readings-outlying", count = found.len(), readings, more).to_decide())
+}
+
 /// Warnings of a test of poses.
 fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     let mut messages = test.warnings.clone();
@@ -490,6 +515,14 @@ pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
             let (count, unit) = (axes.len(), *unit);
             Err(error!("positions-in-other-unit", axes, count, table, robot, unit, length_mm).into())
         }
+        Misplacement::AngleUnit { table, angles } => {
+            let table = if *table == TestTable::Commanded { "commanded" } else { "attained" };
+            Err(error!("angles-in-other-unit", count = angles.len(), angles = letters(angles), table).into())
+        }
+        Misplacement::Angles { angles, largest_rad, poses } => {
+            let (angles, deviation_deg) = (letters(angles), largest_rad.to_degrees());
+            Ok(warning!("angles-far-from-commanded", angles, deviation_deg, poses).to_decide())
+        }
         Misplacement::Frame { deviation_mm, shift_mm, turn_rad, left_mm } => {
             let turn_deg = turn_rad.unwrap_or(0.0).to_degrees();
             let (turned, [x_mm, y_mm, z_mm]) = (if turn_rad.is_some() { "turned" } else { "shifted" }, *shift_mm);
@@ -501,9 +534,17 @@ pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
     }
 }
 
+/// Names of the angles.
+const LETTERS: [&str; 3] = ["a", "b", "c"];
+
+/// Names of angles by their numbers.
+fn letters(angles: &[usize]) -> Vec<&'static str> {
+    angles.iter().map(|&k| LETTERS[k]).collect()
+}
+
 /// Warning that two angles are not separable at a place of the test.
 pub(super) fn not_separable(angles: [usize; 2], is_stated: bool, place: Phrase) -> Message {
-    let [first, second] = angles.map(|k| ["a", "b", "c"][k]);
+    let [first, second] = angles.map(|k| LETTERS[k]);
     let order = if is_stated { "stated" } else { "unknown" };
     warning!("angles-not-separable", first, second, place, order)
 }

@@ -16,7 +16,7 @@ use etalon_base::pose::Pose;
 use etalon_campaign::{Campaign, Limits, PosesDefinition, TableDefinition};
 use etalon_documents::*;
 use etalon_standards::iso9283::pose::{DRAWS, PoseTestSettings};
-use pose::{PoseTables, PreparedTest};
+use pose::{PoseTables, PreparedTest, parse_order};
 use repeatability::Commanded;
 use toml::Spanned;
 
@@ -126,7 +126,9 @@ fn drift_sets(campaign: &Campaign) -> Problems {
 /// The attained poses of `[poses]`, and whether they can be evaluated and judged.
 fn read_poses(files: &mut CampaignTables, definition: &PosesDefinition) -> Result<PreparedTest> {
     let campaign = files.campaign;
-    let attained = PoseTables::from_campaign(files, definition)?.test(definition.rotation_order.as_deref())?;
+    let order = definition.rotation_order.as_deref().map(parse_order).transpose();
+    let order = order.map_err(|problems| problems.at(&campaign.key_place(&["poses", "rotation_order"])))?;
+    let attained = PoseTables::from_campaign(files, definition)?.test(order)?;
     // a set of one cycle is an error of its own
     if let Some(set) = definition.drift_set.as_ref().filter(|set| *set.get_ref() > 1) {
         attained.drifts(*set.get_ref()).map_err(|more| more.at(&campaign.place(set)))?;

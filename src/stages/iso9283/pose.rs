@@ -55,13 +55,12 @@ impl PoseTables {
     }
 
     /// The test in these tables; all errors in them are reported with their lines.
-    pub fn test(&self, rotation_order: Option<&str>) -> Result<PreparedTest> {
+    pub fn test(&self, order: Option<RotationOrder>) -> Result<PreparedTest> {
         let (attained, commanded) = (&self.attained, self.commanded.as_ref());
         let in_texts = |problems: Problems| {
             let problems = attained.place(problems);
             if let Some(commanded) = commanded { commanded.place(problems) } else { problems }
         };
-        let order = rotation_order.and_then(RotationOrder::parse);
         let mut test = pose_test(&attained.table, commanded.map(|file| &file.table), order).map_err(in_texts)?;
         test.settle_solutions();
         let drift = match &self.reference {
@@ -74,6 +73,34 @@ impl PoseTables {
             }
         };
         Ok(PreparedTest { test, drift })
+    }
+}
+
+/// Order of the rotations a, b, c in a text like `Rz(c) Ry(b) Rx(a)`.
+///
+/// # Errors
+/// Fails for other texts, and for orders that do not reach every orientation.
+pub(crate) fn parse_order(text: &str) -> Result<RotationOrder> {
+    let order = RotationOrder::parse(text);
+    Ok(order.ok_or_else(|| error!("rotation-order-unknown", text).hint(order_hint(text)))?)
+}
+
+/// Hint for an order that does not read. Names of `orientation`, such as `zyx`, give the axes of the
+/// first, second and third angle; by ISO 9283 the angles a, b, c are about x, y, z.
+fn order_hint(text: &str) -> Phrase {
+    let name = text.trim().to_lowercase();
+    let axes: Vec<char> = name.trim_start_matches("fixed ").chars().filter(|c| "xyz".contains(*c)).collect();
+    let Ok([i, j, k]) = <[char; 3]>::try_from(axes) else { return phrase!("rotation-orders") };
+    let by_place = match name.starts_with("fixed ") {
+        true => format!("R{k}(c) R{j}(b) R{i}(a)"),
+        false => format!("R{i}(a) R{j}(b) R{k}(c)"),
+    };
+    let letter = |axis: char| ['a', 'b', 'c'][['x', 'y', 'z'].iter().position(|other| *other == axis).unwrap_or(0)];
+    let by_axis = [i, j, k].map(|axis| format!("R{axis}({})", letter(axis))).join(" ");
+    let orders = [by_axis, by_place].map(|order| (RotationOrder::parse(&order).is_some(), order));
+    match orders {
+        [(true, by_axis), (true, by_place)] => phrase!("rotation-orders-of-axes", by_axis, by_place),
+        _ => phrase!("rotation-orders"),
     }
 }
 

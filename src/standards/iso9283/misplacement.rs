@@ -5,7 +5,7 @@
 use crate::iso9283::motion::MotionSettings;
 use crate::iso9283::motion::stream::Recording;
 use crate::iso9283::pose::test::PoseTest;
-use crate::iso9283::statistics::sample::mean_position;
+use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
 use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_fit::rigid;
@@ -46,6 +46,22 @@ pub enum Misplacement {
         /// Length of the unit (mm).
         length_mm: f64,
     },
+    /// The angles of a table are radians, not degrees.
+    AngleUnit {
+        /// The table.
+        table: TestTable,
+        /// The angles: 0, 1, 2 for a, b, c.
+        angles: Vec<usize>,
+    },
+    /// The attained angles are farther from the commanded ones than a robot turns by mistake.
+    Angles {
+        /// The angles: 0, 1, 2 for a, b, c.
+        angles: Vec<usize>,
+        /// Largest deviation (rad).
+        largest_rad: f64,
+        /// The poses with the largest deviations, largest first.
+        poses: Vec<PoseName>,
+    },
     /// One motion brings the attained positions to the commanded ones.
     Frame {
         /// Root mean square deviation (mm).
@@ -67,6 +83,67 @@ pub enum Misplacement {
         /// The poses with the largest deviations, largest first.
         poses: Vec<PoseName>,
     },
+}
+
+/// Angles of one pose, and their commanded values (rad).
+struct AnglePair {
+    pose: PoseName,
+    attained_rad: Vec<f64>,
+    commanded_rad: Vec<f64>,
+}
+
+/// Radians per degree.
+const DEG: f64 = std::f64::consts::PI / 180.0;
+/// Smallest root mean square (rad) of angles whose unit is judged.
+const LEAST_ANGLE_RAD: f64 = DEG;
+/// Deviation (rad) of an angle that no robot has.
+const TURNED_RAD: f64 = 5.0 * DEG;
+
+/// Returns the reason why the attained angles of a test are far from the commanded angles; `None` if
+/// they are near, or not comparable. Poses whose angles are not separable are not compared.
+pub fn misplaced_angles(test: &PoseTest) -> Option<Misplacement> {
+    let first = test.first_robot_test();
+    let compared = first.poses.iter().filter(|p| p.commanded_rad.len() == first.angles.len());
+    let pairs: Vec<AnglePair> = compared
+        .filter(|p| first.inseparable(p).is_none())
+        .map(|p| AnglePair {
+            pose: p.pose,
+            attained_rad: (0..first.angles.len())
+                .map(|k| spread(&unwrapped(&p.angles_rad(k, |_| true))).mean)
+                .collect(),
+            commanded_rad: p.commanded_rad.clone(),
+        })
+        .collect();
+    let name = |k: &usize| first.angles[*k];
+    let all = 0..first.angles.len();
+    let sides = [(TestTable::Attained(String::new()), 1.0 / DEG, 1.0), (TestTable::Commanded, 1.0, 1.0 / DEG)];
+    for (table, attained, commanded) in sides {
+        let of_size = |k: &usize| rms(pairs.iter().map(|p| attained.max(commanded) * p.smaller(*k, attained)));
+        let large: Vec<usize> = all.clone().filter(|k| of_size(k) > LEAST_ANGLE_RAD).collect();
+        let away = |k: &usize, attained: f64, commanded: f64| {
+            rms(pairs.iter().map(|p| wrapped(attained * p.attained_rad[*k] - commanded * p.commanded_rad[*k])))
+        };
+        let fits = |k: &usize| away(k, attained, commanded) <= IN_UNIT * of_size(k);
+        if !large.is_empty() && large.iter().all(|k| fits(k) && away(k, 1.0, 1.0) > AS_LARGE * of_size(k)) {
+            return Some(Misplacement::AngleUnit { table, angles: large.iter().map(name).collect() });
+        }
+    }
+    let off = |p: &AnglePair, k: usize| wrapped(p.attained_rad[k] - p.commanded_rad[k]).abs();
+    let angles: Vec<usize> = all.clone().filter(|&k| pairs.iter().any(|p| off(p, k) > TURNED_RAD)).collect();
+    let worst = |p: &AnglePair| all.clone().map(|k| off(p, k)).fold(0.0, f64::max);
+    let mut poses: Vec<(f64, PoseName)> = pairs.iter().map(|p| (worst(p), p.pose)).collect();
+    poses.retain(|(largest, _)| *largest > TURNED_RAD);
+    poses.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let largest_rad = poses.first()?.0;
+    let poses = poses.into_iter().take(3).map(|(_, pose)| pose).collect();
+    Some(Misplacement::Angles { angles: angles.iter().map(name).collect(), largest_rad, poses })
+}
+
+impl AnglePair {
+    /// Angle of the table in radians, as it was read: the attained one if it is multiplied.
+    fn smaller(&self, k: usize, attained: f64) -> f64 {
+        if attained > 1.0 { self.attained_rad[k] } else { self.commanded_rad[k] }
+    }
 }
 
 /// Positions of one pose or of one robot, and their correct values.
@@ -138,7 +215,7 @@ fn scaled_elsewhere(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<M
         for (table, factor) in [(attained.clone(), length_mm), (TestTable::Commanded, 1.0 / length_mm)] {
             let scaled: Vec<Vector> = from.iter().map(|p| p.map(|v| v * factor)).collect();
             let Ok(fit) = rigid(&scaled, &to) else { continue };
-            if fit.rms_mm() <= IN_UNIT * spread(&to) {
+            if fit.rms_mm() <= IN_UNIT * extent(&to) {
                 return Some(Misplacement::Unit { table, axes: vec![0, 1, 2], unit, length_mm });
             }
         }
@@ -147,7 +224,7 @@ fn scaled_elsewhere(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<M
 }
 
 /// Root mean square distance from the centre.
-fn spread(points: &[Vector]) -> f64 {
+fn extent(points: &[Vector]) -> f64 {
     let middle = centroid(points).unwrap_or_default();
     rms(points.iter().map(|p| norm(minus(*p, middle))))
 }
@@ -157,7 +234,7 @@ fn elsewhere(pairs: &[(PoseName, Pair)]) -> Option<Misplacement> {
     let off: Vec<Vector> = pairs.iter().map(|(_, p)| minus(p.attained_mm, p.commanded_mm)).collect();
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();
     let deviation_mm = rms(off.iter().map(|d| norm(*d)));
-    let extent_mm = if to.len() > 1 { spread(&to) } else { norm(*to.first()?) };
+    let extent_mm = if to.len() > 1 { extent(&to) } else { norm(*to.first()?) };
     if extent_mm == 0.0 || deviation_mm < AS_LARGE * extent_mm {
         return None;
     }
@@ -267,6 +344,48 @@ mod tests {
             let found = misplaced_poses(&cube_test(moved, same));
             assert!(matches!(&found, Some(Misplacement::Unit { unit: u, .. }) if *u == unit), "{found:?}");
         }
+    }
+
+    /// The cube with angles (deg) of its poses, and the attained ones (deg) that `attained` makes of
+    /// them.
+    fn turned_test(attained: impl Fn(Vector) -> Vector) -> PoseTest {
+        let commanded = [[10.0, 20.0, 30.0], [0.0, 0.0, 90.0], [5.0, 10.0, -20.0], [-10.0, 0.0, 15.0], [0.0, 5.0, 0.0]];
+        let mut test = cube_test(|p| p, |p| p);
+        test.angles = vec![0, 1, 2];
+        for (pose, c) in test.poses.iter_mut().zip(commanded) {
+            pose.commanded_rad = c.map(f64::to_radians).to_vec();
+            pose.attained.iter_mut().for_each(|v| {
+                let read = attained(c.map(|v| v + 0.01)).map(f64::to_radians).to_vec();
+                (v.angles_rad, v.readings_rad) = (read.clone(), vec![read]);
+            });
+        }
+        test
+    }
+
+    #[test]
+    fn radians_in_columns_of_degrees_are_named_with_their_table() {
+        let attained = TestTable::Attained(String::new());
+        let found = misplaced_angles(&turned_test(|a| a.map(f64::to_radians)));
+        assert_eq!(found, Some(Misplacement::AngleUnit { table: attained, angles: vec![0, 1, 2] }));
+        let mut other = turned_test(|a| a);
+        other.poses.iter_mut().for_each(|p| p.commanded_rad.iter_mut().for_each(|v| *v = v.to_radians()));
+        let found = misplaced_angles(&other);
+        assert_eq!(found, Some(Misplacement::AngleUnit { table: TestTable::Commanded, angles: vec![0, 1, 2] }));
+    }
+
+    #[test]
+    fn exchanged_angles_are_far_and_errors_of_a_robot_are_not() {
+        assert_eq!(misplaced_angles(&turned_test(|a| a)), None);
+        assert_eq!(misplaced_angles(&turned_test(|a| a.map(|v| v + 2.0))), None);
+        // whole turns
+        assert_eq!(misplaced_angles(&turned_test(|[a, b, c]| [a + 360.0, b, c - 360.0])), None);
+        let found = misplaced_angles(&turned_test(|[a, b, c]| [c, b, a])).unwrap();
+        let Misplacement::Angles { angles, largest_rad, poses } = found else { panic!("{found:?}") };
+        // where a and c alone cannot be told apart, they are not compared
+        assert_eq!((angles, poses[0]), (vec![0, 2], 3.into()));
+        assert!((largest_rad.to_degrees() - 25.01).abs() < 1e-9, "{largest_rad}");
+        // angles that were not measured, and a test without commanded angles
+        assert_eq!(misplaced_angles(&cube_test(|p| p, |p| p)), None);
     }
 
     #[test]

@@ -147,6 +147,7 @@ enclosing-minimum-zone = für das Element { $element } gibt es keine Minimumzone
 
 uncertainty-implausible = { $option } kann nicht die Unsicherheit einer Koordinate in Mikrometern sein
     .hint = die erweiterte Messunsicherheit geteilt durch den Erweiterungsfaktor angeben, je Koordinate: 0,0027 mm sind 2,7 µm
+state-expanded-um = in Mikrometern je Koordinate angeben (k = 2): 0,0027 mm sind 2,7 µm
 
 robot-not-in-table = die Geometrie von `{ $name }` steht nicht in der Robotertabelle
     .expected = { $names }

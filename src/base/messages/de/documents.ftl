@@ -57,6 +57,45 @@ poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm 
 deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }
     .hint = die Namen der Posen und die Spalten beider Tabellen prüfen
 
+angles-in-other-unit = { $count ->
+        [one] der Winkel { $angles } der { $table ->
+            [commanded] Sollposen
+           *[attained] Istposen
+        } ist
+       *[other] die Winkel { $angles } der { $table ->
+            [commanded] Sollposen
+           *[attained] Istposen
+        } sind
+    } in rad, nicht in Grad: mal 57,29578 { $count ->
+        [one] stimmt er
+       *[other] stimmen sie
+    } mit der anderen Tabelle überein
+    .hint = die Spalten nach ihrer Einheit benennen (`a_rad`) oder in Grad umrechnen
+
+angles-far-from-commanded = Istwinkel ({ $angles }) weichen bis zu { FIXED($deviation_deg, 1) } deg von den Sollwinkeln ab; größte Abweichungen an: { $poses }
+    .hint = prüfen, ob die Spalten a, b, c beider Tabellen zu denselben Drehungen gehören, in gleicher Reihenfolge und im selben Koordinatensystem
+
+rotation-order-unknown = `{ $text }` ist keine Reihenfolge der Drehungen a, b, c
+    .expected = drei Drehungen um x, y oder z mit a, b und c, von links nach rechts multipliziert
+
+rotation-orders = `rotation_order = "Rz(c) Ry(b) Rx(a)"` (Option --rotation-order), wenn a, b, c um die festen Achsen x, y, z drehen; `rotation_order = "Rz(a) Ry(b) Rx(c)"`, wenn sie um z, y, x des bewegten Körpers drehen
+rotation-orders-of-axes = `rotation_order = "{ $by_axis }"` (Option --rotation-order), wenn a, b, c die Winkel um x, y, z sind; `rotation_order = "{ $by_place }"`, wenn a, b, c die Winkel in der Reihenfolge dieser Achsen sind
+
+readings-outlying = { $count ->
+        [one] 1 Messung liegt
+       *[other] { $count } Messungen liegen
+    } weit neben allen anderen ihrer Pose und { $count ->
+        [one] ist
+       *[other] sind
+    } in AP und RP enthalten: { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
+    .hint = Bezeichnung und Werte prüfen: Zeilen nur bei bekannter Ursache berichtigen oder entfernen und den Grund festhalten; sonst die Prüfung wiederholen
+
+outlying-reading = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm)
+outlying-reading-near = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm; näher an Pose { $near })
+
 angles-not-separable = die Winkel { $first } und { $second } { $place } { $order ->
         [stated] sind nicht trennbar: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus
        *[unknown] ändern sich gemeinsam, weit mehr als ihre Summe oder Differenz: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus

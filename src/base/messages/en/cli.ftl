@@ -338,6 +338,7 @@ enclosing-minimum-zone = an { $element } has no minimum zone
 # Example: `--standard-uncertainty-um 0.0027` for 2.7 µm
 uncertainty-implausible = { $option } cannot be the uncertainty of a coordinate in micrometres
     .hint = give the expanded uncertainty over the coverage factor, per coordinate: 0.0027 mm is 2.7 µm
+state-expanded-um = give it in micrometres, per coordinate (k = 2): 0.0027 mm is 2.7 µm
 
 # Means: `etalon init` does not know the geometry of this robot.
 # Matters: The table contains only geometry from published sources.

@@ -101,6 +101,64 @@ poses-in-other-frame = the attained positions are { FIXED($deviation_mm, 1) } mm
 deviation-as-large-as-test = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones; the whole test spans { FIXED($extent_mm, 1) } mm; largest distances at: { $poses }
     .hint = check the names of the poses and the columns in both tables
 
+# Means: The angles of one table are radians under headings of degrees: multiplied by 57.3 they
+# agree with the other table.
+# Matters: AP and RP of all angles are wrong by this factor.
+# Do: Write the unit into the names of the columns (`a_rad`), or convert the values to degrees.
+# Example: `c_deg` = 0.5236 at a pose that is commanded to c = 30 deg
+angles-in-other-unit = the { $table ->
+        [commanded] commanded
+       *[attained] attained
+    } { $count ->
+        [one] angle { $angles } is
+       *[other] angles { $angles } are
+    } in radians, not in degrees: multiplied by 57.29578 { $count ->
+        [one] it agrees
+       *[other] they agree
+    } with the other table
+    .hint = write the unit into the names of the columns (`a_rad`), or convert the values to degrees
+
+# Means: At some poses an attained angle is more than 5 deg from the commanded one.
+# Matters: No robot has such errors, so the angles of the two tables do not belong together. AP of
+# the angles is wrong; RP of the angles is correct.
+# Do: Compare columns, order of the rotations and frame of the angles in both tables.
+# Example: the columns `a_deg` and `c_deg` are swapped in one table
+angles-far-from-commanded = attained angles ({ $angles }) are up to { FIXED($deviation_deg, 1) } deg from the commanded ones; largest deviations at: { $poses }
+    .hint = check that the columns a, b, c of both tables belong to the same rotations, in the same order and frame
+
+# Means: The text is not an order of the rotations a, b, c.
+# Matters: Orientations, and angles that are not separable, depend on this order.
+# Do: Write the three rotations in the order of multiplication, each about an axis by one of the
+# angles. `Rz(c) Ry(b) Rx(a)` turns by a about the fixed x axis first.
+# Example: `rotation_order = "zyx"`
+rotation-order-unknown = `{ $text }` is not an order of the rotations a, b, c
+    .expected = three rotations about x, y or z by a, b and c, multiplied from left to right
+
+rotation-orders = `rotation_order = "Rz(c) Ry(b) Rx(a)"` (option --rotation-order) if a, b, c turn about the fixed axes x, y, z; `rotation_order = "Rz(a) Ry(b) Rx(c)"` if they turn about z, y, x of the moved body
+rotation-orders-of-axes = `rotation_order = "{ $by_axis }"` (option --rotation-order) if a, b, c are the angles about x, y, z; `rotation_order = "{ $by_place }"` if a, b, c are the angles in the order of these axes
+
+# Means: Some readings are far from all others of their pose, and from the readings before and
+# after them.
+# Matters: AP and RP contain these readings: a single one may be most of RP. ISO 9283 excludes no
+# reading.
+# Do: Check labels and values: exchanged labels, a placeholder, a motion. If the cause is known,
+# correct or remove the row and record the reason; otherwise repeat the test.
+# Example: pose P3 of cycle 9 is 5.0 mm from the others, whose distances are 0.02 mm
+readings-outlying = { $count ->
+        [one] 1 reading is
+       *[other] { $count } readings are
+    } far from all others of the pose, and AP and RP contain { $count ->
+        [one] it
+       *[other] them
+    }: { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
+    .hint = check labels and values: correct or remove a row only if the cause is known, and record the reason; otherwise repeat the test
+
+outlying-reading = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm)
+outlying-reading-near = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm; nearer to pose { $near })
+
 # Means: Two of the three rotations have nearly the same axis at these poses. Only the sum or the
 # difference of their angles is determined; noise of the orientation is amplified in each angle.
 # Matters: AP and RP of these angles have no meaning and are not computed. If the order of rotations

@@ -147,6 +147,7 @@ enclosing-minimum-zone = il n’existe pas de zone minimale pour l’élément {
 
 uncertainty-implausible = la valeur de { $option } ne peut pas être l’incertitude d’une coordonnée en micromètres
     .hint = indiquer l’incertitude élargie divisée par le facteur d’élargissement, par coordonnée : 0,0027 mm = 2,7 µm
+state-expanded-um = l’indiquer en micromètres, par coordonnée (k = 2) : 0,0027 mm font 2,7 µm
 
 robot-not-in-table = la géométrie de `{ $name }` n’est pas dans la table des robots
     .expected = { $names }

@@ -54,6 +54,42 @@ poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1)
 deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, soit l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }
     .hint = vérifier les noms des poses et les colonnes des deux tableaux
 
+angles-in-other-unit = { $count ->
+        [one] l’angle { $angles } des poses { $table ->
+            [commanded] commandées
+           *[attained] atteintes
+        } est
+       *[other] les angles { $angles } des poses { $table ->
+            [commanded] commandées
+           *[attained] atteintes
+        } sont
+    } en radians, et non en degrés : après multiplication par 57,29578, l’accord avec l’autre tableau est obtenu
+    .hint = nommer les colonnes par leur unité (`a_rad`), ou les convertir en degrés
+
+angles-far-from-commanded = des angles atteints ({ $angles }) s’écartent jusqu’à { FIXED($deviation_deg, 1) } deg des angles commandés ; plus grands écarts : { $poses }
+    .hint = vérifier que les colonnes a, b, c des deux tableaux désignent les mêmes rotations, dans le même ordre et le même repère
+
+rotation-order-unknown = `{ $text }` n’est pas un ordre des rotations a, b, c
+    .expected = trois rotations autour de x, y ou z, d’angles a, b et c, multipliées de gauche à droite
+
+rotation-orders = `rotation_order = "Rz(c) Ry(b) Rx(a)"` (option --rotation-order) si a, b, c tournent autour des axes fixes x, y, z ; `rotation_order = "Rz(a) Ry(b) Rx(c)"` s’ils tournent autour de z, y, x du corps mobile
+rotation-orders-of-axes = `rotation_order = "{ $by_axis }"` (option --rotation-order) si a, b, c sont les angles autour de x, y, z ; `rotation_order = "{ $by_place }"` si a, b, c sont les angles dans l’ordre de ces axes
+
+readings-outlying = { $count ->
+        [one] 1 mesure est loin
+       *[other] { $count } mesures sont loin
+    } de toutes les autres de la même pose, et AP et RP { $count ->
+        [one] la
+       *[other] les
+    } contiennent : { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } de plus
+    }
+    .hint = vérifier désignations et valeurs : ne corriger ou retirer une ligne que si la cause est connue, et noter la raison ; sinon répéter l’essai
+
+outlying-reading = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm)
+outlying-reading-near = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm ; plus près de la pose { $near })
+
 angles-not-separable = les angles { $first } et { $second } { $place } { $order ->
         [stated] ne sont pas séparables : leurs rotations ont presque le même axe, et chaque angle seul ne signifie rien
        *[unknown] varient ensemble, bien plus que leur somme ou leur différence : leurs rotations ont presque le même axe, et chaque angle seul ne signifie rien

@@ -10,6 +10,7 @@ pub mod ellipsoid;
 pub mod exchangeability;
 pub mod noise_free;
 pub mod orientation;
+pub mod outlying;
 pub mod reference;
 pub mod repeatability;
 pub mod rotations;
