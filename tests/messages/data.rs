@@ -218,6 +218,18 @@ const IDENTIFIED: &[Case] = &[
         "identify --robot @/robot.toml --observations @/t.csv --standard-uncertainty-um 10",
     ),
     (
+        "target-far-from-given target=probe",
+        "probe-poses",
+        &[("robot.toml", "+", "\n[nominal]\nprobe_x = 900\nprobe_y = 0\nprobe_z = 0\n")],
+        "identify --robot @/robot.toml --observations @/observations.csv --standard-uncertainty-um 20 --rotation-uncertainty-deg 0.01",
+    ),
+    (
+        "columns-inverted",
+        "draw-wire",
+        &[("t.csv", "", "no,target,q1_deg,x_mm\n1,A,0,0\n")],
+        "identify --robot @/robot.toml --observations @/t.csv --column no=pose",
+    ),
+    (
         "kinds-need-target-residuals",
         "draw-wire",
         &[],

@@ -15,6 +15,7 @@ use crate::stages::judge::checks::robust_message;
 use crate::stages::judge::first_tilt;
 use crate::stages::judge::frame_checks::base_elsewhere;
 use crate::stages::judge::plausible::{judge_set_up, plausibility};
+use crate::stages::judge::stated_targets::far_targets;
 use crate::stages::judge::validation_distance::{far_or_near, validation_distance};
 use crate::stages::remedies::remedied;
 use crate::stages::uncertainty::bounds::open_set_up;
@@ -54,7 +55,8 @@ impl Judgement {
     pub fn new(robot: &dyn Robot, solution: &Solution) -> Self {
         let errors = point_errors(robot, &solution.basis.sets, &solution.before, &solution.found.values);
         let judged = judge_set_up(robot, solution);
-        let plausibility = plausibility(robot, solution, &errors, &judged);
+        let mut plausibility = plausibility(robot, solution, &errors, &judged);
+        plausibility.extend(far_targets(robot, &solution.found));
         Self { errors, plausibility, untested: judged.untested }
     }
 }

@@ -9,5 +9,6 @@ pub(crate) mod first_tilt;
 pub mod frame_checks;
 pub mod plausible;
 pub(crate) mod set_up;
+pub(crate) mod stated_targets;
 pub(crate) mod undescribed;
 pub mod validation_distance;

@@ -976,6 +976,9 @@ motions-alike = { $count ->
     } diese Residuen ebenfalls: { $motions }
     .hint = Posen beobachten, die sich in den Gelenkwerten stärker unterscheiden
 
+target-far-from-given = die Zielmarke `{ $target }` wurde bei ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm identifiziert, { FIXED($distance_mm, 1) } mm neben ihrer angegebenen Position ({ FIXED($sx_mm, 1) }, { FIXED($sy_mm, 1) }, { FIXED($sz_mm, 1) }) mm
+    .hint = Werkzeugglied oder Flansch des Roboters, die angegebene Position und den Nullpunkt der letzten Achse prüfen
+
 no-coordinates-to-check = { $count ->
         [one] 1 Koordinate der Kalibrierposen bestimmt
        *[other] { $count } Koordinaten der Kalibrierposen bestimmen

@@ -1963,6 +1963,16 @@ motions-alike = { $count ->
     } these residuals too: { $motions }
     .hint = measure poses whose joint values differ more
 
+# Means: The identified position of a target is more than 10 mm, and more than its uncertainty, from
+# the position that was given for it.
+# Matters: The given position, or the link to which it belongs, is wrong: poses of the flange are
+# then poses of another link. A wrong zero of the last joint looks the same.
+# Do: Check the tool link of the URDF or the last row of the robot file, the given position and the
+# zero of the last joint.
+# Example: `tool_link = "flange"` with the position of a target at the link `tool`
+target-far-from-given = the target `{ $target }` is identified at ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm, { FIXED($distance_mm, 1) } mm from its given position ({ FIXED($sx_mm, 1) }, { FIXED($sy_mm, 1) }, { FIXED($sz_mm, 1) }) mm
+    .hint = check the tool link or flange of the robot, the given position, and the zero of the last joint
+
 # Means: The calibration poses do not have more coordinates than there are parameters.
 # Matters: For any measurement the residuals are zero, so nothing checks the parameters.
 # Do: Measure more poses, distributed over the workspace.

@@ -980,6 +980,9 @@ motions-alike = { $count ->
     } aussi ces résidus : { $motions }
     .hint = observer des poses dont les valeurs articulaires diffèrent davantage
 
+target-far-from-given = la cible `{ $target }` est identifiée en ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm, à { FIXED($distance_mm, 1) } mm de sa position indiquée ({ FIXED($sx_mm, 1) }, { FIXED($sy_mm, 1) }, { FIXED($sz_mm, 1) }) mm
+    .hint = vérifier le segment de l’outil ou la bride du robot, la position indiquée et le zéro de la dernière articulation
+
 no-coordinates-to-check = { $count ->
         [one] { $count } coordonnée des poses d’étalonnage détermine
        *[other] { $count } coordonnées des poses d’étalonnage déterminent
