@@ -34,6 +34,8 @@ class Record:
         """Return a copy as dictionaries, lists, numbers and texts."""
     def to_json(self, indent: int | None = None) -> str:
         """Return the document as JSON text, which the program reads."""
+    def describe(self) -> Records[Record]:
+        """Return the members as a table: name, type, and meaning with its unit, as in the JSON schema."""
     def _repr_html_(self) -> str: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 

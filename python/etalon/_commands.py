@@ -5,11 +5,15 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from . import _etalon
 from ._errors import Error, Message
 from ._options import options_of
+from ._robot import Robot
 from .documents import Document, load
 
 
@@ -37,25 +41,30 @@ class Answer:
         return verdict + (self.document._repr_html_() if self.document is not None else "")
 
 
-def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
+def command(*words: str | os.PathLike[str] | Document | Robot, **options: Any) -> Answer:
     """Run a command of the program in this process, with ``--json`` where the command has it.
 
     ``command("export", "out/parameters.json", format=["csv", "twincat"], to="cell")`` is
     ``etalon export out/parameters.json --format csv --format twincat --to cell --json``.
 
+    ``command("export", found, robot=robot, format="csv", to="cell")`` takes the answer of :func:`etalon.identify` and a :class:`etalon.Robot`
+    instead of files.
+
     Args:
-        words: The command and its arguments.
+        words: The command and its arguments: texts, paths, documents and robots.
         options: Options by name: True is a flag, a list repeats the option, None is left out; a dictionary states options of the form
             ``NAME=VALUE``: ``column={"q1_deg": "J1"}``.
 
     Raises:
         Error: The command could not run (exit code 2); for ``check``, the document says why.
     """
-    names = [os.fspath(word) for word in words]
     # the word of hints and of the functions on tables
     if isinstance(options.get("columns"), Mapping):
         options["column"] = options.pop("columns")
-    code, text, said, stated = _etalon.command(names + options_of(**options))
+    with ExitStack() as files:
+        names = [os.fspath(_written(word, files)) for word in words]
+        options = {name: _written(value, files) for name, value in options.items()}
+        code, text, said, stated = _etalon.command(names + options_of(**options))
     # the help of a command, and a text that is no document, stay texts
     try:
         answer = json.loads(text) if text.lstrip().startswith("{") else None
@@ -66,3 +75,15 @@ def command(*words: str | os.PathLike[str], **options: Any) -> Answer:
         raise Error(said.strip(), stated)
     messages = tuple(Message(message) for message in json.loads(stated))
     return Answer(code == 0, text, document, messages)
+
+
+def _written(value: Any, files: ExitStack) -> Any:
+    """Return the path of a document or of a robot that is written for one command; other values as they are."""
+    if not isinstance(value, (Document, Robot)):
+        return value
+    folder = Path(files.enter_context(TemporaryDirectory(prefix="etalon-")))
+    if isinstance(value, Robot):
+        return value._write(folder)
+    path = folder / f"{value.get('schema', 'etalon/document/1').split('/')[1]}.json"
+    path.write_text(value.to_json(), encoding="utf-8")
+    return path

@@ -22,7 +22,9 @@ _PAIRS = {"column": "columns", "constant": "constant", "only": "only", "without"
 
 
 #: Options in brackets, behind a key of campaign.toml.
-_BESIDE = re.compile(r" \((?:option )--[a-z][a-z0-9-]*\)")
+_BESIDE = re.compile(r" \(options? --[^()]*\)")
+#: Key of a campaign behind an option.
+_IN_CAMPAIGN = re.compile(r", in a campaign `[^`]*`")
 #: Keys of campaign.toml with their values.
 _INLINE = re.compile(r"`(\w+) = \{ ?([^{}]*?) ?\}`")
 _KEY = re.compile(r"`(\w+) = (\"[^\"`]*\"|-?[\d.]+)`")
@@ -44,7 +46,7 @@ def campaign_words(text: str) -> str:
 
 def python_words(text: str) -> str:
     """Return a text for Python: keys of campaign.toml and options of the command line as keyword arguments."""
-    text = _OF_INSTRUMENT.sub(lambda found: ", or " if found[1] else "", _BESIDE.sub("", text))
+    text = _OF_INSTRUMENT.sub(lambda found: ", or " if found[1] else "", _IN_CAMPAIGN.sub("", _BESIDE.sub("", text)))
     text = _IN_SECTION.sub(_keyword_of_section, text)
     text = _HELP.sub(r"`help(etalon.\1)`", text)
     text = _INLINE.sub(lambda found: f"`{found[1]}={{" + _ENTRY.sub(r'"\1": \2', found[2]) + "}`", text)
@@ -88,20 +90,26 @@ class Message:
         what: What is wrong, in one sentence.
         expected: What was expected there, or None.
         hint: What to do, or None: keyword arguments, or of a campaign the keys of campaign.toml.
-        place: File, line and column as a dictionary, or None.
+        place: File, line and column as a dictionary, of a table in memory its name and the row from 1; or None.
         id: Id of the message (``etalon explain ID``), or None.
         arguments: Arguments of the message by name.
     """
 
     def __init__(self, stated: dict[str, Any], *, in_campaign: bool = False) -> None:
         def words(text: str | None) -> str | None:
-            return None if text is None else campaign_words(text) if in_campaign else python_words(text)
+            if text is None or in_campaign:
+                return None if text is None else campaign_words(text)
+            return python_words(row_words(text) if in_memory else text)
 
+        place: dict[str, Any] | None = stated.get("place")
+        in_memory = (place or {}).get("file") in TABLES
+        if place is not None and in_memory and "line" in place:
+            place = {"file": place["file"], **({"row": place["line"] - 1} if place["line"] > 1 else {})}
         self.severity: str = stated.get("severity", "error")
         self.what: str = words(stated.get("what") or stated.get("text")) or ""
         self.expected: str | None = words(stated.get("expected"))
         self.hint: str | None = words(stated.get("hint"))
-        self.place: dict[str, Any] | None = stated.get("place")
+        self.place: dict[str, Any] | None = place
         self.id: str | None = stated.get("id")
         self.arguments: dict[str, Any] = stated.get("arguments", {})
 
@@ -179,15 +187,50 @@ def with_warnings(document: Any, *, in_campaign: bool = False) -> Any:
     return document
 
 
-#: Remedy for a column with another heading.
-_HEADING = re.compile(r'state `columns=\{"([^"]+)": "([^"]+)"\}`')
+#: Texts of remedies for a column with another heading, with the name of the column if it is no argument.
+_HEADING = {
+    "state-column": None,
+    "state-column-in-unit": None,
+    "state-column-or-pose": "pose",
+    "state-column-or-target": "target",
+    "state-column-or-cycle": "cycle",
+}
 
 
 def _together(messages: Iterable[Message]) -> str:
     """Return the remedy for several columns with other headings as one keyword argument."""
-    stated = [_HEADING.search(message.hint or "") for message in messages if message.id == "column-unknown"]
-    headings = {found[1]: found[2] for found in stated if found and found[2] != "HEADING"}
+    headings: dict[str, str] = {}
+    for message in messages:
+        remedy = message.arguments.get("hint")
+        if message.id == "column-unknown" and isinstance(remedy, dict) and remedy.get("id") in _HEADING:
+            stated = remedy.get("arguments", {})
+            heading = stated.get("heading")
+            if heading not in (None, "HEADING"):
+                headings[_HEADING[remedy["id"]] or stated["column"]] = heading
     return f"\n\nhint: together: columns={json.dumps(headings, ensure_ascii=False)}" if len(headings) > 1 else ""
+
+
+#: Names of tables in memory, which have rows instead of lines.
+TABLES = frozenset({"observations", "candidates", "sweeps", "readings", "attained", "commanded", "reference", "recording", "path", "positions"})
+#: Lines in a sentence, and the lines of a table that a text shows.
+_LINES = re.compile(r"\bline(s?) (\d+(?:, \d+)*(?: and \d+(?!\d| more))?)")
+_SHOWN = re.compile(rf"^( *)--> ({'|'.join(sorted(TABLES))}):(\d+)(.*\n(?: +\|\n)?)(\d+)( \|)", re.MULTILINE)
+
+
+def row_words(text: str) -> str:
+    """Return a text about a table in memory, whose header is line 1, with rows counted from 1."""
+
+    def row(line: str) -> str:
+        return str(int(line) - 1)
+
+    def shown(found: re.Match[str]) -> str:
+        space, table, line, between, same, bar = found.groups()
+        place, number = (f"{table}, row {row(line)}", row(line)) if line != "1" else (f"{table}, headings", "")
+        between = re.sub(r"^:\d+", "", between)
+        return f"{space}--> {place}{between}{number:{len(same)}}{bar}" if line == same else found[0]
+
+    text = _LINES.sub(lambda found: f"row{found[1]} " + re.sub(r"\d+", lambda line: row(line[0]), found[2]), text)
+    return _SHOWN.sub(shown, text)
 
 
 class Error(ValueError):
@@ -200,7 +243,12 @@ class Error(ValueError):
     def __init__(self, text: str, messages: str = "[]", in_campaign: bool = False) -> None:
         self._stated = (text, messages, in_campaign)
         self.messages: tuple[Message, ...] = tuple(Message(stated, in_campaign=in_campaign) for stated in json.loads(messages))
-        super().__init__(campaign_words(text) if in_campaign else python_words(text) + _together(self.messages))
+        if in_campaign:
+            super().__init__(campaign_words(text))
+            return
+        places = [message.place for message in self.messages if message.place]
+        in_memory = bool(places) and all(place.get("file") in TABLES for place in places)
+        super().__init__(python_words(row_words(text) if in_memory else text) + _together(self.messages))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (type(self), self._stated)
@@ -208,6 +256,16 @@ class Error(ValueError):
     def for_campaign(self) -> Error:
         """Return the error with hints in the keys of campaign.toml."""
         return Error(self._stated[0], self._stated[1], True)
+
+    def with_hint(self, id: str, hint: str) -> Error:
+        """Return the error with another hint of the messages with an id."""
+        text, stated, in_campaign = self._stated
+        messages = json.loads(stated)
+        for message in messages:
+            if message.get("id") == id:
+                text = text.replace(f"hint: {message.get('hint')}", f"hint: {hint}")
+                message["hint"] = hint
+        return Error(text, json.dumps(messages), in_campaign)
 
     def _first(self) -> Message | None:
         errors = [message for message in self.messages if message.severity == "error"]

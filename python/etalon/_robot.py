@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
+from ._arrays import refuse_masked
 from ._errors import Error, Message, warn
 
 #: Nominal positions (mm) of targets at the flange, by name.
@@ -41,7 +43,7 @@ def robots() -> list[str]:
 class Robot:
     """A kinematic model with nominal parameters.
 
-    Robots are compared by their description, copied, and pickled; a pickled robot of a URDF reads the file again.
+    Robots are compared by their description, copied, and pickled. A pickled robot contains the text of its URDF and no path.
 
     Args:
         source: A path of a ``robot.toml`` or of a URDF (``.urdf``, ``.xml``); otherwise a name of :func:`robots`, such as ``"ur5e"`` or ``"UR5e"``.
@@ -79,8 +81,8 @@ class Robot:
         return robot
 
     @classmethod
-    def _restore(cls, name: str, text: str, chain: Chain | None) -> Robot:
-        return cls._of(_etalon.Robot.restore(name, text), chain)
+    def _restore(cls, text: str, description: str | None, chain: Chain | None) -> Robot:
+        return cls._of(_etalon.Robot.restore(text, description), chain)
 
     @classmethod
     def from_toml(cls, text: str) -> Robot:
@@ -137,6 +139,16 @@ class Robot:
 
         return robot_poses(self, joints, parameters, axes)
 
+    def _write(self, folder: Path) -> Path:
+        """Write robot.toml, and the URDF of the robot beside it."""
+        text, described = self._described()
+        name = self._native.description_name
+        if described is not None and name is not None:
+            text = self._native.text_beside(Path(name).name)
+            (folder / Path(name).name).write_text(described, encoding="utf-8")
+        (folder / "robot.toml").write_text(text, encoding="utf-8")
+        return folder / "robot.toml"
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Robot):
             return NotImplemented
@@ -149,7 +161,7 @@ class Robot:
         return (self._native.toml, self._native.description)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Robot._restore, (*self._native.state(), self._chain))
+        return (Robot._restore, (*self._described(), self._chain))
 
     def __repr__(self) -> str:
         return f"Robot({self.model}: {', '.join(self.joints)})"
@@ -178,6 +190,8 @@ def _with_targets(robot: _etalon.Robot, targets: Targets | None) -> _etalon.Robo
         return robot
     if not isinstance(targets, Mapping):
         raise Error(f"`targets` is of type {type(targets).__name__}: expected positions by name, such as {{\"SMR\": (80, 0, 25)}}")
+    for name, position in targets.items():
+        refuse_masked(position, f"targets[{name!r}]")
     try:
         stated = {str(name): [float(value) for value in position] for name, position in targets.items()}
     except (TypeError, ValueError) as error:

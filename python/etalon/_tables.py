@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import os
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,21 +21,114 @@ from ._errors import Error
 Table = Any
 
 
-def named(table: Any, name: str) -> tuple[str, str | None]:
-    """Return the path of a file, or the name of a table for messages and its CSV text."""
-    return (os.fspath(table), None) if isinstance(table, (str, os.PathLike)) else (name, text_of(table, name))
+#: Path or name for messages, CSV text of a table in memory, and sheet of this file alone.
+Named = tuple[str, str | None, str | None]
 
 
-def text_of(table: Any, name: str) -> str:
-    """Return a table as CSV text; numbers keep every digit, and a missing value is an empty cell."""
+@dataclass(frozen=True)
+class Marks:
+    """How files are read, and texts of tables in memory.
+
+    Attributes:
+        delimiter: Delimiter of the columns of files.
+        decimal: Decimal mark of files, and of texts in tables in memory.
+        sheet: Sheet of a workbook or topic of a recording; by the name of the argument if tables have different ones.
+    """
+
+    delimiter: str | None = None
+    decimal: str | None = None
+    sheet: str | Mapping[str, str] | None = None
+
+    def options(self, **tables: Any) -> dict[str, str | None]:
+        """Return the options of the files among tables.
+
+        Raises:
+            Error: A mark that no table has.
+        """
+        files = [name for name, table in tables.items() if is_path(table)]
+        if not files and (self.delimiter or self.sheet):
+            stated = "`delimiter`" if self.delimiter else "`sheet`"
+            raise Error(f"{stated} is a mark of a file, and no table of this call is one: leave it out")
+        if isinstance(self.sheet, Mapping):
+            wrong = sorted(set(self.sheet) - set(files))
+            if wrong:
+                raise Error(f"`sheet` names {', '.join(wrong)}: expected tables of this call that are files ({', '.join(files)})")
+        sheet = self.sheet if isinstance(self.sheet, str) else None
+        return {"delimiter": self.delimiter, "decimal": self.decimal, "sheet": sheet}
+
+    @contextmanager
+    def apart(self, **tables: Any) -> Iterator[None]:
+        """Raise errors about a missing sheet with a sheet for each workbook of a call with several tables."""
+        try:
+            yield
+        except Error as error:
+            books = [name for name, table in tables.items() if is_path(table) and str(os.fspath(table)).lower().endswith((".xlsx", ".xlsm"))]
+            raise (error.with_hint("sheet-not-stated", _sheets(error, books)) if len(books) > 1 else error) from None
+
+    def named(self, table: Any, name: str) -> Named:
+        """Return the path of a file with its own sheet, or the name of a table for messages and its CSV text."""
+        if not is_path(table):
+            return (name, text_of(table, name, self.decimal), None)
+        own = self.sheet.get(name) if isinstance(self.sheet, Mapping) else None
+        return (os.fspath(table), None, own)
+
+
+def _sheets(error: Error, books: list[str]) -> str:
+    """Return the hint that gives each table its sheet: the one of the same name, or the next one."""
+    stated = next((message.arguments.get("sheets") for message in error.messages if message.id == "sheet-not-stated"), None)
+    left = [str(sheet) for sheet in stated] if isinstance(stated, list) else []
+    own = {name: next((sheet for sheet in left if sheet.casefold().startswith(name[:4])), None) for name in books}
+    left = [sheet for sheet in left if sheet not in own.values()]
+    chosen = {name: sheet or (left.pop(0) if left else "SHEET") for name, sheet in own.items()}
+    return f"set `sheet={json.dumps(chosen, ensure_ascii=False)}`"
+
+
+def is_path(table: Any) -> bool:
+    """Return True for the path of a file."""
+    return isinstance(table, (str, os.PathLike))
+
+
+def text_of(table: Any, name: str, decimal: str | None = None) -> str:
+    """Return a table as CSV text; numbers keep every digit, and a missing value is an empty cell.
+
+    Args:
+        table: The table.
+        name: Name for messages.
+        decimal: Decimal mark of texts that are numbers; a point if None.
+    """
+    text = _text_of(table, name)
+    if not text.partition("\n")[2].strip():
+        raise Error(f"`{name}` has no rows")
+    if decimal is None or decimal in (".", "point"):
+        return text
+    rows = csv.reader(io.StringIO(text))
+    return _csv([next(rows), *([_with_point(cell) for cell in row] for row in rows)])
+
+
+def _with_point(cell: str) -> str:
+    """Return a number with a decimal comma as one with a point; other texts as they are."""
+    return cell.replace(",", ".") if _COMMA.fullmatch(cell.strip()) else cell
+
+
+#: Number with a decimal comma.
+_COMMA = re.compile(r"[+-]?\d+,\d*(?:[eE][+-]?\d+)?")
+
+
+def _csv(rows: Iterable[Sequence[Any]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
+
+
+def _text_of(table: Any, name: str) -> str:
     if isinstance(table, Mapping):
-        return _columns_text([(str(heading), column) for heading, column in table.items()], name)
+        return _columns_text([(_heading(heading, k), column) for k, (heading, column) in enumerate(table.items())], name)
     if isinstance(table, np.ndarray) and table.dtype.names:
         return _columns_text([(heading, table[heading]) for heading in table.dtype.names], name)
     if hasattr(table, "iloc") and hasattr(table, "columns"):
         # pandas: its own Arrow interface needs pyarrow
         frame: Any = table
-        columns = [(str(heading), _pandas_values(frame.iloc[:, k])) for k, heading in enumerate(frame.columns)]
+        columns = [(_heading(heading, k), _pandas_values(frame.iloc[:, k])) for k, heading in enumerate(frame.columns)]
         # a named index is a column, as `reset_index` makes it
         levels = [level for level in frame.index.names if level is not None and level not in frame.columns]
         columns[:0] = [(str(level), frame.index.get_level_values(level).to_numpy(dtype=object)) for level in levels]
@@ -48,6 +145,11 @@ def text_of(table: Any, name: str) -> str:
         f"`{name}`: a {type(table).__name__} is not a table: give a path, a dictionary of columns, "
         "or a DataFrame (pandas, polars, pyarrow, DuckDB)"
     )
+
+
+def _heading(heading: Any, at: int) -> str:
+    """Return the heading of a column; of a column with a number, as of an array, its place from 1."""
+    return f"column {at + 1}" if isinstance(heading, (int, np.integer)) else str(heading)
 
 
 def file_text(path: str | os.PathLike[str], name: str) -> str:
@@ -77,11 +179,7 @@ def _columns_text(columns: Iterable[tuple[str, Any]], name: str) -> str:
     lengths = {heading: len(cells) for heading, cells in stated}
     if len(set(lengths.values())) > 1:
         raise Error(f"`{name}`: columns of a table have one length: {lengths}")
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(headings)
-    writer.writerows(zip(*(cells for _, cells in stated), strict=True))
-    return text.getvalue()
+    return _csv([headings, *zip(*(cells for _, cells in stated), strict=True)])
 
 
 def _cells(column: Any, place: str) -> list[Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, cast
 
@@ -13,7 +12,7 @@ from ._errors import Error, with_warnings
 from ._options import Progress, called
 from ._residuals import Residuals
 from ._robot import Robot, Targets, robot_of
-from ._tables import named
+from ._tables import Marks
 from .documents import load
 from .kinematics import _needed
 
@@ -37,6 +36,17 @@ Effects = Literal["usual", "all"] | Effect | Sequence[Effect]
 Prior = Literal["tolerances", "none"]
 Convention = Literal["poe", "dh", "mdh"]
 Index = Literal["O1", "O2", "O3", "O4", "O5", "D", "A", "E", "I"]
+#: Order of the rotations by the angles a, b, c: a product of three rotations about x, y or z, each by one of the angles. With the angles in the order
+#: of the product the axes are those of the moved body; in the reverse order they are fixed.
+RotationOrder = Literal[
+    "Rz(a) Ry(b) Rx(c)", "Rx(a) Ry(b) Rz(c)", "Rx(a) Rz(b) Ry(c)", "Ry(a) Rx(b) Rz(c)",
+    "Ry(a) Rz(b) Rx(c)", "Rz(a) Rx(b) Ry(c)", "Rz(a) Ry(b) Rz(c)", "Rz(a) Rx(b) Rz(c)",
+    "Rx(a) Ry(b) Rx(c)", "Rx(a) Rz(b) Rx(c)", "Ry(a) Rx(b) Ry(c)", "Ry(a) Rz(b) Ry(c)",
+    "Rz(c) Ry(b) Rx(a)", "Rx(c) Ry(b) Rz(a)", "Rx(c) Rz(b) Ry(a)", "Ry(c) Rx(b) Rz(a)",
+    "Ry(c) Rz(b) Rx(a)", "Rz(c) Rx(b) Ry(a)", "Rz(c) Ry(b) Rz(a)", "Rz(c) Rx(b) Rz(a)",
+    "Rx(c) Ry(b) Rx(a)", "Rx(c) Rz(b) Rx(a)", "Ry(c) Rx(b) Ry(a)", "Ry(c) Rz(b) Ry(a)",
+    "Rx(a) Rz(c) Ry(b)", "Ry(b) Rx(a) Rz(c)", "Ry(b) Rz(c) Rx(a)", "Rz(c) Rx(a) Ry(b)",
+]
 Problem = Literal["tool-point", "tool-reflector", "tool-axes", "hand-eye", "object", "three-points", "linear-axis", "rotary-axis"]
 Mounting = Literal["target", "sensor"]
 DecisionRule = Literal["simple-acceptance", "guarded", "shared-risk"]
@@ -107,8 +117,8 @@ def identify(
         columns: Names of columns that are called otherwise in the table: ``{"q1_deg": "J1"}``.
         targets: Nominal positions (mm) of targets at the flange, as of :class:`etalon.Robot`. Without, a target is at the flange's origin.
         delimiter: Delimiter of the columns of a file: ``";"``, ``"tab"`` ...; a comma if None.
-        decimal: Decimal mark of a file: ``","``; a point if None.
-        sheet: Sheet of a workbook, or topic of a recording (MCAP); the first if None.
+        decimal: Decimal mark of a file, and of texts in a table: ``","``; a point if None.
+        sheet: Sheet of a workbook, or topic of a recording (MCAP); not needed for a workbook with one sheet.
 
     Returns:
         ``parameters.json`` as :class:`etalon.documents.ParametersDocument`: values and standard uncertainties (k = 1), mm and deg; with
@@ -120,6 +130,7 @@ def identify(
     Warns:
         MessageWarning: Messages of the document, by id; :class:`etalon.ImplausibleWarning` if no such robot can have the parameters.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
         common_uncertainty_um=common_uncertainty_um,
@@ -135,9 +146,9 @@ def identify(
         target=target,
         pose=pose,
         column=_headings(columns),
-        **_marks(observations, delimiter, decimal, sheet),
+        **marks.options(observations=observations),
     )
-    document, errors = _etalon.identify(robot_of(robot, targets), named(observations, "observations"), options)
+    document, errors = _etalon.identify(robot_of(robot, targets), marks.named(observations, "observations"), options)
     return cast(Identification, with_warnings(Identification(load(document)._members, errors)))
 
 
@@ -199,6 +210,7 @@ def plan(
     Raises:
         Error: The table does not belong to the robot, or has too few candidates.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         positions=positions,
         index=index,
@@ -215,9 +227,9 @@ def plan(
         target=target,
         pose=pose,
         column=_headings(columns),
-        **_marks(candidates, delimiter, decimal, sheet),
+        **marks.options(candidates=candidates),
     )
-    found = load(_etalon.plan(robot_of(robot, targets), named(candidates, "candidates"), options, called(progress)))
+    found = load(_etalon.plan(robot_of(robot, targets), marks.named(candidates, "candidates"), options, called(progress)))
     return cast(documents.PlanDocument, with_warnings(found))
 
 
@@ -262,6 +274,7 @@ def verify(
     Raises:
         Error: The table or the parameters do not belong to the robot.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         standard_uncertainty_um=standard_uncertainty_um,
         rotation_uncertainty_deg=rotation_uncertainty_deg,
@@ -270,9 +283,9 @@ def verify(
         target=target,
         pose=pose,
         column=_headings(columns),
-        **_marks(observations, delimiter, decimal, sheet),
+        **marks.options(observations=observations),
     )
-    table = named(observations, "observations")
+    table = marks.named(observations, "observations")
     return cast(documents.VerificationDocument, with_warnings(load(_etalon.verify(robot_of(robot, targets), _needed(parameters), table, options))))
 
 
@@ -314,6 +327,7 @@ def axes(
     Raises:
         Error: The table does not read, or a sweep determines no axis.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         joints=_listed(joints),
         prismatic=_listed(prismatic),
@@ -323,9 +337,9 @@ def axes(
         uncertainty_bound=uncertainty_bound,
         target=target,
         column=_headings(columns),
-        **_marks(sweeps, delimiter, decimal, sheet),
+        **marks.options(sweeps=sweeps),
     )
-    return cast(documents.AxesDocument, with_warnings(load(_etalon.axes(named(sweeps, "sweeps"), options))))
+    return cast(documents.AxesDocument, with_warnings(load(_etalon.axes(marks.named(sweeps, "sweeps"), options))))
 
 
 def cell(
@@ -377,6 +391,7 @@ def cell(
     Raises:
         Error: The table does not read, or leaves a direction open.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         solve=solve,
         orientation=orientation,
@@ -387,9 +402,9 @@ def cell(
         uncertainty_bound=uncertainty_bound,
         target=target,
         column=_headings(columns),
-        **_marks(readings, delimiter, decimal, sheet),
+        **marks.options(readings=readings),
     )
-    return cast(documents.CellDocument, with_warnings(load(_etalon.cell(named(readings, "readings"), options))))
+    return cast(documents.CellDocument, with_warnings(load(_etalon.cell(marks.named(readings, "readings"), options))))
 
 
 def iso9283(
@@ -402,13 +417,14 @@ def iso9283(
     rp_limit_mm: float | None = None,
     decision_rule: DecisionRule | None = None,
     drift_set: int | None = None,
-    rotation_order: str | None = None,
+    rotation_order: RotationOrder | None = None,
     seed: int = 1,
     pose: Literal["row"] | None = None,
+    cycle: Literal["visit"] | None = None,
     columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
-    sheet: str | None = None,
+    sheet: str | Mapping[str, str] | None = None,
 ) -> documents.Iso9283Document:
     """Evaluate accuracy and repeatability of poses to ISO 9283.
 
@@ -422,13 +438,16 @@ def iso9283(
         rp_limit_mm: Limit of the repeatability RP, mm.
         decision_rule: As ``--decision-rule`` of the program.
         drift_set: Cycles of one set of a drift test.
-        rotation_order: Order of the rotations: ``"Rz(c) Ry(b) Rx(a)"``.
+        rotation_order: Order of the rotations by the angles a, b, c, multiplied from left to right. ``"Rz(c) Ry(b) Rx(a)"``: a, b, c about the
+            fixed axes x, y, z (roll, pitch, yaw). ``"Rz(a) Ry(b) Rx(c)"``: a about z, b about the turned y, c about the turned x (KUKA). Angles
+            that are not separable become rotation vectors, and ``reference`` also compensates angles; None: each angle by itself.
         seed: Seed of the bootstrap intervals.
         pose: As in :func:`identify`, for all three tables.
+        cycle: ``"visit"``: the n-th row of a pose is cycle n, of a table without that column whose rows are in the order of recording.
         columns: As in :func:`identify`, for all three tables.
         delimiter: As in :func:`identify`, for all three tables.
         decimal: As in :func:`identify`, for all three tables.
-        sheet: As in :func:`identify`, for all three tables.
+        sheet: As in :func:`identify`, for all files; by the name of the argument if they differ: ``{"attained": "Measured", "commanded": "Programmed"}``.
 
     Returns:
         :class:`etalon.documents.Iso9283Document`; ``.poses`` has AP and RP of each pose, mm.
@@ -444,10 +463,13 @@ def iso9283(
         drift_set=drift_set,
         rotation_order=rotation_order,
     )
-    tables = _tables(commanded=commanded, reference=reference)
-    marks = _marks([attained, commanded, reference], delimiter, decimal, sheet)
-    reading = _json(pose=pose, column=_headings(columns), **marks)
-    found = load(_etalon.iso9283(named(attained, "attained"), tables, [options, reading], seed))
+    marks = Marks(delimiter, decimal, sheet)
+    stated = marks.options(attained=attained, commanded=commanded, reference=reference)
+    counted = {"cycle": cycle} if cycle is not None else None
+    reading = _json(pose=pose, constant=counted, column=_headings(columns), **stated)
+    beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("reference", reference))]
+    with marks.apart(attained=attained, commanded=commanded, reference=reference):
+        found = load(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], seed))
     return cast(documents.Iso9283Document, with_warnings(found))
 
 
@@ -468,7 +490,7 @@ def iso9283_path(
     columns: Columns | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
-    sheet: str | None = None,
+    sheet: str | Mapping[str, str] | None = None,
 ) -> documents.Iso9283StreamDocument:
     """Evaluate a recorded motion to ISO 9283: standstills, stabilisation, and the characteristics of a path.
 
@@ -488,7 +510,7 @@ def iso9283_path(
         columns: As in :func:`identify`, for all three tables.
         delimiter: As in :func:`identify`, for all three tables.
         decimal: As in :func:`identify`, for all three tables.
-        sheet: As in :func:`identify`, for all three tables.
+        sheet: As in :func:`identify`, for all files; by the name of the argument if they differ: ``{"recording": "Measured", "commanded": "Programmed"}``.
 
     Returns:
         :class:`etalon.documents.Iso9283StreamDocument`.
@@ -496,6 +518,7 @@ def iso9283_path(
     Raises:
         Error: A table does not read, or the recording does not show the motion.
     """
+    marks = Marks(delimiter, decimal, sheet)
     options = _json(
         rate_hz=rate_hz,
         still_mm=still_mm,
@@ -506,10 +529,12 @@ def iso9283_path(
         velocity_mm_s=velocity_mm_s,
         central_percent=central_percent,
         column=_headings(columns),
-        **_marks([recording, commanded, path], delimiter, decimal, sheet),
+        **marks.options(recording=recording, commanded=commanded, path=path),
     )
-    tables = _tables(commanded=commanded, path=path)
-    return cast(documents.Iso9283StreamDocument, with_warnings(load(_etalon.iso9283_path(named(recording, "recording"), tables, options, seed))))
+    beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("path", path))]
+    with marks.apart(recording=recording, commanded=commanded, path=path):
+        found = load(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, seed))
+    return cast(documents.Iso9283StreamDocument, with_warnings(found))
 
 
 def iso230(
@@ -536,8 +561,9 @@ def iso230(
     Raises:
         Error: A position has too few runs.
     """
-    reading = _json(column=_headings(columns), **_marks(positions, delimiter, decimal, sheet))
-    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(named(positions, "positions"), reading))))
+    marks = Marks(delimiter, decimal, sheet)
+    reading = _json(column=_headings(columns), **marks.options(positions=positions))
+    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(marks.named(positions, "positions"), reading))))
 
 
 def _json(**options: Any) -> str:
@@ -562,26 +588,7 @@ def _listed(values: Any) -> list[Any] | None:
     return None if values is None else list(values)
 
 
-def _tables(**tables: Any) -> list[tuple[str, str | None] | None]:
-    return [None if table is None else named(table, name) for name, table in tables.items()]
-
-
-def _marks(tables: Any, delimiter: str | None, decimal: str | None, sheet: str | None) -> dict[str, str | None]:
-    """Return the marks of a file, or of several."""
-    marks = {"delimiter": delimiter, "decimal": decimal, "sheet": sheet}
-    stated = tables if isinstance(tables, list) else [tables]
-    if any(marks.values()) and not all(table is None or isinstance(table, (str, os.PathLike)) for table in stated):
-        raise Error("`delimiter`, `decimal` and `sheet` are marks of a file: this table is no path")
-    return marks
-
-
 def _headings(columns: Columns | None) -> dict[str, str | int]:
-    # words such as "pose" may be headings; names with a unit are etalon's
-    unit = re.compile(r".*_(deg|rad|mm)")
     if columns is not None and not isinstance(columns, Mapping):
         raise Error(f"`columns` is of type {type(columns).__name__}: expected headings by etalon's names, such as {{\"q1_deg\": \"J1\"}}")
-    stated = (columns or {}).items()
-    swapped = {heading: name for name, heading in stated if isinstance(heading, str) and unit.fullmatch(heading) and "_" not in name}
-    if swapped:
-        raise Error(f"`columns` has etalon's names as values: write columns={swapped}, from etalon's name to the heading of the table")
     return dict(columns or {})

@@ -11,6 +11,7 @@ import html
 import json
 import math
 from collections.abc import Iterable, Iterator
+from functools import cache
 from keyword import iskeyword
 from typing import Any
 
@@ -19,8 +20,9 @@ import numpy as np
 from ._members import MEMBERS
 
 _ROWS = 50
-#: Lines of the text of a document; rows, columns and width of a table in it.
-_LINES = 40
+#: Values with uncertainties and other lines in the text of a document; rows, columns and width of a table in it.
+_VALUES = 100
+_LINES = 60
 _SHOWN = 6
 _COLUMNS = 7
 _WIDTH = 110
@@ -92,7 +94,13 @@ class Record:
         return json.dumps(self._members, indent=indent)
 
     def __repr__(self) -> str:
-        return "\n".join(_lines(type(self).__name__, self._members)[:_LINES])
+        return "\n".join(_lines(type(self).__name__, self._members))
+
+    def describe(self) -> Records:
+        """Return the members as a table: name, type, and meaning with its unit, as in the JSON schema."""
+        stated = _described().get(self._schema_class or type(self).__name__, {})
+        rows = [{"name": name, "type": _kind(schema), "meaning": schema.get("description", "")} for name, schema in stated.items()]
+        return Records([Record(row) for row in rows])
 
     def _repr_html_(self) -> str:
         messages = self._members.get("messages") or []
@@ -139,6 +147,30 @@ class Records(list):  # type: ignore[type-arg]
 
     def _repr_html_(self) -> str:
         return _table([record._members for record in self if isinstance(record, Record)])
+
+
+@cache
+def _described() -> dict[str, dict[str, dict[str, Any]]]:
+    """Return the members of each class with their schemas."""
+    from . import _etalon
+
+    found: dict[str, dict[str, dict[str, Any]]] = {}
+    for name in _CLASSES:
+        schema = json.loads(_etalon.command(["schema", name])[1])
+        for title, part in {**schema.get("$defs", {}), schema["title"]: schema}.items():
+            found.setdefault(title, part.get("properties", {}))
+    return found
+
+
+def _kind(schema: dict[str, Any]) -> str:
+    """Return the type of a member in words: of another class its name, which ``documents`` has."""
+    if "$ref" in schema:
+        return str(schema["$ref"]).rsplit("/", 1)[-1]
+    if "anyOf" in schema:
+        return " | ".join(_kind(part) for part in schema["anyOf"])
+    kinds = schema.get("type", "any")
+    listed = [f"array of {_kind(schema['items'])}" if kind == "array" and "items" in schema else kind for kind in (kinds if isinstance(kinds, list) else [kinds])]
+    return " | ".join("absent" if kind == "null" else kind for kind in listed)
 
 
 def _record(name: str, members: dict[str, Any]) -> Record:
@@ -274,21 +306,37 @@ def _rows(name: str, rows: list[dict[str, Any]]) -> list[str]:
 
 def _lines(title: str, members: dict[str, Any]) -> list[str]:
     """Return the text of a record: messages, values with their uncertainties, then the other members."""
+    from ._errors import Message
+
     lines = [title]
-    for message in members.get("messages") or []:
-        lines.append(f"  {message.get('severity')}: {message.get('id', '')}: {message.get('what') or message.get('text', '')}")
+    for stated in members.get("messages") or []:
+        message = Message(stated)
+        lines.append(f"  {message.severity}: {message.id or ''}: {message.what}")
+    others: list[list[str]] = []
+    names: list[str] = []
     for name, value in members.items():
-        if _is_table(value) and any(_value_with_uncertainty(row) for row in value):
-            known = [row for row in value if _value_with_uncertainty(row)]
-            lines.append(f"  {name}: {len(value)} entries; {_EXPANDED}:")
-            width = max(len(str(row.get("name", ""))) for row in known)
-            lines += [f"    {row.get('name', '')!s:{width}} {_value_with_uncertainty(row)} {row.get('unit', '')}" for row in known[: _LINES - 15]]
-    for name, value in members.items():
-        is_shown = _is_table(value) and any(_value_with_uncertainty(row) for row in value)
-        if name in ("messages", "schema") or name.endswith("_phrases") or is_shown:
+        if name in ("messages", "schema") or name.endswith("_phrases"):
             continue
-        lines += _rows(name, value) if _is_table(value) else [f"  {name}: {_short(value)}"]
-    return lines
+        if _is_table(value) and any(_value_with_uncertainty(row) for row in value):
+            lines += _values(name, value)
+            continue
+        names.append(name)
+        others.append(_rows(name, value) if _is_table(value) else [f"  {name}: {_short(value)}"])
+    shown = 0
+    while shown < len(others) and sum(map(len, others[: shown + 1])) <= _LINES:
+        lines += others[shown]
+        shown += 1
+    return lines + ([f"  more members: {', '.join(names[shown:])}"] if shown < len(others) else [])
+
+
+def _values(name: str, rows: list[dict[str, Any]]) -> list[str]:
+    """Return the text of values with their uncertainties; those that have none are held, and are counted."""
+    known = [row for row in rows if _value_with_uncertainty(row)]
+    width = max(len(str(row.get("name", ""))) for row in known)
+    lines = [f"  {name}: {len(known)} of {len(rows)} entries with {_EXPANDED}:"]
+    lines += [f"    {row.get('name', '')!s:{width}} {_value_with_uncertainty(row)} {row.get('unit', '')}" for row in known[:_VALUES]]
+    left = [f"{count} {what}" for count, what in ((len(known) - _VALUES, "more with uncertainties"), (len(rows) - len(known), "without")) if count > 0]
+    return lines + ([f"    and {', '.join(left)}: .{name}, .{name}.to_pandas()"] if left else [])
 
 
 #: Class of each document by its name in ``schema``: ``etalon/NAME/VERSION``.

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
+from ._arrays import refuse_masked
 from ._errors import Error, with_warnings
 from .documents import Document, FitContacts, FitProbe, FitSolver, Message, Records, load
 
@@ -184,8 +185,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 def points_of(points: ArrayLike) -> NDArray[np.float64]:
     """Return points as an array ``(n, 3)``, float64, C order: the same array where it is one already. Masked points are refused."""
-    if isinstance(points, np.ma.MaskedArray) and np.ma.is_masked(points):
-        raise Error("`points` has masked values: leave these points out (`points[~points.mask.any(axis=1)]`)")
+    refuse_masked(points, "points", "leave these points out (`points[~points.mask.any(axis=1)]`)")
     try:
         array = np.ascontiguousarray(points, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -428,6 +428,7 @@ def enclosing_sphere(points: ArrayLike) -> Sphere:
 
 
 def _number(value: float | None, name: str) -> float | None:
+    refuse_masked(value, name)
     try:
         return None if value is None else float(value)
     except (TypeError, ValueError) as error:
@@ -435,6 +436,7 @@ def _number(value: float | None, name: str) -> float | None:
 
 
 def _numbers(values: ArrayLike, name: str) -> list[float]:
+    refuse_masked(values, name)
     try:
         return [float(value) for value in np.ravel(np.asarray(values))]
     except (TypeError, ValueError) as error:

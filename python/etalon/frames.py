@@ -1,14 +1,18 @@
-"""Frames: rigid transforms between sets of points."""
+"""Frames: rigid transforms between sets of points, and frames of three points."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
-from .fit import points_of
+from ._errors import Error
+from ._tasks import cell
+from .fit import Fit, points_of
+from .kinematics import Poses
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -56,3 +60,62 @@ def rigid(points: ArrayLike, onto: ArrayLike) -> Rigid:
         Error: The points do not determine a transform.
     """
     return Rigid(*_etalon.rigid(points_of(points), points_of(onto)))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Frame:
+    """A frame in the coordinates of the points that define it. Called with points, it gives their coordinates in the frame.
+
+    Attributes:
+        matrix: Homogeneous matrix ``(4, 4)`` of the frame: ``p_measured = matrix @ p_frame``; lengths in mm.
+        standard_uncertainty_mm: Standard uncertainties ``(3,)`` of the origin (k = 1), mm; NaN without an uncertainty of the points.
+        standard_uncertainty_deg: Standard uncertainties ``(3,)`` of a rotation about the axes of the measured coordinates (k = 1), deg; NaN likewise.
+    """
+
+    matrix: NDArray[np.float64]
+    standard_uncertainty_mm: NDArray[np.float64]
+    standard_uncertainty_deg: NDArray[np.float64]
+
+    def __call__(self, points: ArrayLike) -> NDArray[np.float64]:
+        """Return the coordinates of measured points ``(n, 3)``, or of a single point ``(3,)``, in the frame."""
+        inside: NDArray[np.float64] = (points_of(np.atleast_2d(points)) - self.matrix[:3, 3]) @ self.matrix[:3, :3]
+        return inside[0] if np.ndim(points) == 1 else inside
+
+    def __repr__(self) -> str:
+        matrix = np.array2string(self.matrix, precision=6, suppress_small=True, prefix=" " * 13)
+        return f"Frame(matrix={matrix},\n      standard_uncertainty_mm={self.standard_uncertainty_mm}, standard_uncertainty_deg={self.standard_uncertainty_deg})"
+
+
+def three_points(origin: Fit | ArrayLike, x: Fit | ArrayLike, xy: Fit | ArrayLike, *, standard_uncertainty_um: float | None = None) -> Frame:
+    """Define a frame by three points: origin, a point on the x axis, and a point in the x-y plane with y > 0.
+
+    Args:
+        origin: Point ``(3,)`` in mm, several readings ``(n, 3)`` of it, or a fitted sphere or circle, whose centre is the point.
+        x: Point on the positive x axis, likewise.
+        xy: Point in the x-y plane, likewise.
+        standard_uncertainty_um: Of one coordinate of a point (k = 1), um; from the scatter of several readings if None.
+
+    Raises:
+        Error: The points are on one line.
+
+    Warns:
+        MessageWarning: Messages of ``etalon cell`` with ``three-points``, by id.
+    """
+    readings = {name: _readings(point, name) for name, point in (("origin", origin), ("x", x), ("xy", xy))}
+    stacked = np.vstack(list(readings.values()))
+    table = {"point": [name for name, rows in readings.items() for _ in rows]}
+    found = cell(table | {f"{axis}_mm": stacked[:, k] for k, axis in enumerate("xyz")}, "three-points", standard_uncertainty_um=standard_uncertainty_um)
+    frame = found.frames[0]
+    unknown = np.full(3, np.nan)
+    uncertainties = [unknown if u is None else np.asarray(u) for u in (frame.standard_uncertainty_mm, frame.standard_uncertainty_deg)]
+    return Frame(Poses(np.asarray(frame.xyz_mm), np.asarray(frame.quaternion)).matrix, *uncertainties)
+
+
+def _readings(point: Any, name: str) -> NDArray[np.float64]:
+    """Return a point as rows of readings."""
+    if isinstance(point, Fit):
+        centre = point.get("center_mm")
+        if centre is None:
+            raise Error(f"`{name}`: a {point.element} has no centre: expected a point, a sphere or a circle")
+        point = centre
+    return points_of(np.atleast_2d(point))

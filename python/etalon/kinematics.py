@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
+from ._arrays import refuse_masked
 from ._errors import Error
 from ._robot import Robot, robot_of
 from ._tables import file_text
@@ -357,8 +358,7 @@ def _needed(parameters: Any) -> str:
 
 def _numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
     """Return an array of numbers in C order; masked values are refused."""
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
-        raise Error(f"`{name}` has masked values: leave their rows out, or fill them")
+    refuse_masked(values, name)
     try:
         array = np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:

@@ -4,7 +4,7 @@ use crate::errors::{failed, json, refused};
 use etalon::tasks::{Inputs, Prediction, Table, Twists, default_chain, known_names, known_text, urdf_text};
 use etalon_base::files;
 use etalon_base::message::{Message, Problems};
-use etalon_campaign::{RobotFile, parse_robot};
+use etalon_campaign::{RobotFile, parse_robot, parse_robot_with};
 use etalon_documents::ParametersDocument;
 use etalon_robots::{JointRange, Kinematics, Robot as Model};
 use pyo3::prelude::*;
@@ -23,6 +23,17 @@ pub struct Robot {
 impl Robot {
     fn of(path: &Path, text: String) -> PyResult<Self> {
         let file = parse_robot(path, &text).map_err(refused)?;
+        Self::new(file, path, text)
+    }
+
+    /// The robot of a text whose URDF file, if there is one, has been read.
+    fn with_description(path: &Path, text: String, description: Option<&str>) -> PyResult<Self> {
+        let Some(description) = description else { return Self::of(path, text) };
+        let file = parse_robot_with(path, &text, description).map_err(refused)?;
+        Self::new(file, path, text)
+    }
+
+    fn new(file: RobotFile, path: &Path, text: String) -> PyResult<Self> {
         let robot = Self { file, name: path.display().to_string(), text };
         robot.model()?;
         Ok(robot)
@@ -94,21 +105,27 @@ impl Robot {
         Ok((robot, chain.base_link, chain.tool_link, json(&messages)?))
     }
 
-    /// Reads the text of a robot file of this name again.
+    /// The robot of the text of a robot file, and of the text of its URDF file.
     #[staticmethod]
-    fn restore(name: PathBuf, text: String) -> PyResult<Self> {
-        Self::of(&name, text)
-    }
-
-    /// Name and text of the robot file: what [`Self::restore`] takes.
-    fn state(&self) -> PyResult<(PathBuf, &str)> {
-        Ok((std::path::absolute(&self.name)?, &self.text))
+    fn restore(text: String, description: Option<&str>) -> PyResult<Self> {
+        Self::with_description(Path::new("robot.toml"), text, description)
     }
 
     /// Text of the URDF file, if there is one.
     #[getter]
     fn description(&self) -> Option<&str> {
         Some(self.file.description()?.1)
+    }
+
+    /// Name of the URDF file as in the robot file, if there is one.
+    #[getter]
+    fn description_name(&self) -> Option<&str> {
+        Some(self.file.description()?.0)
+    }
+
+    /// Text of the robot file with another name of the URDF file.
+    fn text_beside(&self, name: &str) -> String {
+        self.file.text_beside(name)
     }
 
     /// Lower and upper limit (deg or mm) of each joint; infinite without a limit.
@@ -130,7 +147,7 @@ impl Robot {
             let message = Message::error("a target has another number of coordinates than the points of this robot");
             refused(message.hint("give x, y and z (mm) of each target at the flange; of planar robots x and y").into())
         })?;
-        Self::of(Path::new(&self.name), text)
+        Self::with_description(Path::new(&self.name), text, self.description())
     }
 
     /// Name of the model: serial, urdf, five_bar ...

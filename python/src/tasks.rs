@@ -11,8 +11,9 @@ use etalon::tasks::{self, RecordingTables, Table, TableFormat, TestTables, parse
 use pyo3::prelude::*;
 use std::path::Path;
 
-/// Path of a file, or the name of a table and its CSV text.
-type Named = (String, Option<String>);
+/// Path of a file, or the name of a table and its CSV text; and the sheet of a workbook, if it is
+/// that of this file alone.
+type Named = (String, Option<String>, Option<String>);
 
 /// `parameters.json` identified from a table of observations, and the errors of its readings as
 /// columns.
@@ -118,9 +119,10 @@ fn reading(options: &str) -> PyResult<TableFormat> {
     parse_options(options).map_err(refused)
 }
 
-fn table((name, text): &Named) -> Table<'_> {
-    match text {
-        Some(text) => Table::Text { name, text },
-        None => Table::File(Path::new(name)),
+fn table((name, text, sheet): &Named) -> Table<'_> {
+    match (text, sheet) {
+        (Some(text), _) => Table::Text { name, text },
+        (None, Some(sheet)) => Table::Sheet { path: Path::new(name), sheet },
+        (None, None) => Table::File(Path::new(name)),
     }
 }

@@ -197,14 +197,18 @@ def test_a_missing_coordinate_is_named_with_its_row(arm):
 
 
 def test_a_column_that_is_not_read_is_named_before_the_failure(arm):
-    """Without z the positions fit nowhere: the unread heading is the cause."""
+    """The positions fit nowhere: an unread heading may be the cause."""
     robot, table, _ = arm
-    renamed = {{"z_mm": "Z"}.get(name, name): column for name, column in table.items()}
     with pytest.raises(etalon.Error) as raised:
-        etalon.identify(robot, renamed | {"x_mm": np.asarray(table["x_mm"]) * 0.001})
+        etalon.identify(robot, table | {"x_true": table["x_mm"], "x_mm": np.asarray(table["x_mm"]) * 0.001})
     assert raised.value.id == "placement-unexplained" and raised.value.hint, str(raised.value)
     unread = [message for message in raised.value.messages if message.id == "columns-not-read"]
-    assert len(unread) == 1 and "`Z`" in unread[0].what
+    assert len(unread) == 1 and "`x_true`" in unread[0].what
+    # without z the positions of an arm are unknown
+    renamed = {{"z_mm": "Z"}.get(name, name): column for name, column in table.items()}
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, renamed)
+    assert raised.value.id == "column-unknown" and raised.value.hint.endswith('`columns={"z_mm": "Z"}`'), str(raised.value)
 
 
 def test_residuals_of_rounding_are_no_outliers(arm):
@@ -223,8 +227,10 @@ def test_a_misnamed_joint_is_not_told_of_coordinates(arm):
     renamed = {joints.get(name, name): column for name, column in table.items()}
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, renamed)
-    hints = [message.hint for message in raised.value.messages]
-    assert hints == [f'if it is the column `{heading}`, state `columns={{"{name}": "{heading}"}}`' for name, heading in joints.items()]
+    hints = [message.arguments["hint"] for message in raised.value.messages]
+    assert [hint["id"] for hint in hints] == ["state-column"] * 6
+    assert {hint["arguments"]["column"]: hint["arguments"]["heading"] for hint in hints} == joints
+    assert all(f'`columns={{"{name}": "{heading}"}}`' in str(raised.value) for name, heading in joints.items())
     assert str(raised.value).endswith(f"hint: together: columns={json.dumps(joints)}")
     etalon.identify(robot, renamed, columns=joints, standard_uncertainty_um=10)
     # a coordinate by its letter

@@ -41,16 +41,17 @@ def test_notebooks_are_those_of_the_scripts(tmp_path):
         assert path.read_text(encoding="utf-8") == text, "run python/examples/make_notebooks.py"
 
 
-def test_a_notebook_runs_in_jupyter(tmp_path):
+@pytest.mark.parametrize("name", [path.stem for path in EXAMPLES])
+def test_a_notebook_runs_in_jupyter(name, tmp_path):
     nbclient = pytest.importorskip("nbclient")
     nbformat = pytest.importorskip("nbformat")
     pytest.importorskip("ipykernel")
     shutil.copytree(FOLDER / "examples", tmp_path / "examples")
-    book = nbformat.read(tmp_path / "examples/01_calibrate_an_arm.ipynb", as_version=4)
+    book = nbformat.read(tmp_path / f"examples/{name}.ipynb", as_version=4)
     nbformat.validate(book)
     nbclient.NotebookClient(book, resources={"metadata": {"path": tmp_path / "examples"}}, kernel_name="python3").execute()
     printed = "".join(output.get("text", "") for cell in book.cells for output in cell.get("outputs", []))
-    assert "(k = 2)" in printed
+    assert printed.strip() and ("(k = 2)" in printed or not name.startswith("01"))
 
 
 def test_the_stub_is_that_of_the_schemas():

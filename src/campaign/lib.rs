@@ -424,6 +424,14 @@ pub fn parse_robot(path: &Path, text: &str) -> Result<RobotFile> {
     robot.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
+/// Reads the text of a robot.toml and the text of the file that describes its robot.
+///
+/// # Errors
+/// Fails like [`read_robot`].
+pub fn parse_robot_with(path: &Path, text: &str, description: &str) -> Result<RobotFile> {
+    RobotFile::with_description(path, text, description)
+}
+
 /// Reads the text of a URDF as the file of a robot.toml with this base link and this tool link.
 ///
 /// # Errors

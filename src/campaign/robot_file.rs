@@ -257,12 +257,17 @@ impl RobotFile {
 
     /// Reads a robot file whose URDF is this text.
     pub(super) fn from_urdf(urdf: &str, [base_link, tool_link]: [&str; 2]) -> Result<Self> {
-        const FILE: &str = "robot.urdf";
         let [base, tool] = [base_link, tool_link].map(toml::Value::from);
-        let text = format!("model = \"urdf\"\nfile = \"{FILE}\"\nbase_link = {base}\ntool_link = {tool}\n");
-        let (robot, problems) = Self::alone(Path::new("robot.toml"), &text);
-        let beside = Beside { path: FILE.into(), text: urdf.to_owned(), stamp: Stamp::new(urdf.as_bytes()) };
+        let text = format!("model = \"urdf\"\nfile = \"robot.urdf\"\nbase_link = {base}\ntool_link = {tool}\n");
+        Self::with_description(Path::new("robot.toml"), &text, urdf)
+    }
+
+    /// Reads a robot file whose description is this text instead of a file.
+    pub(super) fn with_description(path: &Path, text: &str, description: &str) -> Result<Self> {
+        let (robot, problems) = Self::alone(path, text);
         let robot = robot.filter(|_| problems.0.is_empty()).ok_or(problems)?;
+        let name = robot.description_name().unwrap_or_default().into();
+        let beside = Beside { path: name, text: description.to_owned(), stamp: Stamp::new(description.as_bytes()) };
         Ok(Self { beside: Some(beside), ..robot })
     }
 

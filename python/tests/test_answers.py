@@ -1,0 +1,139 @@
+"""Answers that were wrong in silence, and what makes answers easy to use."""
+
+import os
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+from conftest import IRB120, dh, toml
+from test_ros import AXES, urdf
+
+import etalon
+
+
+def simulated(count, seed):
+    """Few poses of an arm with errors of 0.3 mm and 0.05 deg, and 200 other poses with their true positions (synthetic, noise 30 um)."""
+    noise = np.random.default_rng(seed)
+    alpha, a, theta, d = (values.copy() for values in IRB120)
+    a, d = a + noise.normal(0, 0.3, 6), d + noise.normal(0, 0.3, 6)
+    theta, alpha = theta + noise.normal(0, 0.05, 6), alpha + noise.normal(0, 0.05, 6)
+    limits = np.array([150, 80, 70, 150, 100, 170])
+    target = np.array([30.0, 10.0, 60.0, 1.0])
+    joints, others = noise.uniform(-limits, limits, (count, 6)), noise.uniform(-limits, limits, (200, 6))
+    measured = (dh(joints, alpha, a, theta, d) @ target)[:, :3] + noise.normal(0, 0.03, (count, 3))
+    table = {"pose": np.arange(1, count + 1), "target": ["SMR"] * count} | {f"q{i + 1}_deg": joints[:, i] for i in range(6)}
+    return table | {f"{axis}_mm": measured[:, k] for k, axis in enumerate("xyz")}, others, (dh(others, alpha, a, theta, d) @ target)[:, :3]
+
+
+@pytest.mark.parametrize("count", [7, 8])
+def test_uncertainties_of_few_poses_cover_the_errors_elsewhere(count):
+    """Of 95 % intervals at other poses, far more than half contain the true position: parameters that seven poses do not separate are not known."""
+    robot, covered = etalon.Robot.from_toml(toml(IRB120)), []
+    for seed in range(4):
+        table, others, true = simulated(count, seed)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = etalon.identify(robot, table, standard_uncertainty_um=30)
+        predicted = etalon.kinematics.predict(robot, found, others, "SMR")
+        covered.append(np.mean(np.abs(predicted.xyz_mm - true) < 2 * predicted.standard_uncertainty_mm))
+    assert np.mean(covered) > 0.9 and min(covered) > 0.75, covered
+
+
+def test_a_target_far_from_its_given_position_is_named(arm):
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        near = etalon.identify(robot, table, standard_uncertainty_um=10, targets={"SMR": (33, 8, 62)})
+        far = etalon.identify(robot, table, standard_uncertainty_um=10, targets={"SMR": (30, 10, -60)})
+    assert "target-far-from-given" not in {message.id for message in near.messages}
+    message = next(message for message in far.messages if message.id == "target-far-from-given")
+    assert message.arguments["target"] == "SMR" and message.arguments["distance_mm"] == pytest.approx(120, abs=2)
+
+
+def test_a_pickled_robot_has_its_urdf_and_no_path(tmp_path):
+    path = tmp_path / "arm.urdf"
+    path.write_text(urdf(AXES))
+    robot = etalon.Robot(path).with_targets({"SMR": (10, 20, 30)})
+    text = pickle.dumps(robot)
+    path.unlink()
+    assert os.fsencode(tmp_path) not in text
+    again = pickle.loads(text)
+    assert again == robot and again.chain == robot.chain
+    joints = [10.0, -20, 30, -40, 50, -60]
+    assert etalon.kinematics.direct(again, joints) == etalon.kinematics.direct(robot, joints)
+    # targets need no file either
+    assert again.with_targets({"other": (1, 2, 3)}) == robot.with_targets({"other": (1, 2, 3)})
+
+
+def test_masked_numbers_are_refused():
+    noise = np.random.default_rng(0)
+    points = noise.normal(size=(9, 3))
+    weights = np.ma.array(np.ones(9), mask=np.arange(9) == 2)
+    wrong = [
+        lambda: etalon.fit.plane(points, weights=weights),
+        lambda: etalon.fit.plane(list(np.ma.array(points, mask=np.eye(9, 3)))),
+        lambda: etalon.fit.cylinder(points, axis=np.ma.array([0.0, 0, 1], mask=[0, 0, 1])),
+        lambda: etalon.kinematics.direct("ur5e", [np.ma.array(np.zeros(6), mask=np.arange(6) == 1)]),
+        lambda: etalon.Robot("ur5e", targets={"SMR": np.ma.array([1.0, 2, 3], mask=[0, 1, 0])}),
+        lambda: etalon.frames.rigid(np.ma.array(points, mask=np.eye(9, 3)), points),
+    ]
+    for call in wrong:
+        with pytest.raises(etalon.Error, match="masked"):
+            call()
+
+
+def test_documents_and_robots_take_the_place_of_files(arm, tmp_path):
+    _, table, _ = arm
+    path = tmp_path / "arm.urdf"
+    path.write_text(urdf(AXES))
+    robot = etalon.Robot(path)
+    true = etalon.kinematics.direct(robot, np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])).xyz_mm
+    observed = {name: table[name] for name in ("pose", "target")} | {joint: table[f"q{i}_deg"] for i, joint in enumerate(robot.joints, 1)}
+    observed |= {f"{axis}_mm": true[:, k] + 0.01 * np.sin(7 * np.arange(60) + k) for k, axis in enumerate("xyz")}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.identify(robot, observed, standard_uncertainty_um=10)
+    path.unlink()
+    answer = etalon.command("export", found, robot=robot, format=["csv", "urdf"], to=tmp_path / "cell")
+    assert answer.met and {"controller.csv", "calibrated.urdf"} <= set(os.listdir(tmp_path / "cell"))
+
+
+def test_a_frame_of_three_balls():
+    rotation = etalon.frames.rigid(np.eye(3), np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])).matrix[:3, :3]
+    inside = np.array([[0.0, 0, 0], [300, 0, 0], [40, 200, 0]])
+    centres = inside @ rotation.T + [100, 50, 20]
+    frame = etalon.frames.three_points(*centres, standard_uncertainty_um=2)
+    assert frame(centres) == pytest.approx(inside, abs=1e-9) and frame.matrix[:3, 3] == pytest.approx([100, 50, 20], abs=1e-9)
+    assert frame.standard_uncertainty_mm == pytest.approx([0.002] * 3, rel=1e-6)
+    noise = np.random.default_rng(2)
+    touched = [centre + 12.7 * (v / np.linalg.norm(v, axis=1, keepdims=True)) for centre, v in zip(centres, noise.normal(size=(3, 20, 3)))]
+    balls = [etalon.fit.sphere(points) for points in touched]
+    assert etalon.frames.three_points(*balls, standard_uncertainty_um=2).matrix == pytest.approx(frame.matrix, abs=1e-6)
+    with pytest.raises(etalon.Error, match="no centre"):
+        etalon.frames.three_points(etalon.fit.plane(touched[0]), *centres[1:])
+
+
+def test_a_text_shows_every_value_or_counts_the_rest(arm):
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    text = repr(found)
+    known = [entry.name for entry in found.parameters if entry.standard_uncertainty is not None]
+    assert all(any(line.split()[:1] == [name] for line in text.splitlines()) for name in known)
+    held = len(found.parameters) - len(known)
+    assert f"and {held} without" in text and ".parameters.to_pandas()" in text
+    many = {"parameters": [{"name": f"p_{i}", "value": 1.0, "standard_uncertainty": 0.1, "unit": "mm"} for i in range(130)]}
+    assert "and 30 more with uncertainties" in repr(etalon.documents.Record(many))
+    # no member is left out without its name
+    others = [name for name in found if name not in ("messages", "schema") and not name.endswith("_phrases")]
+    assert all(name in text for name in others)
+
+
+def test_members_are_explained(arm):
+    found = etalon.fit.sphere(np.random.default_rng(1).normal(size=(20, 3)))
+    meanings = {entry.name: entry for entry in found.describe()}
+    assert meanings["radius_mm"].meaning and meanings["radius_mm"].type == "number | absent"
+    assert {entry.name for entry in found.solver.describe()} >= set(found.solver)
+    assert set(meanings) >= set(found)
