@@ -193,7 +193,7 @@ def test_a_missing_coordinate_is_named_with_its_row(arm):
     broken = dict(table, x_mm=np.where(np.arange(60) == 4, np.nan, table["x_mm"]))
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, broken)
-    assert "x is missing in line 6" in str(raised.value), str(raised.value)
+    assert "x is missing in row 5" in str(raised.value), str(raised.value)
 
 
 def test_a_column_that_is_not_read_is_named_before_the_failure(arm):
