@@ -222,3 +222,28 @@ def test_a_misspelt_target_is_corrected(arm):
     with pytest.raises(etalon.Error) as raised:
         etalon.kinematics.predict(robot, found, [0.0] * 6, "SMRR")
     assert "did you mean `SMR`" in raised.value.hint
+
+
+def test_cells_and_verifications_take_the_headings_of_their_hints(arm):
+    points = {"point": ["origin", "x", "xy"], "X": [100.0, 400, 120], "Y": [50.0, 60, 300], "Z": [20.0, 25, 22]}
+    found, taken = followed(etalon.cell, (points, "three-points"), {"standard_uncertainty_um": 2})
+    stated = {name: heading for step in taken for name, heading in step["columns"].items()}
+    assert stated == {f"{axis}_mm": axis.upper() for axis in "xyz"} and found.frames[0].xyz_mm == pytest.approx([100, 50, 20])
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        calibrated = etalon.identify(robot, table, standard_uncertainty_um=10)
+    few = {{"q3_deg": "A3", "z_mm": "Z"}.get(name, name): np.asarray(column)[:8] for name, column in table.items()}
+    verified, taken = followed(etalon.verify, (robot, calibrated, few), {})
+    assert taken == [{"columns": {"q3_deg": "A3", "z_mm": "Z"}}] and verified.verdict == "valid"
+
+
+def test_columns_of_an_array_have_their_places_from_one():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame(np.array([[3.1, 3.101, 1], [3.1, 3.102, 1], [3.1, 3.1, -1], [3.1, 3.099, -1], [9.1, 9.101, 1], [9.1, 9.1, 1], [9.1, 9.1, -1], [9.1, 9.098, -1]]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.iso230(frame, columns={"position_mm": 1, "measured_mm": 2, "direction": 3})
+    assert len(found.positions) == 2
+    with pytest.raises(etalon.Error, match="no rows"):
+        etalon.iso230(frame[:0])
