@@ -102,7 +102,7 @@ def test_what_is_wrong_with_a_table_is_raised_with_its_place(arm):
     broken = dict(table, x_mm=np.where(np.arange(60) == 4, np.nan, table["x_mm"]))
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, broken)
-    assert any(message.place and message.place.get("line") == 6 for message in raised.value.messages), str(raised.value)
+    assert any(message.place and message.place.get("row") == 5 for message in raised.value.messages), str(raised.value)
     with pytest.raises(etalon.Error, match="length"):
         etalon.identify(robot, dict(table, x_mm=[1.0]))
     with pytest.raises(etalon.Error, match="not a table"):
@@ -119,8 +119,9 @@ def test_a_reversed_joint_is_named(arm):
 def test_names_and_headings_the_wrong_way_round_are_named(arm):
     robot, table, _ = arm
     renamed = {{"q1_deg": "A1"}.get(name, name): column for name, column in table.items()}
-    with pytest.raises(etalon.Error, match="columns={'q1_deg': 'A1'}"):
+    with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, renamed, columns={"A1": "q1_deg"})
+    assert raised.value.id == "columns-inverted" and '`columns={"q1_deg": "A1"}`' in raised.value.hint
     # etalon's `target` under the heading `pose`
     renamed = {{"pose": "no", "target": "pose"}.get(name, name): column for name, column in table.items()}
     found = etalon.identify(robot, renamed, columns={"pose": "no", "target": "pose"}, standard_uncertainty_um=10)

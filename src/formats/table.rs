@@ -650,13 +650,13 @@ mod tests {
         for name in ["J1", "Pos X [mm]", "Y", "index", "target"] {
             table.set(name, Values::Numbers(vec![Some(1.0)]));
         }
-        let hint = |name: &str| table.missing(name, None).hint.unwrap();
-        assert_eq!(hint("x_mm"), phrase!("state-column", column = "x_mm", heading = "Pos X [mm]").to_string());
-        assert_eq!(hint("y_mm"), phrase!("state-column", column = "y_mm", heading = "Y").to_string());
-        assert!(hint("z_mm") != phrase!("state-column", column = "z_mm", heading = "index").to_string());
+        let hint = |table: &Table, name: &str| table.missing(name, None).hint.unwrap();
+        assert_eq!(hint(&table, "x_mm"), phrase!("state-column", column = "x_mm", heading = "Pos X [mm]").to_string());
+        assert_eq!(hint(&table, "y_mm"), phrase!("state-column", column = "y_mm", heading = "Y").to_string());
+        assert!(hint(&table, "z_mm") != phrase!("state-column", column = "z_mm", heading = "index").to_string());
         // the unit of a heading, or of the values
         table.set("Z (m)", Values::Numbers(vec![Some(0.5)]));
-        assert_eq!(hint("z_mm"), phrase!("state-column", column = "z_m", heading = "Z (m)").to_string());
+        assert_eq!(hint(&table, "z_mm"), phrase!("state-column", column = "z_m", heading = "Z (m)").to_string());
         let of_values = table.missing("y_mm", Some("m")).hint.unwrap();
         let expected = phrase!("state-column-in-unit", column = "y_m", heading = "Y", unit = "m");
         assert_eq!(of_values, expected.to_string());
