@@ -336,16 +336,16 @@ impl Table {
         self.require_in(names.into_iter().map(|name| (name, None)))
     }
 
-    /// Checks that the table has these columns like [`Self::require`]. The unit beside a name is the
-    /// one that the values of the columns suggest, for hints.
+    /// Checks that the table has these columns like [`Self::require`]. The unit beside a name is
+    /// the one that the values of the columns suggest, for hints.
     pub fn require_in<S: AsRef<str>>(&self, names: impl IntoIterator<Item = (S, Option<&'static str>)>) -> Result<()> {
         let missing = names.into_iter().filter(|(name, _)| !self.has(name.as_ref()));
         let missing = missing.map(|(name, unit)| self.missing(name.as_ref(), unit).at(self.header()));
         Problems(missing.collect()).check().map(drop)
     }
 
-    /// Columns of a position that the table needs: x and y; and z, if neither x nor y, but a heading
-    /// of it is there.
+    /// Columns of a position that the table needs: x and y; and z, if x or y is missing and there
+    /// is a heading of z.
     pub fn coordinate_columns(&self) -> impl Iterator<Item = &'static str> {
         let has_others = self.has(XYZ[0]) && self.has(XYZ[1]);
         let needs_z = !has_others && !self.has(XYZ[2]) && self.heading_of_coordinate(XYZ[2]).is_some();
@@ -482,12 +482,18 @@ impl Table {
             _ if name == "target" => message.hint(phrase!("state-column-or-target", heading = heading())),
             _ if name == POSE => message.hint(phrase!("state-column-or-pose", heading = heading())),
             _ if name == CYCLE => message.hint(phrase!("state-column-or-cycle", heading = heading())),
-            Some(heading) => message.hint(match (unit_of_heading(heading), suggested) {
-                (None, Some(unit)) => phrase!("state-column-in-unit", column = in_unit(name, unit), heading, unit),
-                (unit, _) => {
-                    phrase!("state-column", column = unit.map_or(name.to_owned(), |unit| in_unit(name, unit)), heading)
-                }
-            }),
+            Some(heading) => {
+                let hint = match (unit_of_heading(heading), suggested) {
+                    (None, Some(unit)) => {
+                        phrase!("state-column-in-unit", column = in_unit(name, unit), heading, unit)
+                    }
+                    (unit, _) => {
+                        let column = unit.map_or(name.to_owned(), |unit| in_unit(name, unit));
+                        phrase!("state-column", column, heading)
+                    }
+                };
+                message.hint(hint)
+            }
             None if !foreign.is_empty() && nearest(name, similar.iter().copied()).is_none() => {
                 let names = &foreign[..foreign.len().min(SHOWN)];
                 message.hint(phrase!("state-column-of", column = name, names))

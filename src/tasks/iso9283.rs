@@ -33,8 +33,8 @@ pub struct PoseOptions {
     /// Number of cycles in one set of a drift test, e.g. 10.
     #[arg(long, value_name = "CYCLES")]
     pub drift_set: Option<usize>,
-    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)", multiplied from left to right: angles
-    /// that are not separable become rotation vectors, and --reference also compensates angles.
+    /// Order of the rotations a, b, c, e.g. "Rz(c) Ry(b) Rx(a)", multiplied from left to right:
+    /// angles that are not separable become rotation vectors; --reference also compensates angles.
     #[arg(long, value_name = "TEXT")]
     pub rotation_order: Option<String>,
 }

@@ -83,8 +83,8 @@ impl Table {
         Ok(all)
     }
 
-    /// Returns a warning about columns other than coordinates and those in `read`. If their headings
-    /// name missing coordinates, the hint gives them.
+    /// Returns a warning about columns other than coordinates and those in `read`. If their
+    /// headings name missing coordinates, the hint gives them.
     pub fn unread(&self, read: &[&str]) -> Option<Message> {
         let in_radians = |name: &&str| ANGLES.iter().zip(RADIANS).any(|(deg, rad)| rad == *name && !self.has(deg));
         let known: Vec<&str> = read.iter().chain(&XYZ).chain(&ANGLES).copied().collect();
@@ -96,9 +96,10 @@ impl Table {
         let optional = XYZ[2..].iter().chain(&ANGLES).copied().filter(|name| !self.has(name));
         let meant: Vec<(&str, &str)> =
             optional.filter_map(|name| Some((name, self.heading_of_coordinate(name)?))).collect();
+        let hint = state_columns(&meant);
         match meant.is_empty() {
             true => Some(message.hint_names(first, known.iter().copied())),
-            false => Some(message.hint(state_columns(&meant))),
+            false => Some(message.hint(hint)),
         }
     }
 

@@ -129,9 +129,10 @@ impl TableReading {
         };
         let inverted: Vec<(String, String)> = self.layout.columns.iter().filter_map(inverted).collect();
         let pairs: Vec<(&str, &str)> = inverted.iter().map(|(name, heading)| (&**name, &**heading)).collect();
+        let hint = table::state_columns(&pairs);
         match pairs.is_empty() {
             true => Ok(()),
-            false => Err(error!("columns-inverted").hint(table::state_columns(&pairs)).at(sheet.place())),
+            false => Err(error!("columns-inverted").hint(hint).at(sheet.place())),
         }
     }
 

@@ -10,9 +10,9 @@ use std::collections::BTreeSet;
 const SEED: u64 = 1;
 
 impl Estimation<'_> {
-    /// The observations, and as many with recombined joint values as there are parameters: these have
-    /// three times as many coordinates. `None` if the measured coordinates are no fewer than the parameters, and for
-    /// data other than positions of targets of an arm.
+    /// The observations, and as many with recombined joint values as there are parameters: these
+    /// have three times as many coordinates. `None` if the measured coordinates are no fewer than
+    /// the parameters, and for data other than positions of targets of an arm.
     pub(crate) fn recombined(&self) -> Option<Vec<Observation>> {
         let Self { robot, observations, settings, wanted } = *self;
         let is_plain =

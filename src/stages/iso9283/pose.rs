@@ -81,12 +81,12 @@ impl PoseTables {
 /// # Errors
 /// Fails for other texts, and for orders that do not reach every orientation.
 pub(crate) fn parse_order(text: &str) -> Result<RotationOrder> {
-    let order = RotationOrder::parse(text);
-    Ok(order.ok_or_else(|| error!("rotation-order-unknown", text).hint(order_hint(text)))?)
+    let hint = order_hint(text);
+    Ok(RotationOrder::parse(text).ok_or_else(|| error!("rotation-order-unknown", text).hint(hint))?)
 }
 
-/// Hint for an order that does not read. Names of `orientation`, such as `zyx`, give the axes of the
-/// first, second and third angle; by ISO 9283 the angles a, b, c are about x, y, z.
+/// Hint for an order that does not read. Names of `orientation`, such as `zyx`, give the axes of
+/// the first, second and third angle; by ISO 9283 the angles a, b, c are about x, y, z.
 fn order_hint(text: &str) -> Phrase {
     let name = text.trim().to_lowercase();
     let axes: Vec<char> = name.trim_start_matches("fixed ").chars().filter(|c| "xyz".contains(*c)).collect();

@@ -12,8 +12,8 @@ const DRAWN_MM: f64 = 10.0;
 /// Standard uncertainties of the identified position within which it is not far.
 const CERTAIN: f64 = 3.0;
 
-/// Warnings of targets that are far from their given positions. A target at the origin of the flange
-/// has no given position.
+/// Warnings of targets that are far from their given positions. A target at the origin of the
+/// flange has no given position.
 pub(crate) fn far_targets(robot: &dyn Robot, found: &Identification) -> Vec<Message> {
     let parameters = robot.parameters();
     let target = |target: &String| {

@@ -99,8 +99,8 @@ const LEAST_ANGLE_RAD: f64 = DEG;
 /// Deviation (rad) of an angle that no robot has.
 const TURNED_RAD: f64 = 5.0 * DEG;
 
-/// Returns the reason why the attained angles of a test are far from the commanded angles; `None` if
-/// they are near, or not comparable. Poses whose angles are not separable are not compared.
+/// Returns the reason why the attained angles of a test are far from the commanded angles; `None`
+/// if they are near, or not comparable. Poses whose angles are not separable are not compared.
 pub fn misplaced_angles(test: &PoseTest) -> Option<Misplacement> {
     let first = test.first_robot_test();
     let compared = first.poses.iter().filter(|p| p.commanded_rad.len() == first.angles.len());
@@ -346,8 +346,8 @@ mod tests {
         }
     }
 
-    /// The cube with angles (deg) of its poses, and the attained ones (deg) that `attained` makes of
-    /// them.
+    /// The cube with angles (deg) of its poses, and the attained ones (deg) that `attained` makes
+    /// of them.
     fn turned_test(attained: impl Fn(Vector) -> Vector) -> PoseTest {
         let commanded = [[10.0, 20.0, 30.0], [0.0, 0.0, 90.0], [5.0, 10.0, -20.0], [-10.0, 0.0, 15.0], [0.0, 5.0, 0.0]];
         let mut test = cube_test(|p| p, |p| p);

@@ -194,7 +194,8 @@ fn known_before(model: &AxesModel, targets: usize, convention: Convention, drawi
     let mut robot = convention.robot(model, targets);
     let mut drawing = drawing;
     for (name, by_sweeps) in known.names.iter().zip(priors) {
-        let p = robot.definition_mut().parameters.iter_mut().find(|p| p.name == *name).expect("of the table");
+        let p =
+            robot.definition_mut().parameters.iter_mut().find(|p| p.name == *name).expect("a parameter of the robot");
         let s = match (&mut drawing, p.quantity) {
             (None, _) => by_sweeps,
             (Some(noise), quantity) => {

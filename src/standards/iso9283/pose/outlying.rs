@@ -1,5 +1,5 @@
-//! Attained poses that are far from all others of their pose (not in the standard, which excludes no
-//! reading): exchanged labels, placeholders, a measurement in motion. AP and RP contain them.
+//! Attained poses that are far from all others of their pose (not in the standard, which excludes
+//! no reading): exchanged labels, placeholders, a measurement in motion. AP and RP contain them.
 
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
 use etalon_base::pose::{Vector, centroid, minus, norm};
@@ -16,7 +16,7 @@ const LEAST_MM: f64 = 5e-4;
 const MEDIAN_DISTANCE: [f64; 2] = [1.177, 1.538];
 /// Minimum number of readings of a pose, and of all poses.
 const FEWEST: [usize; 2] = [3, 10];
-/// Maximum share of outlying readings of a pose; more of them are another approach or another place.
+/// Maximum share of outlying readings of a pose; more of them come from another approach.
 const SHARE: f64 = 0.1;
 
 /// Attained pose that is far from the others.
