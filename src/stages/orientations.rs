@@ -2,8 +2,9 @@
 //! order.
 
 pub use etalon_base::angle_order::AngleOrder;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
-use etalon_base::pose::Pose;
+use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, phrase};
 use etalon_formats::table::{ANGLE_ORDER, MATRIX, QUATERNION, Table, Values};
 use etalon_identify::{Condition, Kind, Observation, Orientation, Settings, fit_frames, mounted_misfit_rad};
@@ -133,6 +134,17 @@ impl Written {
         (self.form == Form::Angles).then_some([a, b, c])
     }
 
+    /// The orientation of a quaternion as exports of three numbers contain it: angles in the order
+    /// of the row, or a rotation vector.
+    fn as_in_export(&self) -> Self {
+        let Ok(body) = self.pose(None) else { return *self };
+        let (form, [a, b, c]) = match self.order {
+            Some(order) => (Form::Angles, order.angles(&body)),
+            None => (Form::Vector, body.rotation_vector_rad()),
+        };
+        Self { form, numbers: [a, b, c, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ..*self }
+    }
+
     /// Orientation of the body in the world; angles in this order, or in that of their row. Without
     /// both the order is arbitrary.
     ///
@@ -153,6 +165,84 @@ impl Written {
             _ => Ok(Pose::from_quaternion([a, b, c, d])),
         }
     }
+}
+
+/// Other ways of reading the orientations of a table, each with its description; `order` is the
+/// order of angles of rows without their own.
+pub(super) fn readings(written: &[Written], order: Option<AngleOrder>) -> Vec<(Phrase, Vec<Option<Pose>>)> {
+    let Some(form) = written.first().map(|row| row.form) else { return Vec::new() };
+    let mut all = number_slips(written, order);
+    if form == Form::Quaternion {
+        let of_export: Vec<Written> = written.iter().map(Written::as_in_export).collect();
+        all.extend(number_slips(&of_export, order));
+    }
+    all.push((phrase!("orientation-slip", slip = "inverse", name = ""), turned(written, order, |v| v.map(|v| -v))));
+    all
+}
+
+/// Orientations of a table in a left-handed frame, with one axis reversed.
+pub(super) fn mirrored(written: &[Written]) -> Vec<(Phrase, Vec<Option<Pose>>)> {
+    let axes = ["x", "y", "z"].into_iter().enumerate();
+    let reversed = |(axis, name): (usize, &str)| {
+        // a mirror turns the axis of a rotation over, and keeps its part along the normal
+        let bodies = turned(written, None, |v| [0, 1, 2].map(|i| if i == axis { v[i] } else { -v[i] }));
+        (phrase!("orientation-slip", slip = "left-handed", name), bodies)
+    };
+    axes.map(reversed).collect()
+}
+
+/// Orientations with other rotation vectors (rad).
+fn turned(written: &[Written], order: Option<AngleOrder>, how: impl Fn(Vector) -> Vector) -> Vec<Option<Pose>> {
+    let turn = |row: &Written| Some(Pose::from_rotation_vector(how(row.pose(order).ok()?.rotation_vector_rad())));
+    written.iter().map(turn).collect()
+}
+
+/// Other meanings of the numbers of orientations: another order, unit or sign.
+fn number_slips(written: &[Written], order: Option<AngleOrder>) -> Vec<(Phrase, Vec<Option<Pose>>)> {
+    let mut all = Vec::new();
+    let Some(form) = written.first().map(|row| row.form) else { return all };
+    let mut add = |slip: &str, name: &str, bodies| all.push((phrase!("orientation-slip", slip, name), bodies));
+    let numbers = |how: &dyn Fn([f64; 9]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
+    let three = |n: [f64; 9]| [n[0], n[1], n[2]];
+    match form {
+        // three numbers of an export became quaternions
+        Form::Quaternion if written.iter().any(|row| row.order.is_some()) => {}
+        Form::Quaternion => {
+            let by = |at: [usize; 4]| numbers(&|n| quaternion(at.map(|k| n[k])));
+            add("scalar-last", "", by([3, 0, 1, 2]));
+            add("scalar-first", "", by([1, 2, 3, 0]));
+            let inverse = |at: [usize; 4]| numbers(&|n| Some(quaternion(at.map(|k| n[k]))?.inverse()));
+            add("scalar-last-inverse", "", inverse([3, 0, 1, 2]));
+        }
+        Form::Angles => {
+            let is_other = |other: &AngleOrder| written.iter().any(|row| order.or(row.order) != Some(*other));
+            for other in AngleOrder::all().into_iter().filter(is_other) {
+                add("order", &other.to_string(), numbers(&|n| Some(other.pose(three(n)))));
+            }
+            add("vectors", "", numbers(&|n| Some(Pose::from_rotation_vector(three(n)))));
+            let negated = |row: &Written| Written { numbers: row.numbers.map(|v| -v), ..*row }.pose(order).ok();
+            add("negated", "", written.iter().map(negated).collect());
+        }
+        Form::Vector => {
+            for order in AngleOrder::all() {
+                add("order-of-vectors", &order.to_string(), numbers(&|n| Some(order.pose(three(n)))));
+            }
+        }
+        Form::None | Form::Matrix => {}
+    }
+    if matches!(form, Form::Angles | Form::Vector) {
+        for (factor, unit) in [(1.0 / DEG, "radians"), (DEG, "degrees")] {
+            let scaled = |row: &Written| Written { numbers: row.numbers.map(|v| factor * v), ..*row }.pose(order).ok();
+            add(unit, "", written.iter().map(scaled).collect());
+        }
+    }
+    all
+}
+
+/// The rotation of a quaternion, the scalar first; `None` if its length is zero.
+fn quaternion(numbers: [f64; 4]) -> Option<Pose> {
+    let length = norm([numbers[1], numbers[2], numbers[3]]).hypot(numbers[0]);
+    (length > 0.5).then(|| Pose::from_quaternion(numbers))
 }
 
 /// The error about angles without a given order, with the orders that fit the nominal robot
@@ -185,4 +275,31 @@ pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Sett
         |(left_deg, order): &(f64, AngleOrder)| phrase!("angle-order-leaves", order = order.to_string(), left_deg);
     let orders: Vec<_> = fits.map(order).collect();
     message.hint(phrase!("angle-orders-fit", order = best.to_string(), orders))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Angles of an export in another order than its `rotation` states, and rotation vectors that
+    /// are angles: among the readings is the right one.
+    #[test]
+    fn another_order_of_an_export_is_a_reading() {
+        let angles = [0.4, -0.7, 1.1];
+        let order = |text: &str| text.parse::<AngleOrder>().expect("an order");
+        let read = |stated: Option<AngleOrder>| {
+            let body = stated.map_or(Pose::from_rotation_vector(angles), |stated| stated.pose(angles));
+            let [w, x, y, z] = body.quaternion();
+            Written { form: Form::Quaternion, numbers: [w, x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0], order: stated }
+        };
+        let right = order("xyz").pose(angles);
+        for (stated, slip) in [(Some(order("zyx")), "order"), (None, "order-of-vectors")] {
+            let what = phrase!("orientation-slip", slip, name = "xyz");
+            let found = readings(&[read(stated)], None);
+            let (_, bodies) = found.iter().find(|(other, _)| *other == what).expect("the order");
+            let body = bodies[0].expect("an orientation");
+            let apart_rad = right.inverse().then(&body).rotation_vector_rad();
+            assert!(apart_rad.iter().all(|v| v.abs() < 1e-12), "{slip}: {apart_rad:?}");
+        }
+    }
 }

@@ -12,6 +12,7 @@ use crate::stages::observe::repeats::stale;
 use crate::stages::remedies::remedied;
 use crate::stages::table_file::in_campaign;
 use crate::stages::truncated;
+use etalon_base::angle_order::AngleOrder;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
@@ -117,8 +118,8 @@ impl<'a> Input<'a> {
         let without = RowDefaults {
             length_mm: settings.standard_uncertainty_mm,
             rotation_rad: campaign.file.instrument.rotation_uncertainty_rad(),
-            // each table contains its own
-            order: None,
+            // tables contain their own; exports are in the world already
+            order: export_order(campaign),
         };
         let place = |problems: Problems| {
             match &campaign.file.observations[..] {
@@ -150,6 +151,15 @@ impl<'a> Input<'a> {
         messages.extend(exclude(&self.exclusions, robot, &mut observed)?);
         Ok(observed)
     }
+}
+
+/// Order of the angles in the exports of a campaign, if all exports with angles have the same
+/// order.
+fn export_order(campaign: &Campaign) -> Option<AngleOrder> {
+    let orders = campaign.file.exports.iter().filter_map(|export| export.format.dialect.rotation.as_deref());
+    let orders: BTreeSet<&str> = orders.collect();
+    let order = orders.first().filter(|_| orders.len() == 1)?;
+    order.parse().ok()
 }
 
 /// Errors of selections and tables without a measured pose, and of overlapping sets; `all` are

@@ -1,51 +1,23 @@
 //! Changes of how poses are read that may explain them.
 
 use super::readings::WrittenPoses;
-use crate::stages::orientations::{AngleOrder, Form, Written};
+use crate::stages::orientations::readings;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
 
-const DEG: f64 = std::f64::consts::PI / 180.0;
-
 /// Units of lengths that are taken for millimetres: factor and name.
 pub(super) const UNITS: [(f64, &str); 2] = [(1000.0, "m"), (25.4, "inch")];
 
-/// Poses after a change, with its description. `side` is `flange` or `measured`.
+/// Poses after a change of their orientations, with its description. `side` is `flange` or
+/// `measured`.
 pub(super) fn orientation_changes(written: &WrittenPoses, side: &str) -> Vec<(Phrase, Vec<Pose>)> {
-    let mut all: Vec<(Phrase, Vec<Pose>)> = Vec::new();
-    let mut add = |change: Phrase, order: Option<AngleOrder>, of: &dyn Fn(&Written) -> Written| {
-        all.extend(written.poses_with(order, of).map(|poses| (change, poses)));
-    };
-    let scaled = |factor: f64| move |o: &Written| Written { numbers: o.numbers.map(|v| v * factor), ..*o };
-    let form = written.orientations.first().map_or(Form::None, |o| o.form);
-    let angular = matches!(form, Form::Angles | Form::Vector);
-    if angular {
-        // numbers are in radians here, by the unit of their columns
-        add(phrase!("cell-change-radians", side), written.order, &scaled(1.0 / DEG));
-        add(phrase!("cell-change-degrees", side), written.order, &scaled(DEG));
-    }
-    if form == Form::Angles {
-        for order in AngleOrder::all().into_iter().filter(|order| Some(*order) != written.order) {
-            add(phrase!("cell-change-order", side, order = order.to_string()), Some(order), &|o| *o);
-        }
-        add(phrase!("cell-change-vector", side), None, &|o| Written { form: Form::Vector, ..*o });
-    }
-    if form == Form::Vector {
-        for order in AngleOrder::all() {
-            let change = phrase!("cell-change-angles", side, order = order.to_string());
-            add(change, Some(order), &|o| Written { form: Form::Angles, ..*o });
-        }
-    }
-    if form == Form::Quaternion {
-        add(phrase!("cell-change-scalar-last", side), written.order, &|o| {
-            let [x, y, z, w, ..] = o.numbers;
-            Written { numbers: [w, x, y, z, 0.0, 0.0, 0.0, 0.0, 0.0], ..*o }
-        });
-    }
     let poses = written.poses();
-    let turned_back = |p: &Pose| Pose { translation_mm: p.translation_mm, ..p.inverse() };
-    all.push((phrase!("cell-change-turned-back", side), poses.iter().map(turned_back).collect()));
+    let placed = |(what, bodies): (Phrase, Vec<Option<Pose>>)| {
+        let all = poses.iter().zip(bodies).map(|(p, body)| Some(Pose { translation_mm: p.translation_mm, ..body? }));
+        Some((phrase!("cell-change-orientations", side, what), all.collect::<Option<Vec<Pose>>>()?))
+    };
+    let mut all: Vec<_> = readings(&written.orientations, written.order).into_iter().filter_map(placed).collect();
     all.push((phrase!("cell-change-inverse", side), poses.iter().map(Pose::inverse).collect()));
     all
 }

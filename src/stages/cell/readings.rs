@@ -92,15 +92,11 @@ pub(super) fn poses(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -
 }
 
 impl WrittenPoses {
-    /// Poses by a change of their orientations; the unchanged ones were read before.
-    pub fn poses_with(&self, order: Option<AngleOrder>, change: impl Fn(&Written) -> Written) -> Option<Vec<Pose>> {
-        let both = self.positions_mm.iter().zip(&self.orientations);
-        both.map(|(p, o)| Some(Pose { translation_mm: *p, ..change(o).pose(order).ok()? })).collect()
-    }
-
-    /// Poses as they are written.
+    /// Poses as they are written; they were read before.
     pub fn poses(&self) -> Vec<Pose> {
-        self.poses_with(self.order, |o| *o).unwrap_or_default()
+        let both = self.positions_mm.iter().zip(&self.orientations);
+        let pose = |(p, o): (&Vector, &Written)| Some(Pose { translation_mm: *p, ..o.pose(self.order).ok()? });
+        both.map(pose).collect::<Option<_>>().unwrap_or_default()
     }
 }
 

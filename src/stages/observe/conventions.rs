@@ -2,10 +2,11 @@
 //! a direction; each may differ from the columns. The judge of the set-up compares every way of
 //! reading them.
 
-use crate::stages::orientations::{AngleOrder, Form, Written};
+use crate::stages::orientations::{Written, mirrored, readings};
+use etalon_base::catalogue::Phrase;
+use etalon_base::error;
 use etalon_base::message::Message;
-use etalon_base::pose::{Pose, Vector, norm};
-use etalon_base::{error, phrase};
+use etalon_base::pose::Pose;
 use etalon_documents::set_up_hint;
 use etalon_identify::{Condition, Observation, OrientationReading, Settings, fit_frames, judge, mounted_misfits_rad};
 use etalon_math::statistics::median;
@@ -32,14 +33,14 @@ pub fn wrong(
     if count == 0 || count != written.len() || observations.is_empty() {
         return None;
     }
-    let stated: Vec<Option<Pose>> = written.iter().map(|row| row.pose(None).ok()).collect();
-    let mut readings = readings(written, &stated);
     // in the order of all conditions
-    for reading in &mut readings {
-        let mut bodies = std::mem::take(&mut reading.bodies).into_iter();
+    let of_conditions = |(what, bodies): (Phrase, Vec<Option<Pose>>)| {
+        let mut bodies = bodies.into_iter();
         let body = |c: &Condition| if is_in_world(&c) { bodies.next().flatten() } else { None };
-        reading.bodies = settings.conditions.iter().map(body).collect();
-    }
+        OrientationReading { what, bodies: settings.conditions.iter().map(body).collect() }
+    };
+    let readings: Vec<OrientationReading> =
+        readings(written, None).into_iter().chain(mirrored(written)).map(of_conditions).collect();
     let found = judge(robot, observations, settings, &readings).named?;
     let is_reading = readings.iter().any(|reading| found.changes.iter().any(|(what, _)| *what == reading.what));
     let off_rad = off_rad(robot, observations, settings)?;
@@ -60,62 +61,4 @@ fn off_rad(robot: &dyn Robot, observations: &[Observation], settings: &Settings)
         settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).cloned().collect();
     let some: Vec<Condition> = conditions.iter().step_by(every(conditions.len())).cloned().collect();
     median(mounted_misfits_rad(robot, &some, &values)).filter(|angle| angle.is_finite())
-}
-
-/// Other ways of reading the orientations of a table.
-fn readings(written: &[Written], stated: &[Option<Pose>]) -> Vec<OrientationReading> {
-    let mut all = Vec::new();
-    let mut add = |slip: &str, name: &str, bodies: Vec<Option<Pose>>| {
-        all.push(OrientationReading { what: phrase!("orientation-slip", slip, name), bodies });
-    };
-    let numbers = |how: &dyn Fn([f64; 9]) -> Option<Pose>| written.iter().map(|row| how(row.numbers)).collect();
-    let form = written[0].form;
-    let three = |n: [f64; 9]| [n[0], n[1], n[2]];
-    match form {
-        Form::Quaternion => {
-            let by = |at: [usize; 4]| numbers(&|n| quaternion(at.map(|k| n[k])));
-            add("scalar-last", "", by([3, 0, 1, 2]));
-            add("scalar-first", "", by([1, 2, 3, 0]));
-            let inverse = |at: [usize; 4]| numbers(&|n| Some(quaternion(at.map(|k| n[k]))?.inverse()));
-            add("scalar-last-inverse", "", inverse([3, 0, 1, 2]));
-        }
-        Form::Angles => {
-            let is_other = |other: &AngleOrder| written.iter().any(|row| row.order != Some(*other));
-            for other in AngleOrder::all().into_iter().filter(is_other) {
-                add("order", &other.to_string(), numbers(&|n| Some(other.pose(three(n)))));
-            }
-            add("vectors", "", numbers(&|n| Some(Pose::from_rotation_vector(three(n)))));
-            let negated = |row: &Written| Written { numbers: row.numbers.map(|v| -v), ..*row }.pose(None).ok();
-            add("negated", "", written.iter().map(negated).collect());
-        }
-        Form::Vector => {
-            for order in AngleOrder::all() {
-                add("order-of-vectors", &order.to_string(), numbers(&|n| Some(order.pose(three(n)))));
-            }
-        }
-        Form::None | Form::Matrix => {}
-    }
-    if matches!(form, Form::Angles | Form::Vector) {
-        for (factor, unit) in [(1.0 / DEG, "radians"), (DEG, "degrees")] {
-            let scaled = |row: &Written| Written { numbers: row.numbers.map(|v| factor * v), ..*row }.pose(None).ok();
-            add(unit, "", written.iter().map(scaled).collect());
-        }
-    }
-    let turned = |how: &dyn Fn(Vector) -> Vector| {
-        let turn = |body: &Option<Pose>| Some(Pose::from_rotation_vector(how(body.as_ref()?.rotation_vector_rad())));
-        stated.iter().map(turn).collect()
-    };
-    add("inverse", "", turned(&|v| v.map(|v| -v)));
-    // a mirror turns the axis of a rotation over, and keeps its part along the normal
-    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        let mirrored = |v: Vector| [0, 1, 2].map(|i| if i == axis { v[i] } else { -v[i] });
-        add("left-handed", name, turned(&mirrored));
-    }
-    all
-}
-
-/// The rotation of a quaternion, the scalar first; `None` if its length is zero.
-fn quaternion(numbers: [f64; 4]) -> Option<Pose> {
-    let length = norm([numbers[1], numbers[2], numbers[3]]).hypot(numbers[0]);
-    (length > 0.5).then(|| Pose::from_quaternion(numbers))
 }

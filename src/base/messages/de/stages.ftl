@@ -1350,40 +1350,10 @@ cell-tool-active = der Werkzeugmittelpunkt liegt { FIXED($distance_mm, 4) } mm 
 cell-scale = die Achse bewegt sich um { FIXED($scale, 5) } × ihre Werte (u = { SCIENTIFIC($u, 1) })
     .hint = die Einheit der Spalte und die Übersetzung der Achse prüfen
 
-cell-change-radians = die Winkel { $side ->
+cell-change-orientations = { $what }, bei den Orientierungen { $side ->
         [flange] des Flansches
        *[measured] der gemessenen Posen
-    } sind in Radiant
-
-cell-change-degrees = die Winkel { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } sind in Grad
-
-cell-change-order = die Winkel { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } haben die Reihenfolge „{ $order }“
-
-cell-change-vector = die Winkel { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } sind ein Rotationsvektor
-
-cell-change-angles = die Rotationsvektoren { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } sind Winkel in der Reihenfolge „{ $order }“
-
-cell-change-scalar-last = die Quaternionen { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } haben den Skalar am Ende
-
-cell-change-turned-back = die Orientierungen { $side ->
-        [flange] des Flansches
-       *[measured] der gemessenen Posen
-    } sind invers
+    }
 
 cell-change-inverse = die Posen { $side ->
         [flange] des Flansches

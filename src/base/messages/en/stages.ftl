@@ -2766,40 +2766,10 @@ cell-tool-active = the tool centre point is { FIXED($distance_mm, 4) } mm from t
 cell-scale = the axis moves by { FIXED($scale, 5) } × its values (u = { SCIENTIFIC($u, 1) })
     .hint = check the unit of the column and the ratio of the axis
 
-cell-change-radians = the angles { $side ->
+cell-change-orientations = { $what }, in the orientations { $side ->
         [flange] of the flange
        *[measured] of the measured poses
-    } are in radians
-
-cell-change-degrees = the angles { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } are in degrees
-
-cell-change-order = the angles { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } have the order "{ $order }"
-
-cell-change-vector = the angles { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } are a rotation vector
-
-cell-change-angles = the rotation vectors { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } are angles in the order "{ $order }"
-
-cell-change-scalar-last = the quaternions { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } have the scalar last
-
-cell-change-turned-back = the orientations { $side ->
-        [flange] of the flange
-       *[measured] of the measured poses
-    } are inverse
+    }
 
 cell-change-inverse = the poses { $side ->
         [flange] of the flange

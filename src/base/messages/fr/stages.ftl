@@ -1356,40 +1356,10 @@ cell-tool-active = le point d’outil est à { FIXED($distance_mm, 4) } mm de l
 cell-scale = l’axe se déplace de { FIXED($scale, 5) } × ses valeurs (u = { SCIENTIFIC($u, 1) })
     .hint = vérifier l’unité de la colonne et le rapport de l’axe
 
-cell-change-radians = les angles { $side ->
+cell-change-orientations = { $what }, pour les orientations { $side ->
         [flange] de la bride
        *[measured] des poses mesurées
-    } sont en radians
-
-cell-change-degrees = les angles { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } sont en degrés
-
-cell-change-order = les angles { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } ont l’ordre « { $order } »
-
-cell-change-vector = les angles { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } sont un vecteur de rotation
-
-cell-change-angles = les vecteurs de rotation { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } sont des angles dans l’ordre « { $order } »
-
-cell-change-scalar-last = les quaternions { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } ont le scalaire en dernier
-
-cell-change-turned-back = les orientations { $side ->
-        [flange] de la bride
-       *[measured] des poses mesurées
-    } sont inverses
+    }
 
 cell-change-inverse = les poses { $side ->
         [flange] de la bride
