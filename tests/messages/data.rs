@@ -36,6 +36,12 @@ const GATHERED: &[Case] = &[
         CHECK,
     ),
     (
+        "decimal-mark-wrong target=SMR_1 axis=x",
+        "delta",
+        &[(E, "SMR_1_1_1,2461.392979", "SMR_1_1_1,2461392.979")],
+        CHECK,
+    ),
+    (
         "rows-not-measured by=line",
         "torque-arm",
         &[("observations.csv", ",2203.652999,-1037.171434,-120.957270", ",,,")],

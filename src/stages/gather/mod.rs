@@ -5,6 +5,7 @@
 //! reports all of them.
 
 mod blunders;
+mod decimals;
 mod excluded;
 mod mislabelling;
 mod points;
@@ -135,6 +136,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
         // of the remaining points
         messages.extend(mislabelling::misplaced(campaign, &columns.points));
         messages.extend(mislabelling::drifting(campaign, &columns.points));
+        messages.extend(decimals::misplaced_marks(&columns.points));
         messages.extend(temperature::contradicted(campaign, &columns.points));
     }
     let document = ImportDocument {

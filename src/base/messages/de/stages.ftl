@@ -573,6 +573,25 @@ candidate-positions-unreachable = das Modell `{ $model }` erreicht keine Kandida
 
 check-readings = dort nach vertauschten Bezeichnungen und falschen Messwerten suchen; neu messen oder mit `exclude` in [identify] ausschließen
 
+coordinates-wrong = { $count ->
+        [one] eine Koordinate passt
+       *[other] { $count } Koordinaten passen
+    } nur mit anderem Dezimalzeichen oder Vorzeichen zu den anderen Messwerten: { $coordinates }
+    .hint = Dezimalzeichen und Vorzeichen dieser Koordinaten im Export prüfen
+
+decimal-mark-wrong = Zeile { $row }: { $axis } von { $target } ist { FIXED($value_mm, 3) } mm; die meisten anderen Zeilen liegen zwischen { FIXED($least_mm, 0) } und { FIXED($most_mm, 0) } mm, wie { FIXED($agrees_mm, 3) } mm
+    .hint = das Dezimalzeichen dieser Zeile prüfen
+
+settle-readings = zuerst die Messwerte der { $number ->
+        [one] Pose
+       *[other] Posen
+    } { $poses } klären: berichtigen, neu messen oder mit `exclude` in [identify] ausschließen
+
+readings-decide = { $count ->
+        [one] ein Messwert (Pose { $poses }) widerspricht den anderen und bestimmt das Ergebnis: ohne ihn
+       *[other] { $count } Messwerte (Posen { $poses }) widersprechen den anderen und bestimmen das Ergebnis: ohne sie
+    } ändert sich `{ $parameter }` um { FIXED($times, 1) } Standardunsicherheiten
+
 robust-fit-disagrees = eine robuste Anpassung ändert `{ $parameter }` um { FIXED($over_u, 1) } Standardunsicherheiten der Differenz (Grenzwert { FIXED($limit, 1) }); keine Pose widerspricht allen anderen: die Residuen sind nicht normalverteilt
     .hint = der Roboter hat Abweichungen, die das Modell nicht beschreibt, oder die angegebene Unsicherheit ist zu klein
 

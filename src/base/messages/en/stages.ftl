@@ -1162,6 +1162,41 @@ candidate-positions-unreachable = the `{ $model }` cannot reach any candidate po
 
 check-readings = check these readings for swapped labels and mistakes; measure them again, or exclude them with `exclude` in [identify]
 
+# Means: A coordinate contradicts the other readings. With the decimal mark elsewhere, or with the
+# other sign, it agrees.
+# Matters: The row is wrong. Identified parameters absorb the error.
+# Do: Compare the coordinate with the display of the instrument, and correct the row of the export.
+# Example: 1451,879 mm written as 14518,79 mm
+coordinates-wrong = { $count ->
+        [one] a coordinate agrees
+       *[other] { $count } coordinates agree
+    } with the other readings only with another decimal mark or sign: { $coordinates }
+    .hint = check the decimal mark and the sign of these coordinates in the export
+
+# Means: A coordinate is far from all other rows of its target. With the decimal mark elsewhere, it
+# is among them.
+# Matters: The row is wrong, and all parameters change with it.
+# Do: Compare the row with the display of the instrument, and correct the export.
+# Example: 1451,879 mm without its decimal comma
+decimal-mark-wrong = row { $row }: { $axis } of { $target } is { FIXED($value_mm, 3) } mm; most other rows are between { FIXED($least_mm, 0) } and { FIXED($most_mm, 0) } mm, as { FIXED($agrees_mm, 3) } mm is
+    .hint = check the decimal mark of this row
+
+settle-readings = settle the readings of { $number ->
+        [one] pose
+       *[other] poses
+    } { $poses } first: correct them, measure them again, or exclude them with `exclude` in [identify]
+
+# Means: A few readings contradict all others, and the result depends on them: without them, a
+# parameter changes by more than its standard uncertainty.
+# Matters: Either these readings or the parameters are wrong. No controller file is written.
+# Do: Look for the cause: a swapped row, a moved reflector, a wrong label. Correct the readings,
+# measure them again, or exclude them with `exclude` in [identify].
+# Example: one of 112 calibration poses off by 2 mm
+readings-decide = { $count ->
+        [one] a reading (pose { $poses }) contradicts the others and decides the result: without it
+       *[other] { $count } readings (poses { $poses }) contradict the others and decide the result: without them
+    }, `{ $parameter }` changes by { FIXED($times, 1) } standard uncertainties
+
 # Means: The parameters of a robust fit and of least squares differ significantly, and no single
 # pose is the cause.
 # Matters: The residuals are not normally distributed, so standard uncertainties may be too small.

@@ -577,6 +577,25 @@ candidate-positions-unreachable = le modèle `{ $model }` n’atteint aucune pos
 
 check-readings = chercher dans ces lectures des étiquettes interverties et des erreurs ; les mesurer de nouveau, ou les exclure par `exclude` dans [identify]
 
+coordinates-wrong = { $count ->
+        [one] { $count } coordonnée ne concorde
+       *[other] { $count } coordonnées ne concordent
+    } avec les autres lectures qu’avec un autre signe décimal ou un autre signe : { $coordinates }
+    .hint = vérifier le signe décimal et le signe de ces coordonnées dans l’export
+
+decimal-mark-wrong = ligne { $row } : { $axis } de { $target } vaut { FIXED($value_mm, 3) } mm ; la plupart des autres lignes se trouvent entre { FIXED($least_mm, 0) } et { FIXED($most_mm, 0) } mm, comme { FIXED($agrees_mm, 3) } mm
+    .hint = vérifier le signe décimal de cette ligne
+
+settle-readings = éclaircir d’abord les lectures { $number ->
+        [one] de la pose
+       *[other] des poses
+    } { $poses } : les corriger, les mesurer de nouveau ou les exclure par `exclude` dans [identify]
+
+readings-decide = { $count ->
+        [one] une lecture (pose { $poses }) contredit les autres et détermine le résultat : sans elle
+       *[other] { $count } lectures (poses { $poses }) contredisent les autres et déterminent le résultat : sans elles
+    }, `{ $parameter }` change de { FIXED($times, 1) } incertitudes-types
+
 robust-fit-disagrees = un ajustement robuste modifie `{ $parameter }` de { FIXED($over_u, 1) } incertitudes-types de la différence (limite { FIXED($limit, 1) }) ; aucune pose ne contredit toutes les autres : les résidus ne suivent pas une loi normale
     .hint = le robot a des erreurs que le modèle ne décrit pas, ou l’incertitude indiquée est trop petite
 
