@@ -9,7 +9,7 @@ use etalon_campaign::{Campaign, WorldDefinition};
 use etalon_documents::{FeaturesDocument, FramesDocument, Uncontrolled};
 use etalon_fit::rotation_onto;
 use etalon_formats::Point;
-use etalon_robots::{Quantity, Robot, Role};
+use etalon_robots::{Parameter, Quantity, Robot, Role};
 use std::f64::consts::FRAC_PI_2;
 
 /// Iterations of the minimax fit.
@@ -172,7 +172,21 @@ pub fn not_controlled(
             });
         }
     }
-    let Some(robot) = robot.filter(|robot| campaign.identifies() && robot.free_base().is_some()) else { return all };
+    let Some(robot) = robot.filter(|_| campaign.identifies()) else { return all };
+    let absorbs_scale = robot.joints().iter().enumerate().all(|(k, joint)| {
+        let is_gain = |p: &Parameter| p.joint == Some(k) && p.quantity == Quantity::Ratio;
+        joint.quantity == Quantity::Angle || robot.parameters().iter().any(is_gain)
+    });
+    if absorbs_scale && campaign.file.instrument.expanded_scale_uncertainty_um_per_m.is_none() {
+        all.push(Uncontrolled {
+            what: phrase!("unshown-scale").into(),
+            points: Vec::new(),
+            keys: vec!["[instrument] expanded_scale_uncertainty_um_per_m".to_owned()],
+        });
+    }
+    if robot.free_base().is_none() {
+        return all;
+    }
     let missing: Vec<&str> = base(robot).filter(|name| !campaign.robot.states_nominal(name)).collect();
     if !missing.is_empty() {
         all.push(Uncontrolled {

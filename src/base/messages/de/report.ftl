@@ -1472,6 +1472,7 @@ unjudged-without-uncertainty = Nicht beurteilt, weil die Unsicherheit unbekannt 
 unknown-without-redundancy = unbekannt (gleich viele Gleichungen wie Parameter)
 unshown-frame-points = Abweichungen der Punkte, die das Weltkoordinatensystem festlegen: ohne Redundanz verschieben sie nur das Koordinatensystem
 unshown-frame-targets = Positionsabweichungen der Zielmarken, die das Weltkoordinatensystem festlegen: die gemessenen Positionen sind der Bezug
+unshown-scale = ein allen gemessenen Längen gemeinsamer Faktor: die Längen des Roboters nehmen ihn auf
 unshown-shift = eine allen Messwerten gemeinsame Verschiebung oder Drehung: die Basis nimmt sie auf
 valid-until = gültig bis
 valid-until-column = Gültig bis

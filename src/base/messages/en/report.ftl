@@ -1406,6 +1406,7 @@ unjudged-without-uncertainty = Not judged because the uncertainty is unknown: { 
 unknown-without-redundancy = unknown (equal numbers of equations and parameters)
 unshown-frame-points = errors of the points that define the world frame: without redundancy, they only move the frame
 unshown-frame-targets = position errors of the targets that define the world frame: their measured positions are the reference
+unshown-scale = a common factor of all measured lengths: absorbed by the lengths of the robot
 unshown-shift = a shift or rotation common to all readings: absorbed by the base
 valid-until = valid until
 valid-until-column = Valid until

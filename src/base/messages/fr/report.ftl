@@ -1478,6 +1478,7 @@ unjudged-without-uncertainty = Non jugées, car l’incertitude est inconnue : 
 unknown-without-redundancy = inconnue (nombres égaux d’équations et de paramètres)
 unshown-frame-points = erreurs des points qui définissent le repère atelier : sans redondance, elles ne font que déplacer le repère
 unshown-frame-targets = erreurs de position des cibles qui définissent le repère atelier : les positions mesurées sont la référence
+unshown-scale = un facteur commun à toutes les longueurs mesurées : absorbé par les longueurs du robot
 unshown-shift = une translation ou une rotation commune à toutes les lectures : absorbée par la base
 valid-until = valable jusqu’au
 valid-until-column = Valable jusqu’au
