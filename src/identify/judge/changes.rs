@@ -11,6 +11,8 @@ use etalon_robots::{Quantity, Robot};
 use std::f64::consts::FRAC_PI_2;
 
 const MM_PER_INCH: f64 = 25.4;
+/// 400 gon are a turn.
+const DEG_PER_GON: f64 = 0.9;
 /// Factors between units of length, with the mistake that each corrects.
 const LENGTHS: [(f64, &str); 4] =
     [(1000.0, "m-mm"), (0.001, "mm-m"), (MM_PER_INCH, "inch-mm"), (1.0 / MM_PER_INCH, "mm-inch")];
@@ -129,7 +131,12 @@ impl Table<'_> {
         for quantity in [Quantity::Angle, Quantity::Length] {
             let alike: Vec<usize> = (0..n).filter(|&i| joints[i].quantity == quantity).collect();
             let factors: &[(f64, &str)] = match quantity {
-                Quantity::Angle => &[(rad, "rad-deg"), (1.0 / rad, "deg-rad")],
+                Quantity::Angle => &[
+                    (rad, "rad-deg"),
+                    (1.0 / rad, "deg-rad"),
+                    (DEG_PER_GON, "gon-deg"),
+                    (1.0 / DEG_PER_GON, "deg-gon"),
+                ],
                 _ => &LENGTHS,
             };
             let single = if alike.len() > 1 { alike.clone() } else { Vec::new() };
@@ -153,14 +160,15 @@ impl Table<'_> {
     fn points(&mut self) {
         let is_spatial = self.robot.dimension() == 3;
         let has_orientations = self.data.settings.conditions.iter().any(|c| c.kind.is_world_orientation());
+        let is_tied = has_orientations || !self.data.settings.known.is_empty();
         let mut points = |change: &str, how: &dyn Fn(&mut Vector)| {
             self.add(phrase!("slip-points", change), |data| data.change_points(how));
         };
         if is_spatial {
             // alike for positions alone: the base turns
-            let axes = if has_orientations { 3 } else { 1 };
+            let axes = if is_tied { 3 } else { 1 };
             (0..axes).for_each(|axis| points("mirrored", &|p| p[axis] = -p[axis]));
-            if has_orientations {
+            if is_tied {
                 [(0, 1), (0, 2), (1, 2)].iter().for_each(|&(i, j)| points("mirrored", &|p| p.swap(i, j)));
             }
         } else {
@@ -170,17 +178,27 @@ impl Table<'_> {
         }
     }
 
-    /// Unit of all lengths; the frame may be in the right unit, and then lies elsewhere.
+    /// Unit of all lengths, and of points and distances alone; the frame may be in the right unit,
+    /// and then lies elsewhere.
     fn units(&mut self) {
         if !self.data.has_lengths() {
             return;
         }
+        let dimension = self.robot.dimension();
+        let first = self.all.len();
+        let has_both = self.data.has_positions() && self.data.has_distances();
         for (factor, slip) in LENGTHS {
-            let dimension = self.robot.dimension();
-            self.add(phrase!("slip-unit", quantity = "points", slip), |data| data.scale_lengths(dimension, factor));
-            if let Some(added) = self.all.last_mut() {
-                (added.origin, added.anywhere) = (Origin::Unit, true);
+            let of = |quantity: &str| phrase!("slip-unit", quantity, slip);
+            if has_both {
+                self.add(of("lengths"), |data| data.scale_lengths(dimension, factor));
+                self.add(of("distances"), |data| data.scale_distances(factor));
+                self.add(of("points"), |data| data.scale_places(dimension, factor));
+            } else {
+                self.add(of("points"), |data| data.scale_lengths(dimension, factor));
             }
+        }
+        for added in &mut self.all[first..] {
+            (added.origin, added.anywhere) = (Origin::Unit, true);
         }
         self.units_of_targets();
     }

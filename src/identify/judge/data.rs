@@ -1,7 +1,7 @@
 //! Data of a judgement: observations of every kind, with the settings under which they are judged.
 
 use crate::solution::placing::{readings, spread_over, with_few_targets};
-use crate::{Condition, Kind, Known, Observation, ResidualKind, Settings};
+use crate::{Between, Condition, Kind, Known, Observation, ResidualKind, Separation, Settings};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -135,11 +135,31 @@ impl Data {
 
     /// Multiplies every measured length: points, coordinates and distances.
     pub fn scale_lengths(&mut self, dimension: usize, factor: f64) {
+        self.scale_places(dimension, factor);
+        self.scale_distances(factor);
+    }
+
+    /// Multiplies every measured point and coordinate.
+    pub fn scale_places(&mut self, dimension: usize, factor: f64) {
         let targets: Vec<usize> = (0..self.observations.first().map_or(0, |o| o.targets.len())).collect();
         self.scale_points(&targets, dimension, factor);
-        let lengths = self.settings.conditions.iter_mut().flat_map(|c| c.kind.lengths_mm());
-        let count = lengths.map(|v| *v *= factor).count();
+        self.scale_conditions(factor, |kind| !is_distance(kind));
+    }
+
+    /// Multiplies every measured distance.
+    pub fn scale_distances(&mut self, factor: f64) {
+        self.scale_conditions(factor, is_distance);
+    }
+
+    fn scale_conditions(&mut self, factor: f64, is_scaled: impl Fn(&Kind) -> bool) {
+        let conditions = self.settings.conditions.iter_mut().filter(|c| is_scaled(&c.kind));
+        let count = conditions.flat_map(|c| c.kind.lengths_mm()).map(|v| *v *= factor).count();
         self.log_factors += count as f64 * factor.ln();
+    }
+
+    /// `true` if distances are measured.
+    pub fn has_distances(&self) -> bool {
+        self.settings.conditions.iter().any(|c| is_distance(&c.kind))
     }
 
     /// Multiplies the measured points of these targets.
@@ -166,9 +186,13 @@ impl Data {
     }
 
     /// The joint values of each pose taken from the previous (-1) or next (1) pose, in the order of
-    /// the poses; the first or last pose has no neighbour and is omitted.
+    /// the poses, or of their names if several kinds of observations alternate; the first or last
+    /// pose has no neighbour and is omitted.
     pub fn shifted(&self, shift: isize) -> Self {
-        let poses = self.poses();
+        let mut poses = self.poses();
+        if !self.settings.conditions.is_empty() {
+            poses.sort();
+        }
         let joints_at = |pose: PoseName| {
             let seen = self.observations.iter().find(|o| o.pose == pose).map(|o| &o.joints);
             seen.or_else(|| self.settings.conditions.iter().find(|c| c.pose == pose).map(|c| &c.joints))
@@ -232,5 +256,69 @@ impl Data {
                 };
             }
         }
+    }
+}
+
+fn is_distance(kind: &Kind) -> bool {
+    matches!(kind, Kind::Distance(_) | Kind::Between(Between { apart: Separation::Distance(_), .. }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Distance;
+    use etalon_robots::Prexyt;
+
+    /// Positions at odd poses and distances at even ones; the joint values are the numbers of the
+    /// poses.
+    fn alternating() -> Data {
+        let observation = |pose: i64| Observation {
+            pose: pose.into(),
+            cycle: 1,
+            joints: vec![pose as f64; 3],
+            targets: vec![Some([10.0, 20.0, 0.0]), None],
+            ..Observation::default()
+        };
+        let condition = |pose: i64| Condition {
+            pose: pose.into(),
+            cycle: 1,
+            joints: vec![pose as f64; 3],
+            target: 0,
+            kind: Kind::Distance(Distance { to: 0, distance_mm: 300.0 }),
+            standard_uncertainty: 0.02,
+        };
+        let observations: Vec<Observation> = [1, 3, 5].map(observation).to_vec();
+        let settings = Settings { conditions: [2, 4, 6].map(condition).to_vec(), ..Settings::default() };
+        Data::new(&Prexyt::default(), &observations, &settings)
+    }
+
+    #[test]
+    fn the_previous_pose_may_be_of_another_kind() {
+        let shifted = alternating().shifted(-1);
+        let number = |pose: PoseName, joints: &[f64]| (pose, joints[0]);
+        let observed = shifted.observations.iter().map(|o| number(o.pose, &o.joints));
+        let all: BTreeMap<PoseName, f64> =
+            observed.chain(shifted.settings.conditions.iter().map(|c| number(c.pose, &c.joints))).collect();
+        let expected: BTreeMap<PoseName, f64> = (2..=6).map(|pose: i64| (pose.into(), pose as f64 - 1.0)).collect();
+        assert_eq!(all, expected);
+    }
+
+    #[test]
+    fn points_and_distances_have_units_of_their_own() {
+        let lengths = |data: &Data| {
+            let point = data.observations[0].targets[0].expect("a point");
+            let Kind::Distance(distance) = data.settings.conditions[0].kind else { panic!("a distance") };
+            (point[0], distance.distance_mm, data.log_factors)
+        };
+        let (mut points, mut distances, mut all) = (alternating(), alternating(), alternating());
+        points.scale_places(2, 10.0);
+        distances.scale_distances(10.0);
+        all.scale_lengths(2, 10.0);
+        let each = 10f64.ln();
+        // three points of two coordinates, and three distances
+        assert_eq!(lengths(&points), (100.0, 300.0, 6.0 * each));
+        assert_eq!(lengths(&distances), (10.0, 3000.0, 3.0 * each));
+        let (point, distance, log_factors) = lengths(&all);
+        assert!(point == 100.0 && distance == 3000.0 && (log_factors - 9.0 * each).abs() < 1e-12);
     }
 }

@@ -63,6 +63,11 @@ impl Slip {
         self.other.as_deref().unwrap_or(robot)
     }
 
+    /// `true` for another convention, or a published robot.
+    pub fn is_other_robot(&self) -> bool {
+        self.other.is_some()
+    }
+
     /// `true` if no value of the change is fitted to the data.
     pub fn is_change(&self) -> bool {
         self.case.loose.is_none() && self.origin != Origin::WorldFrame

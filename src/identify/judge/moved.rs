@@ -10,6 +10,7 @@ use crate::model::residuals::Residuals;
 use crate::{Identification, Observation, Settings};
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, cross, minus, norm};
+use etalon_base::pose_name::PoseName;
 use etalon_base::warning;
 use etalon_math::Problem;
 use etalon_math::statistics::{median, standard_deviation};
@@ -199,17 +200,22 @@ impl<'a> Linear<'a> {
     }
 
     /// Variance of the mean residual of a pose relative to the variance of independent residuals:
-    /// the misfit of the model is common to the targets of a pose.
+    /// the misfit of the model is common to the targets and the repeats of a pose.
     fn common_to_a_pose(&self) -> f64 {
         let dimension = self.robot.dimension();
-        let (mut of_means, mut each) = (0.0, 0.0);
-        for rows in self.starts.windows(2).map(|rows| &self.residuals.as_slice()[rows[0]..rows[1]]) {
-            let targets = rows.len() / dimension;
-            for axis in (0..dimension).filter(|_| targets > 0) {
-                let all = || (0..targets).map(|k| rows[k * dimension + axis]);
-                of_means += all().sum::<f64>().powi(2) / targets as f64;
-                each += all().map(|r| r * r).sum::<f64>() / targets as f64;
+        // of each axis the number, the sum and the sum of squares
+        let mut poses: BTreeMap<PoseName, [[f64; 3]; 3]> = BTreeMap::new();
+        for (o, rows) in self.observations.iter().zip(self.starts.windows(2)) {
+            let sums = poses.entry(o.pose).or_default();
+            for (row, r) in self.residuals.as_slice()[rows[0]..rows[1]].iter().enumerate() {
+                let [count, sum, squares] = &mut sums[row % dimension];
+                (*count, *sum, *squares) = (*count + 1.0, *sum + r, *squares + r * r);
             }
+        }
+        let (mut of_means, mut each) = (0.0, 0.0);
+        for [count, sum, squares] in poses.values().flatten().filter(|[count, ..]| *count > 0.0) {
+            of_means += sum * sum / count;
+            each += squares / count;
         }
         (of_means / each).max(1.0)
     }

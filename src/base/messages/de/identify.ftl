@@ -271,6 +271,8 @@ slip-unit = { $quantity ->
         [inch-mm] in Zoll statt Millimetern
         [mm-inch] in Millimetern statt Zoll
         [rad-deg] in Radiant statt Grad
+        [gon-deg] in Gon statt Grad
+        [deg-gon] in Grad statt Gon
        *[deg-rad] in Grad statt Radiant
     }
 

@@ -528,6 +528,8 @@ slip-unit = { $quantity ->
         [inch-mm] in inches instead of millimetres
         [mm-inch] in millimetres instead of inches
         [rad-deg] in radians instead of degrees
+        [gon-deg] in gon instead of degrees
+        [deg-gon] in degrees instead of gon
        *[deg-rad] in degrees instead of radians
     }
 

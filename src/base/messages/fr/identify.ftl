@@ -271,6 +271,8 @@ slip-unit = { $quantity ->
         [inch-mm] en pouces au lieu de millimètres
         [mm-inch] en millimètres au lieu de pouces
         [rad-deg] en radians au lieu de degrés
+        [gon-deg] en grades au lieu de degrés
+        [deg-gon] en degrés au lieu de grades
        *[deg-rad] en degrés au lieu de radians
     }
 
