@@ -1,6 +1,7 @@
 //! Reasons for a missing result. They contain neither keys nor options: the caller knows the origin
 //! of a value and adds the remedy.
 
+use crate::judge::{ReadingSlips, WrongCoordinate};
 use crate::warning::{SetUpError, Warning};
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Problems};
@@ -121,8 +122,8 @@ pub enum Cause {
     Readings {
         /// Poses with these readings.
         poses: BTreeSet<PoseName>,
-        /// Pairs of these poses that fit if their joint values are swapped.
-        exchanged: Vec<[PoseName; 2]>,
+        /// Mistakes that explain the readings.
+        slips: ReadingSlips,
     },
 }
 
@@ -148,10 +149,13 @@ impl Cause {
                 let poses = named_poses(poses);
                 phrase!("assembly-mode-contradicted", poses, worst, stated, stated_mm, other, other_mm)
             }
-            Self::Readings { poses, exchanged } => {
+            Self::Readings { poses, slips } => {
                 let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);
-                let pairs: Vec<Phrase> = exchanged.iter().take(NAMED_POSES).map(pair).collect();
-                phrase!("readings-contradict", poses = named_poses(poses), count = exchanged.len(), pairs)
+                let pairs: Vec<Phrase> = slips.exchanged.iter().take(NAMED_POSES).map(pair).collect();
+                let coordinates = slips.coordinates.iter().take(NAMED_POSES).map(WrongCoordinate::phrase);
+                let (count, coordinates): (_, Vec<Phrase>) = (pairs.len(), coordinates.collect());
+                let (poses, wrong) = (named_poses(poses), coordinates.len());
+                phrase!("readings-contradict", poses, count, pairs, wrong, coordinates)
             }
         }
     }

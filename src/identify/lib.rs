@@ -17,8 +17,9 @@ mod warning;
 pub use error::{Cause, Error};
 pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, HeldOut, JointField, search_field};
 pub use judge::{
-    Judgement, OrientationReading, Untested, allowed_mm, exchanged_poses, far_problem, judge, moved_between,
-    set_up_contradicted, set_up_error, set_up_far, set_up_problem, tolerance_effect_mm,
+    Judgement, OrientationReading, ReadingSlips, Untested, WrongCoordinate, allowed_mm, far_problem, judge,
+    moved_between, nominal_reading_slips, reading_slips, set_up_contradicted, set_up_error, set_up_far, set_up_problem,
+    tolerance_effect_mm,
 };
 pub use judgement::beyond::Extrapolation;
 pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};

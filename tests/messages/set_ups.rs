@@ -1,13 +1,18 @@
 //! Messages about the set-up of a synthetic arm.
 
 use crate::support::arms::{SIX_AXES, serial};
-use etalon::base::message::Message;
+use etalon::base::catalogue::{Argument, IntoArgument};
+use etalon::base::message::{Message, Severity};
 use etalon::base::noise::Noise;
-use etalon::identify::{Effects, Observation, Prior, Settings, set_up_problem};
+use etalon::base::phrase;
+use etalon::base::pose_name::PoseName;
+use etalon::campaign::parse_robot;
+use etalon::identify::{Effects, Observation, Prior, Settings, nominal_reading_slips, set_up_error, set_up_problem};
 use etalon::robots::{Quantity, Robot, Role, Serial};
 use etalon::stages::calibrate::evaluation::Judgement;
 use etalon::stages::calibrate::solution::{Basis, Solution};
 use etalon::stages::evaluate::sets::Sets;
+use etalon::tasks::known_text;
 
 const NOISE_MM: f64 = 0.02;
 /// An arm with two targets, of which the second is `off_axis_mm` from the axis of the last joint, at 60 poses in which the wrist turns by
@@ -45,8 +50,12 @@ fn settings() -> Settings {
 }
 
 /// Messages of an identification of the arm.
-fn messages((robot, observations): (Serial, Vec<Observation>)) -> Vec<Message> {
-    let sets = Sets { calibration: observations, ..Sets::default() };
+fn messages(measured: (Serial, Vec<Observation>)) -> Vec<Message> {
+    messages_validated(measured, Vec::new())
+}
+
+fn messages_validated((robot, calibration): (Serial, Vec<Observation>), validation: Vec<Observation>) -> Vec<Message> {
+    let sets = Sets { calibration, validation, ..Sets::default() };
     let solution = Solution::new(&robot, Basis { sets, settings: settings(), ..Basis::default() }).expect("a solution");
     Judgement::new(&robot, &solution).plausibility
 }
@@ -82,6 +91,112 @@ fn of_changes_of_a_set_up() {
         let other = all[40].joints.clone();
         all[40].joints = std::mem::replace(&mut all[9].joints, other);
     });
+}
+
+fn is_error(message: &Message) -> bool {
+    message.severity == Severity::Error
+}
+
+/// A reading that decides the result is an error, and the only one: the other readings describe the robot. One that decides nothing is a
+/// warning.
+#[test]
+fn of_readings_that_decide() {
+    let off = |mm: f64| {
+        let (robot, mut all) = measured(50.0, 1.2);
+        all[22].targets[0].as_mut().expect("measured")[0] += mm;
+        messages((robot, all))
+    };
+    for mm in [0.5, 5.0, 300.0] {
+        let found = off(mm);
+        let errors: Vec<&Message> = found.iter().filter(|m| is_error(m)).collect();
+        assert!(errors.len() == 1 && found[0].is("readings-decide", &[("count", &1), ("poses", &["23"])]), "{found:?}");
+        assert!(found[0].hint.is_some() && found.iter().any(|m| m.is("outliers", &[])), "{found:?}");
+    }
+    let found = off(0.0);
+    assert!(!found.iter().any(|m| is_error(m) || m.is("outliers", &[])), "{found:?}");
+}
+
+/// Joint values swapped between a calibration and a validation pose are named, and no third pose is.
+#[test]
+fn of_poses_swapped_across_the_sets() {
+    let (robot, mut all) = measured(50.0, 1.2);
+    let other = all[50].joints.clone();
+    all[50].joints = std::mem::replace(&mut all[9].joints, other);
+    let validation = all.split_off(45);
+    let found = messages_validated((robot, all), validation);
+    let pair = phrase!("pair-of-poses", first = PoseName::from(10), second = PoseName::from(51));
+    assert!(found.iter().any(|m| m.is("poses-exchanged", &[("count", &1), ("pairs", &[pair.clone()])])), "{found:?}");
+    let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
+    let innocent = (1..=60).filter(|k| *k != 10 && *k != 51).map(|k| format!("pose {k},"));
+    let accused: Vec<String> = innocent.filter(|name| texts.iter().any(|text| text.contains(name))).collect();
+    assert!(accused.is_empty(), "{accused:?}: {texts:?}");
+}
+
+/// A lost decimal mark and a lost sign are named with the coordinate that agrees, before the identification and after it.
+#[test]
+fn of_coordinates_with_another_decimal_mark() {
+    for (factor, row) in [(10.0, 7), (1e4, 33), (-1.0, 12)] {
+        let (robot, mut all) = measured(50.0, 1.2);
+        let at = all[row].targets[1].as_mut().expect("measured");
+        let right_mm = at[0];
+        at[0] *= factor;
+        let slips = nominal_reading_slips(&robot, &all, &settings());
+        let [wrong] = &slips.coordinates[..] else { panic!("{factor}: {slips:?}") };
+        assert_eq!((wrong.axis, wrong.target.as_str(), wrong.pose), (0, "B", PoseName::from(row as i64 + 1)));
+        assert!((wrong.changed_mm - right_mm).abs() < 1e-9 * right_mm.abs(), "{wrong:?}");
+        let sets = Sets { calibration: all, ..Sets::default() };
+        match Solution::new(&robot, Basis { sets, settings: settings(), ..Basis::default() }) {
+            Ok(solution) => {
+                let found = Judgement::new(&robot, &solution).plausibility;
+                let named: [(&str, &dyn IntoArgument); 2] = [("count", &1), ("coordinates", &[wrong.phrase()])];
+                assert!(found.iter().any(|m| m.is("coordinates-wrong", &named)), "{factor}: {found:?}");
+            }
+            // least squares ends without a result
+            Err(problems) => {
+                let Argument::Phrase(reason) = &problems.0[0].arguments["reason"] else { panic!("{problems:?}") };
+                let named: [(&str, &dyn IntoArgument); 2] = [("wrong", &1), ("coordinates", &[wrong.phrase()])];
+                assert!(reason.id == "readings-contradict", "{reason:?}");
+                assert!(named.iter().all(|(key, value)| reason.arguments[*key] == value.argument()), "{reason:?}");
+            }
+        }
+    }
+}
+
+/// Joint values in gon are named, and no other change is.
+#[test]
+fn of_joints_in_gon() {
+    let (robot, mut observations) = measured(50.0, 1.2);
+    observations.iter_mut().flat_map(|o| &mut o.joints).for_each(|q| *q /= 0.9);
+    let found = set_up_error(&robot, &observations, &settings()).expect("gon");
+    let gon = phrase!("slip-unit", quantity = "all-joints", slip = "gon-deg");
+    assert!(found.changes.len() == 1 && found.changes[0].0 == gon, "{found:?}");
+}
+
+/// A robot that needs a length beyond its tolerance, where the table of a published robot agrees: this robot is named. The right
+/// robot is not questioned.
+#[test]
+fn of_another_published_robot() {
+    let build = |name: &str| {
+        let text = known_text(name).expect("a published robot");
+        parse_robot("robot.toml".as_ref(), &text).expect("robot.toml").build(&["A".to_owned()]).expect("a robot")
+    };
+    let (truth, given) = (build("ur10"), build("ur10e"));
+    let mut noise = Noise::new(91, 1);
+    let mut values = truth.nominal();
+    for (p, v) in truth.parameters().iter().zip(&mut values).filter(|(p, _)| p.role == Role::Target) {
+        *v = if p.name.ends_with('z') { 60.0 } else { 40.0 };
+    }
+    let observation = |pose: i64| {
+        let joints: Vec<f64> = (0..6).map(|_| noise.uniform(1.2)).collect();
+        let at = truth.position(&values, &joints, 0).map(|v| v + noise.gaussian(NOISE_MM));
+        Observation { pose: pose.into(), cycle: 1, joints, targets: vec![Some(at)], ..Observation::default() }
+    };
+    let observations: Vec<Observation> = (1..=60).map(observation).collect();
+    let named = |robot: &dyn Robot| set_up_error(robot, &observations, &settings());
+    let found = named(given.as_ref()).expect("another robot");
+    let alternatives: Vec<_> = given.alternatives().into_iter().map(|(what, _)| what).collect();
+    assert!(found.changes.iter().all(|(what, _)| alternatives.contains(what)), "{found:?}");
+    assert!(named(truth.as_ref()).is_none());
 }
 
 #[test]

@@ -28,8 +28,10 @@ const OF_MOST: f64 = 0.6616;
 const ROUNDS: usize = 3;
 /// Iterations of one fit.
 const ITERATIONS: usize = 40;
+/// Iterations that show whether a fit comes near the data at all.
+const FIRST_LOOK: usize = 2;
 /// Maximum number of parameters of a fit.
-const MOST_PARAMETERS: usize = 150;
+pub(crate) const MOST_PARAMETERS: usize = 150;
 /// Number of blocks of consecutive poses that are excluded in turn.
 const BLOCKS: usize = 5;
 
@@ -70,6 +72,9 @@ pub(crate) struct Hypothesis<'a> {
     pub placed: &'a [f64],
     /// Parameter without a nominal value.
     pub loose: Option<usize>,
+    /// Cost for each residual beyond which the hypothesis is given up, unless the first iterations
+    /// halve its residuals: see [`HOPELESS`](super::HOPELESS).
+    pub limit: Option<f64>,
 }
 
 /// Result of the fit of a hypothesis.
@@ -108,6 +113,13 @@ pub(crate) fn left(robot: &dyn Robot, data: &Data, values: &[f64]) -> Left {
         residuals[..rows].iter().for_each(|v| left.add(c.kind.is_angle(), *v));
     }
     left
+}
+
+/// Cost of the data for each residual with all parameters `values`.
+pub(crate) fn cost_for_each(robot: &dyn Robot, data: &Data, values: &[f64]) -> f64 {
+    let left = left(robot, data, values);
+    let counts = left.counts();
+    cost(&left, left.scales(), data) / (counts[0] + counts[1])
 }
 
 /// Spread (mm) of the measured or of the predicted positions, whichever is smaller.
@@ -164,9 +176,10 @@ pub(super) fn free_parameters(robot: &dyn Robot, data: &Data) -> Option<Vec<usiz
 }
 
 impl Hypothesis<'_> {
-    /// Fits all parameters of the model; `None` if a pose is out of reach.
+    /// Fits all parameters of the model; `None` if a pose is out of reach, or if the hypothesis is
+    /// given up.
     pub fn fit(&self) -> Option<Fitted> {
-        let Self { robot, data, placed, loose } = *self;
+        let Self { robot, data, placed, loose, .. } = *self;
         let parameters = robot.parameters();
         let mut free = free_parameters(robot, data)?;
         if let Some(i) = loose.filter(|i| !free.contains(i)) {
@@ -184,14 +197,23 @@ impl Hypothesis<'_> {
         let priors: Vec<ParameterPrior> = free.iter().enumerate().map(prior).collect();
         let mut values = placed.to_vec();
         let mut scales = left(robot, data, placed).scales();
-        for _ in 0..ROUNDS {
+        let solved = |values: &[f64], scales: Scales, iterations: usize| {
             let settings = weighted(data, scales);
-            let mut problem = Residuals::new(robot, &data.observations, &settings, &free, &values).ok()?;
+            let mut problem = Residuals::new(robot, &data.observations, &settings, &free, values).ok()?;
             problem.layout = None;
             let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-            let options =
-                Options { iterations: ITERATIONS, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
-            values = problem.all(&etalon_math::solve(&WithPriors::new(&problem, &priors), &x, options).x);
+            let options = Options { iterations, step: 1e-6, loss: Loss::Cauchy(CAUCHY), ..Options::default() };
+            Some(problem.all(&etalon_math::solve(&WithPriors::new(&problem, &priors), &x, options).x))
+        };
+        let cost = |values: &[f64]| cost_for_each(robot, data, values);
+        if let Some((limit, placed_cost)) = self.limit.map(|limit| (limit, cost(placed))).filter(|(l, c)| c > l) {
+            let looked = cost(&solved(placed, scales, FIRST_LOOK)?);
+            if looked > limit.max(placed_cost - 2f64.ln()) {
+                return None;
+            }
+        }
+        for _ in 0..ROUNDS {
+            values = solved(&values, scales, ITERATIONS)?;
             let next = left(robot, data, &values).scales();
             if next.0.iter().any(|scale| !scale.is_finite()) {
                 return None;

@@ -35,14 +35,17 @@ impl Case {
     /// values.
     pub fn located(robot: &dyn Robot, data: Data, anywhere: bool) -> Option<Self> {
         let (data, values) = locate(robot, data, anywhere)?;
-        let left = fit::left(robot, &data, &values);
-        let counts = left.counts();
-        let near = fit::cost(&left, left.scales(), &data) / (counts[0] + counts[1]);
+        let near = fit::cost_for_each(robot, &data, &values);
         near.is_finite().then_some(Self { data, values, near, loose: None })
     }
 
     pub fn fit(&self, robot: &dyn Robot) -> Option<Fitted> {
-        Hypothesis { robot, data: &self.data, placed: &self.values, loose: self.loose }.fit()
+        self.fit_within(robot, None)
+    }
+
+    /// The fit, which is given up beyond `limit`: see [`Hypothesis::limit`].
+    pub fn fit_within(&self, robot: &dyn Robot, limit: Option<f64>) -> Option<Fitted> {
+        Hypothesis { robot, data: &self.data, placed: &self.values, loose: self.loose, limit }.fit()
     }
 }
 

@@ -9,15 +9,15 @@
 mod changes;
 mod data;
 mod elsewhere;
-mod exchanged;
 mod fit;
 mod hypotheses;
 mod moved;
 mod place;
+mod readings;
 
 pub use changes::Reading as OrientationReading;
-pub use exchanged::exchanged_poses;
 pub use moved::moved_between;
+pub use readings::{ReadingSlips, WrongCoordinate, nominal_reading_slips, reading_slips};
 
 use crate::judgement::chi_square::exceeds;
 use crate::model::residuals::Residuals;
@@ -35,6 +35,7 @@ use etalon_math::factor_at;
 use etalon_math::statistics::{median, rms};
 use etalon_robots::{Robot, Role};
 use fit::Fitted;
+pub(crate) use fit::MOST_PARAMETERS;
 use hypotheses::{Case, Slip, Table, wrong_nominal};
 use place::{locate, planar_distances};
 use rayon::prelude::*;
@@ -55,6 +56,11 @@ const CLEAR: f64 = 2.0;
 /// Ratio of standard deviations by which a change explains the data worse than the set-up as
 /// given, so that they exclude it.
 const WORSE: f64 = 1.5;
+/// Ratio of the standard deviation that a change leaves near its start to the one that the nominal
+/// robot leaves of the set-up as given, beyond which the change is not fitted to its end. It is
+/// applied if a robot within its tolerances explains the set-up as given, so that its fit leaves
+/// less still.
+const HOPELESS: f64 = 20.0;
 /// Minimum decrease of the cost, so that few poses name nothing by chance.
 const FALLS_BY: f64 = 10.0;
 /// Ratio of standard deviations at which a change that is fitted to the data must be better than
@@ -66,6 +72,10 @@ const MISFIT: [f64; 2] = [0.02, 0.035];
 /// Deviation of a parameter from nominal, in standard uncertainties of its tolerance, that no robot
 /// has: 2.3 tolerances.
 const OFF: f64 = 4.0;
+/// A tolerance in its standard uncertainties, and the ratio by which the parameters of a published
+/// robot must be nearer to nominal than those of a robot beyond its tolerances.
+const TOLERANCE: f64 = 1.74;
+const NEARER: f64 = 5.0;
 /// Differences (mm, rad) of the flange up to which two robots are the same.
 const SAME_MM: f64 = 5.0;
 const SAME_RAD: f64 = 0.02;
@@ -287,9 +297,11 @@ fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mis
     // the data may not distinguish a change that brings the nominal robot as near as the given
     // set-up
     let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
+    let explained = stated.as_ref().filter(|_| as_stated.as_ref().is_some_and(is_possible));
+    let limit = explained.map(|stated| stated.near + HOPELESS.ln());
     let mut tried = match mistakes {
-        1 => fitted(robot, table.single(), as_near),
-        _ => fitted(robot, table.pairs(), f64::NEG_INFINITY),
+        1 => fitted(robot, table.single(), as_near, limit),
+        _ => fitted(robot, table.pairs(), f64::NEG_INFINITY, limit),
     };
     if let Some(stated) = stated.as_ref().filter(|_| mistakes == 1) {
         tried.extend(wrong_nominal(robot, stated));
@@ -298,12 +310,13 @@ fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mis
     Verdict { as_stated: as_stated.as_ref(), elsewhere }.judgement(robot, tried, mistakes)
 }
 
-/// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`.
-fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64) -> Vec<(Slip, Fitted)> {
+/// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`;
+/// those beyond `limit` are given up.
+fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64, limit: Option<f64>) -> Vec<(Slip, Fitted)> {
     all.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
     let alike = all.iter().take_while(|slip| slip.case.near < as_near).count();
     all.truncate(alike.clamp(FITS, MOST_FITS));
-    let fitted = |slip: Slip| slip.case.fit(slip.robot(robot)).map(|fitted| (slip, fitted));
+    let fitted = |slip: Slip| slip.case.fit_within(slip.robot(robot), limit).map(|fitted| (slip, fitted));
     all.into_par_iter().filter_map(fitted).collect()
 }
 
@@ -323,7 +336,7 @@ impl Verdict<'_> {
         listed.sort_by_key(|(slip, _)| slip.listing);
         let untested = listed.into_iter().filter_map(|(slip, fitted)| self.untested(slip, fitted)).collect();
         let mut explaining: Vec<(Slip, Fitted)> =
-            tried.into_iter().filter(|(_, fitted)| self.is_named(fitted, mistakes)).collect();
+            tried.into_iter().filter(|(slip, fitted)| self.is_named(slip, fitted, mistakes)).collect();
         // a value found from the data must explain clearly more than a change that has none
         let changes = explaining.iter().filter(|(slip, _)| slip.is_change());
         let best = changes.map(|e| e.1.per_row()).fold(f64::INFINITY, f64::min);
@@ -331,7 +344,7 @@ impl Verdict<'_> {
         explaining.sort_by(|a, b| a.1.per_row().total_cmp(&b.1.per_row()));
         let least = explaining.first().map(|(_, fitted)| fitted.clone());
         let named = least.map(|least| {
-            let near = explaining.iter().filter(|e| least.gain_over(&e.1) < WORSE.ln());
+            let near = explaining.iter().filter(|e| explains_as_well(least.gain_over(&e.1)));
             SetUpError {
                 changes: near.take(NAMED).map(|(slip, fitted)| (slip.phrase(robot, fitted), slip.origin)).collect(),
                 stated_mm: self.as_stated.map_or(f64::INFINITY, Fitted::length_mm),
@@ -346,8 +359,8 @@ impl Verdict<'_> {
     /// elsewhere with the change.
     fn untested(&self, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
         let stated = self.as_stated.filter(|stated| is_possible(stated))?;
-        let alike = is_possible(fitted) && stated.gain_over(fitted) < WORSE.ln();
-        if !alike || slip.listing == changes::Listing::Never || self.is_named(fitted, 1) {
+        let alike = is_possible(fitted) && explains_as_well(stated.gain_over(fitted));
+        if !alike || slip.listing == changes::Listing::Never || self.is_named(slip, fitted, 1) {
             return None;
         }
         let differs = self.elsewhere.as_ref()?.flange_difference(slip, [&stated.values, &fitted.values])?;
@@ -360,14 +373,47 @@ impl Verdict<'_> {
 
     /// `true` if a hypothesis explains the data and the set-up as given does not: its residuals are
     /// as small as a robot's, and each of its mistakes makes them clearly smaller, or the given
-    /// set-up needs parameters that no robot has.
-    fn is_named(&self, fitted: &Fitted, mistakes: u8) -> bool {
+    /// set-up needs parameters that no robot has. A published robot is named if it explains the
+    /// data as well, near its nominal values, where the given robot is beyond its tolerances.
+    fn is_named(&self, slip: &Slip, fitted: &Fitted, mistakes: u8) -> bool {
         let Some(stated) = self.as_stated else { return is_possible(fitted) };
-        let gain = fitted.gain_over(stated);
-        let falls = gain * fitted.redundant > FALLS_BY;
-        let is_clear = gain > f64::from(mistakes) * CLEAR.ln() || mistakes == 1 && stated.off > OFF;
-        is_possible(fitted) && falls && is_clear
+        let (gain, redundant) = (fitted.gain_over(stated), fitted.redundant);
+        let is_only = mistakes == 1 && stated.off > OFF && is_more_probable(gain, redundant);
+        let is_nearer = stated.off > TOLERANCE && NEARER * fitted.off < stated.off;
+        let is_published = slip.is_other_robot() && is_nearer && explains_as_well(stated.gain_over(fitted));
+        is_possible(fitted) && (is_only || is_published || explains_better(gain, redundant, mistakes))
     }
+}
+
+/// `true` if a change of so many mistakes explains the data clearly better than the set-up as
+/// stated: by the logarithm of the ratio of their standard deviations, and the number of residuals
+/// that decide.
+pub(crate) fn explains_better(gain: f64, redundant: f64, mistakes: u8) -> bool {
+    gain > f64::from(mistakes) * CLEAR.ln() && is_more_probable(gain, redundant)
+}
+
+/// `true` if chance is no cause of the gain.
+fn is_more_probable(gain: f64, redundant: f64) -> bool {
+    gain * redundant > FALLS_BY
+}
+
+/// `true` if data do not decide against a change that explains them worse by this logarithm of the
+/// ratio of standard deviations.
+pub(crate) fn explains_as_well(worse: f64) -> bool {
+    worse < WORSE.ln()
+}
+
+/// `true` if a robot with these parameters can leave residuals of these standard deviations: of
+/// angles (rad), or of lengths (mm).
+pub(crate) fn is_possible_misfit(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    settings: &Settings,
+    values: &[f64],
+    mut scales: impl Iterator<Item = (bool, f64)>,
+) -> bool {
+    let spread_mm = fit::spread_mm(robot, &Data::new(robot, observations, settings), values);
+    scales.all(|(is_angle, scale)| scale < if is_angle { MISFIT[1] } else { MISFIT[0] * spread_mm })
 }
 
 /// `true` if a robot can leave such residuals.
@@ -471,6 +517,28 @@ mod tests {
                 assert_eq!(found.changes[0].0, phrase!("slip-unit", quantity = "points", slip = "m-mm"));
                 assert!(set_up_problem(&robot, &observations, &stated(0.0)).0.is_some());
             }
+        }
+    }
+
+    /// A change that is given up would neither be named nor be listed as untested.
+    #[test]
+    fn changes_that_are_given_up_explain_nothing() {
+        let robot = Prexyt::default();
+        let (observations, settings) = (measured(&robot, 0.0), stated(0.003));
+        let data = Data::new(&robot, &observations, &settings);
+        let subset = data.subset(&robot);
+        let stated = Case::located(&robot, subset.clone(), false).expect("located");
+        let as_stated = stated.fit(&robot).expect("fitted");
+        let probes = subset.elsewhere(&robot);
+        let table = Table { robot: &robot, data: &data, tried: [&subset, &probes], readings: &[] };
+        let all = fitted(&robot, table.single(), f64::NEG_INFINITY, None);
+        let kept = fitted(&robot, table.single(), f64::NEG_INFINITY, Some(stated.near + HOPELESS.ln()));
+        let is_kept = |slip: &Slip| kept.iter().any(|(other, _)| other.what == slip.what);
+        let given_up: Vec<&(Slip, Fitted)> = all.iter().filter(|(slip, _)| !is_kept(slip)).collect();
+        assert!(is_possible(&as_stated) && given_up.len() > all.len() / 2, "{} of {}", given_up.len(), all.len());
+        for (slip, fitted) in given_up {
+            let worse = as_stated.gain_over(fitted);
+            assert!(!is_possible(fitted) || worse > 2.0 * WORSE.ln(), "{:?}: {worse}", slip.what);
         }
     }
 

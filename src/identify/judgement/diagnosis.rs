@@ -1,6 +1,6 @@
 //! Diagnosis: the cause of a missing result, and outliers, the largest residuals of a robust fit.
 
-use crate::judge::{exchanged_poses, set_up_error};
+use crate::judge::{MOST_PARAMETERS, is_possible_misfit, reading_slips, set_up_error};
 use crate::judgement::figures::ErrorKind;
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
@@ -10,9 +10,10 @@ use crate::solution::identifiability::Analysis;
 use crate::{Cause, Condition, Error, Identification, Kind, Observation, ResidualKind, Settings, unseen_by};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_math::statistics::median;
+use etalon_math::statistics::{mean, median, rms};
 use etalon_math::{Loss, Options, Problem, Termination};
 use etalon_robots::{Robot, Role};
+use nalgebra::{Cholesky, DMatrix, DVector};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Maximum ratio of the extents of measured and predicted positions in the same unit.
@@ -27,15 +28,18 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     {
         return too_little(robot, observations, &all, start);
     }
+    // a few readings that the others contradict explain an extent, and no set-up
+    if let Some(readings) = wrong_readings(robot, observations, settings, wanted, start) {
+        return Error::Failed { termination, cause: Some(readings), set_up: None };
+    }
     let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, settings));
-    let cause = cause.or_else(|| wrong_readings(robot, observations, settings, wanted, start));
     Error::Failed { termination, cause, set_up }
 }
 
 /// Largest share of readings that are wrong among correct ones.
 const FEW: f64 = 0.2;
 
-/// Readings that most others contradict, by a robust fit from `start`.
+/// Readings that most others contradict, by a robust fit from `start` that can be the robot.
 fn wrong_readings(
     robot: &dyn Robot,
     observations: &[Observation],
@@ -46,8 +50,9 @@ fn wrong_readings(
     let robust = RobustFit::from_start(robot, observations, settings, free, start)?;
     let poses: BTreeSet<PoseName> = robust.outliers().iter().map(|reading| reading.pose).collect();
     let few = robust.outliers().len() as f64 <= FEW * robust.readings.len() as f64;
-    let exchanged = exchanged_poses(robot, observations, &settings.conditions, &robust);
-    (few && !poses.is_empty()).then_some(Cause::Readings { poses, exchanged })
+    let slips = reading_slips(robot, observations, &settings.conditions, &robust);
+    let is_possible = robust.is_possible(robot, observations, settings);
+    (few && is_possible && !poses.is_empty()).then_some(Cause::Readings { poses, slips })
 }
 
 /// Error if no position of base and targets gives finite residuals.
@@ -125,6 +130,8 @@ fn extent(points: &[Vector]) -> f64 {
 pub const OUTLIER: f64 = 6.0;
 /// Number of fits, each with the scale of the previous one.
 const FITS: usize = 12;
+/// Maximum number of fits without the outliers of the previous one.
+const REFITS: usize = 5;
 /// A scatter below this share of another one belongs to a better fit.
 const BELOW: f64 = 0.9;
 /// Minimum number of observations in the part with which the fit from the nominal parameters
@@ -144,6 +151,8 @@ pub struct RobustFit {
     pub scales: BTreeMap<Option<ErrorKind>, f64>,
     /// All parameters of the robust fit.
     pub values: Vec<f64>,
+    /// Numbers of observations and of conditions in the fit.
+    fitted: [usize; 2],
 }
 
 /// Place of a reading among the data.
@@ -171,7 +180,8 @@ pub struct Reading {
     /// Size of the residual: distance (mm), or angle (rad) of an orientation.
     pub left: f64,
     /// Standard deviation (mm, rad) of one of its residuals: of its quantity, or the one that the
-    /// reading itself states if that is larger.
+    /// reading itself states if that is larger, with the uncertainty of the prediction by the other
+    /// readings.
     pub(crate) deviation: f64,
 }
 
@@ -203,12 +213,46 @@ impl RobustFit {
     ) -> Option<Self> {
         let unseen = unseen_by(robot, settings.kind).filter(|i| !free.contains(i));
         let free: Vec<usize> = free.iter().copied().chain(unseen).collect();
-        let Fit { values, scatter } = robust(robot, observations, settings, &free, start)?;
+        let fit = robust(robot, observations, settings, &free, start)?;
+        let mut found = Self::measured(robot, observations, settings, &free, fit);
+        // the Cauchy loss enlarges residuals where the model is incomplete and poses are few:
+        // outliers are readings that least squares without them does not explain (reweighted least
+        // squares, Rousseeuw & Leroy 1987, 1.2)
+        for _ in 0..REFITS {
+            let before = found.outlying();
+            if before.is_empty() || before.len() as f64 > FEW * found.readings.len() as f64 {
+                break;
+            }
+            let fit = Fit::without(robot, observations, settings, &free, &found)?;
+            found = Self::measured(robot, observations, settings, &free, fit);
+            if found.outlying() == before {
+                break;
+            }
+        }
+        Some(found)
+    }
+
+    /// Sources and targets of the outliers.
+    fn outlying(&self) -> BTreeSet<(ReadingSource, usize)> {
+        self.outliers().iter().map(|reading| (reading.source, reading.target)).collect()
+    }
+
+    /// Readings of a fit.
+    fn measured(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        free: &[usize],
+        Fit { values, scatter }: Fit,
+    ) -> Self {
+        let mut uncertainties = prediction_factors(robot, observations, &scatter.weighted(settings), free, &values);
         let stated_mm = settings.coordinate_uncertainty_mm();
         let position_mm = scatter.scale(Some(ErrorKind::Position)).max(stated_mm);
         let mut readings = Vec::new();
+        let dimension = robot.dimension();
+        let mut factor = |rows: usize| mean((0..rows).map(|_| uncertainties.next().unwrap_or(1.0)));
         for (index, o) in observations.iter().enumerate() {
-            let own: BTreeMap<usize, f64> = o.uncertainties_mm(robot.dimension()).collect();
+            let own: BTreeMap<usize, f64> = o.uncertainties_mm(dimension).collect();
             readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
                 source: ReadingSource::Position(index),
                 quantity: Some(ErrorKind::Position),
@@ -216,11 +260,14 @@ impl RobustFit {
                 pose: o.pose,
                 cycle: o.cycle,
                 left: norm(miss),
-                deviation: own.get(&target).copied().unwrap_or(0.0).max(position_mm),
+                deviation: factor(dimension) * own.get(&target).copied().unwrap_or(0.0).max(position_mm),
             }));
         }
-        for (index, c) in judged(&settings.conditions) {
-            let quantity = c.kind.error_kind();
+        for (index, c) in settings.conditions.iter().enumerate() {
+            let (factor, quantity) = (factor(c.kind.rows()), c.kind.error_kind());
+            if !is_judged(c) {
+                continue;
+            }
             readings.push(Reading {
                 source: ReadingSource::Condition(index),
                 quantity,
@@ -228,16 +275,70 @@ impl RobustFit {
                 pose: c.pose,
                 cycle: c.cycle,
                 left: norm(c.error(robot, &values)),
-                deviation: scatter.scale(quantity).max(c.standard_uncertainty),
+                deviation: factor * scatter.scale(quantity).max(c.standard_uncertainty),
             });
         }
         readings.sort_by(|a, b| b.over_deviation().total_cmp(&a.over_deviation()));
-        let least = |quantity: Option<ErrorKind>| {
-            let of_quantity = readings.iter().filter(|r| r.quantity == quantity);
-            of_quantity.map(|r| r.deviation).fold(f64::INFINITY, f64::min)
+        let stated = |quantity: Option<ErrorKind>| {
+            let conditions = settings.conditions.iter().filter(|c| is_judged(c) && c.kind.error_kind() == quantity);
+            let least = conditions.map(|c| c.standard_uncertainty).fold(f64::INFINITY, f64::min);
+            if quantity == Some(ErrorKind::Position) { least.min(stated_mm) } else { least }
         };
-        let scales = scatter.0.keys().map(|&quantity| (quantity, least(quantity))).collect();
-        Some(Self { readings, scales, values })
+        let scale =
+            |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| (quantity, scale.max(stated(quantity)));
+        let scales = scatter.0.iter().map(scale).collect();
+        Self { readings, scales, values, fitted: [observations.len(), settings.conditions.len()] }
+    }
+
+    /// `true` if every outlier is this many times as far as any other reading, in standard
+    /// deviations.
+    pub fn is_separated(&self, times: f64) -> bool {
+        let (outliers, others) = self.readings.split_at(self.outliers().len());
+        let least = outliers.last().map_or(f64::INFINITY, Reading::over_deviation);
+        others.first().is_none_or(|other| least > times * other.over_deviation())
+    }
+
+    /// Adds the readings of the observations and conditions that follow the fitted ones. They have
+    /// the standard deviations of the fitted readings.
+    pub fn with_others(mut self, robot: &dyn Robot, observations: &[Observation], conditions: &[Condition]) -> Self {
+        let [first, first_condition] = self.fitted;
+        let scale = |quantity: Option<ErrorKind>| self.scales.get(&quantity).copied();
+        let mut others = Vec::new();
+        if let Some(deviation) = scale(Some(ErrorKind::Position)) {
+            for (index, o) in observations.iter().enumerate().skip(first) {
+                others.extend(o.misses(robot, &self.values).map(|(target, miss)| Reading {
+                    source: ReadingSource::Position(index),
+                    quantity: Some(ErrorKind::Position),
+                    target,
+                    pose: o.pose,
+                    cycle: o.cycle,
+                    left: norm(miss),
+                    deviation,
+                }));
+            }
+        }
+        for (index, c) in conditions.iter().enumerate().skip(first_condition).filter(|(_, c)| is_judged(c)) {
+            let quantity = c.kind.error_kind();
+            let left = norm(c.error(robot, &self.values));
+            others.extend(scale(quantity).map(|deviation| Reading {
+                source: ReadingSource::Condition(index),
+                quantity,
+                target: c.target,
+                pose: c.pose,
+                cycle: c.cycle,
+                left,
+                deviation: deviation.max(c.standard_uncertainty),
+            }));
+        }
+        self.readings.extend(others);
+        self.readings.sort_by(|a, b| b.over_deviation().total_cmp(&a.over_deviation()));
+        self
+    }
+
+    /// `true` if a robot can leave such residuals: the outliers are readings, not the model.
+    pub fn is_possible(&self, robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> bool {
+        let scale = |(quantity, scale): (&Option<ErrorKind>, &f64)| (quantity.is_none(), *scale);
+        is_possible_misfit(robot, observations, settings, &self.values, self.scales.iter().map(scale))
     }
 
     /// Outlying readings, the largest first.
@@ -247,10 +348,41 @@ impl RobustFit {
     }
 }
 
-/// Conditions whose residuals are judged, with their indices. Observed joint values are inputs of
-/// the model.
-fn judged(conditions: &[Condition]) -> impl Iterator<Item = (usize, &Condition)> {
-    conditions.iter().enumerate().filter(|(_, c)| !matches!(c.kind, Kind::Joint(_)))
+/// `true` if the residuals of a condition are judged: observed joint values are inputs of the
+/// model.
+fn is_judged(c: &Condition) -> bool {
+    !matches!(c.kind, Kind::Joint(_))
+}
+
+/// Standard deviation of the difference between each residual of a reading and its prediction by
+/// the fit with the Cauchy loss, relative to that of the reading: √(1 + J C Jᵀ). A pose far from
+/// the others is predicted less accurately. No values if the parameters are too many.
+fn prediction_factors(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    scaled: &Settings,
+    free: &[usize],
+    values: &[f64],
+) -> std::vec::IntoIter<f64> {
+    let factors = || {
+        let mut problem = Residuals::new(robot, observations, scaled, free, values).ok()?;
+        problem.layout = None;
+        let (n, m) = (free.len(), problem.residual_count());
+        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
+        let mut residuals = vec![0.0; m];
+        problem.residuals(&x, &mut residuals);
+        let rows = DMatrix::from_row_slice(m, n, &problem.jacobian_at(&x));
+        let norms: Vec<f64> = rows.column_iter().map(|c| c.norm().max(f64::MIN_POSITIVE)).collect();
+        let rows = rows * DMatrix::from_diagonal(&DVector::from_iterator(n, norms.iter().map(|v| 1.0 / v)));
+        let weight = |r: f64| 1.0 / (1.0 + (r / CAUCHY).powi(2));
+        let weighted = DMatrix::from_fn(m, n, |i, j| weight(residuals[i]).sqrt() * rows[(i, j)]);
+        let normal = weighted.tr_mul(&weighted) + DMatrix::identity(n, n) * 1e-12;
+        let spread = rows.clone() * Cholesky::new(normal)?.inverse();
+        let variance = |i: usize| spread.row(i).dot(&rows.row(i));
+        Some((0..problem.measured_count()).map(|i| (1.0 + variance(i)).sqrt()).collect::<Vec<f64>>())
+    };
+    let is_small = free.len() <= MOST_PARAMETERS;
+    is_small.then(factors).flatten().unwrap_or_default().into_iter()
 }
 
 /// Standard deviation (mm, rad) of the residuals of each quantity, from their median size, and
@@ -259,21 +391,33 @@ fn judged(conditions: &[Condition]) -> impl Iterator<Item = (usize, &Condition)>
 struct Scatter(BTreeMap<Option<ErrorKind>, (f64, usize)>);
 
 impl Scatter {
-    /// Scatter of the residuals at `values`; `None` without residuals, or if one is not a number.
+    /// Scatter of most residuals at `values`; `None` without residuals, or if one is not a number.
     fn new(robot: &dyn Robot, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Option<Self> {
+        let of_most = |sizes: Vec<f64>| Some(OF_MEDIAN * median(sizes.into_iter().map(f64::abs))?);
+        Self::by(robot, observations, conditions, values, of_most)
+    }
+
+    /// Scatter by a standard deviation of residuals.
+    fn by(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        conditions: &[Condition],
+        values: &[f64],
+        deviation: impl Fn(Vec<f64>) -> Option<f64>,
+    ) -> Option<Self> {
         let mut sizes: BTreeMap<Option<ErrorKind>, Vec<f64>> = BTreeMap::new();
         for o in observations {
             let position = sizes.entry(Some(ErrorKind::Position)).or_default();
             o.misses(robot, values).for_each(|(_, miss)| position.extend(&miss[..robot.dimension()]));
         }
-        for (_, c) in judged(conditions) {
+        for c in conditions.iter().filter(|c| is_judged(c)) {
             let (residuals, rows) = c.residuals_at(robot, values);
             sizes.entry(c.kind.error_kind()).or_default().extend(&residuals[..rows]);
         }
         sizes.retain(|_, sizes| !sizes.is_empty());
         let scale = |(quantity, sizes): (Option<ErrorKind>, Vec<f64>)| {
             let count = sizes.len();
-            let scale = OF_MEDIAN * median(sizes.into_iter().map(f64::abs))?;
+            let scale = deviation(sizes)?;
             scale.is_finite().then_some((quantity, (scale.max(LEAST_RESIDUAL), count)))
         };
         let finite = sizes.values().flatten().all(|v| v.is_finite());
@@ -301,7 +445,7 @@ impl Scatter {
             ..settings.clone()
         };
         for c in &mut scaled.conditions {
-            if !matches!(c.kind, Kind::Joint(_)) {
+            if is_judged(c) {
                 c.standard_uncertainty = c.standard_uncertainty.max(self.scale(c.kind.error_kind()));
             }
         }
@@ -317,6 +461,41 @@ struct Fit {
 }
 
 impl Fit {
+    /// Least squares without the outliers of a fit. Their scatter is the root mean square.
+    fn without(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        free: &[usize],
+        found: &RobustFit,
+    ) -> Option<Self> {
+        let outlying = found.outlying();
+        let mut kept: Vec<Observation> = Vec::new();
+        for (i, o) in observations.iter().enumerate() {
+            let mut o = Observation { covariances_mm2: Vec::new(), ..o.clone() };
+            let targets = o.targets.iter_mut().enumerate();
+            let outliers = targets.filter(|(k, _)| outlying.contains(&(ReadingSource::Position(i), *k)));
+            outliers.for_each(|(_, at)| *at = None);
+            kept.extend(Some(o).filter(|o| o.targets.iter().any(Option::is_some)));
+        }
+        let conditions = settings.conditions.iter().enumerate();
+        let conditions: Vec<Condition> = conditions
+            .filter(|(i, c)| !outlying.contains(&(ReadingSource::Condition(*i), c.target)))
+            .map(|(_, c)| c.clone())
+            .collect();
+        let settings = Settings { conditions, ..settings.clone() };
+        let scatter = |values: &[f64]| {
+            let deviation = |sizes: Vec<f64>| Some(rms(sizes));
+            Scatter::by(robot, &kept, &settings.conditions, values, deviation)
+        };
+        let scaled = scatter(&found.values)?.weighted(&settings);
+        let problem = Residuals::new(robot, &kept, &scaled, free, &found.values).ok()?;
+        let x: Vec<f64> = free.iter().map(|&i| found.values[i]).collect();
+        let options = Options { iterations: 50, step: 1e-6, ..Options::default() };
+        let values = problem.all(&etalon_math::solve(&problem, &x, options).x);
+        Some(Self { scatter: scatter(&values)?, values })
+    }
+
     /// Fits with the Cauchy loss from `values`, whose scales follow the median residuals down.
     fn new(
         robot: &dyn Robot,

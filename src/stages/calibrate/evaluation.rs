@@ -14,7 +14,8 @@ use crate::stages::evaluate::tool::Expected;
 use crate::stages::judge::checks::robust_message;
 use crate::stages::judge::first_tilt;
 use crate::stages::judge::frame_checks::base_elsewhere;
-use crate::stages::judge::plausible::{judge_set_up, plausibility};
+use crate::stages::judge::plausible::{is_suspect, judge_set_up, plausibility};
+use crate::stages::judge::readings::RobustReadings;
 use crate::stages::judge::stated_targets::far_targets;
 use crate::stages::judge::validation_distance::{far_or_near, validation_distance};
 use crate::stages::remedies::remedied;
@@ -53,10 +54,20 @@ pub struct Judgement {
 impl Judgement {
     /// Judges a solution.
     pub fn new(robot: &dyn Robot, solution: &Solution) -> Self {
-        let errors = point_errors(robot, &solution.basis.sets, &solution.before, &solution.found.values);
-        let judged = judge_set_up(robot, solution);
-        let mut plausibility = plausibility(robot, solution, &errors, &judged);
-        plausibility.extend(far_targets(robot, &solution.found));
+        let of = |s: &Solution| point_errors(robot, &s.basis.sets, &s.before, &s.found.values);
+        let errors = of(solution);
+        let Solution { basis: Basis { settings, .. }, found, .. } = solution;
+        let readings = is_suspect(settings, found, &errors).then(|| RobustReadings::new(robot, solution)).flatten();
+        // readings that decide a solution decide nothing about the set-up and the model
+        let settled = readings.as_ref().and_then(|readings| readings.settled(robot, solution));
+        let (judged_solution, errors_judged) = match &settled {
+            Some(settled) => (&settled.solution, &of(&settled.solution)),
+            None => (solution, &errors),
+        };
+        let judged = judge_set_up(robot, judged_solution);
+        let mut plausibility = plausibility(robot, judged_solution, errors_judged, &judged, readings.as_ref());
+        plausibility.extend(far_targets(robot, &judged_solution.found));
+        plausibility.splice(0..0, settled.map(|settled| settled.message)).for_each(drop);
         Self { errors, plausibility, untested: judged.untested }
     }
 }

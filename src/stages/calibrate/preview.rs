@@ -5,6 +5,7 @@ use crate::stages::evaluate::sets::split;
 use crate::stages::join::Joined;
 use crate::stages::judge::circumstances::hold_constant;
 use crate::stages::judge::excitation::{still_joints, travels, unmoved};
+use crate::stages::judge::readings::check_readings;
 use crate::stages::judge::set_up::check_set_up;
 use crate::stages::observe::repeats::stale;
 use etalon_base::message::{Message, Result, Severity};
@@ -22,8 +23,13 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let mut messages = Vec::new();
     let observed = Input::new(campaign, stated, observations)?.observed(robot, &mut messages)?;
     messages.extend(stale(robot, &observed.observations));
-    messages
-        .extend(check_set_up(robot, &observed.observations, &observed.settings).unwrap_or_else(|problems| problems.0));
+    match check_set_up(robot, &observed.observations, &observed.settings) {
+        Ok(remarks) => {
+            messages.extend(remarks);
+            messages.extend(check_readings(robot, &observed.observations, &observed.settings));
+        }
+        Err(problems) => messages.extend(problems.0),
+    }
     // selections that do not read are reported with the statements
     let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
     let poses = observed.poses();

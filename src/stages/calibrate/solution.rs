@@ -10,7 +10,7 @@ use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
 /// Maximum share of readings excluded as outliers: beyond it the model or the set-up is wrong.
-const MOST_OUTLIERS: f64 = 0.1;
+pub(crate) const MOST_OUTLIERS: f64 = 0.1;
 
 /// Basis of an identification.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +25,7 @@ pub struct Basis {
 
 impl Basis {
     /// Excludes readings from the calibration.
-    fn exclude(&mut self, readings: &[Reading]) {
+    pub(crate) fn exclude(&mut self, readings: &[Reading]) {
         let Self { sets, settings, .. } = self;
         let mut excluded = BTreeSet::new();
         for reading in readings {

@@ -8,6 +8,7 @@ pub(crate) mod excitation;
 pub(crate) mod first_tilt;
 pub mod frame_checks;
 pub mod plausible;
+pub(crate) mod readings;
 pub(crate) mod set_up;
 pub(crate) mod stated_targets;
 pub(crate) mod undescribed;

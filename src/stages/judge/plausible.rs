@@ -3,9 +3,10 @@
 
 use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::judge::circumstances::{exchanged_torques, torque_signs};
+use crate::stages::judge::readings::RobustReadings;
 use crate::stages::judge::set_up::untested;
 use crate::stages::judge::undescribed::{CalibrationFit, undescribed};
-use crate::stages::remedies::{reading, readings_to_check};
+use crate::stages::remedies::reading;
 use crate::stages::truncated;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
@@ -15,8 +16,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Condition, Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, RobustFit, Settings,
-    allowed_mm, chi_square_exceeds, exchanged_poses, far_problem, judge, load_slips, moved_between, observed_noise_mm,
+    Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, Settings, allowed_mm,
+    chi_square_exceeds, far_problem, judge, load_slips, moved_between, observed_noise_mm,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -71,6 +72,7 @@ pub(crate) fn plausibility(
     solution: &Solution,
     errors: &[PointError],
     judged: &Judgement,
+    readings: Option<&RobustReadings>,
 ) -> Vec<Message> {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     let observations = &sets.calibration[..];
@@ -100,24 +102,29 @@ pub(crate) fn plausibility(
     if misfit {
         messages.extend(exchanged_torques(robot, observations, settings, found));
     }
-    let along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
-    messages.extend(validation_outliers(errors, if along { FAR_ALONG } else { FAR }));
-    let spike = settings.standard_uncertainty_mm.is_some_and(|u_mm| found.residuals.max > OUTLIER * u_mm);
-    let robust = (misfit || spike).then(|| RobustFit::new(robot, observations, settings, found)).flatten();
+    messages.extend(validation_outliers(settings, errors));
     if misfit || found.residuals.chi_square.is_none() {
-        let outlying = robust.as_ref().filter(|robust| !robust.outliers().is_empty());
-        let values = outlying.map_or(&found.values, |robust| &robust.values);
+        let outlying = readings.map(|readings| &readings.fit).filter(|fit| !fit.outliers().is_empty());
+        let values = outlying.map_or(&found.values, |fit| &fit.values);
         messages.extend(moved_between(robot, observations, settings, found, values));
     }
-    if let Some(robust) = robust {
-        // a few wrong readings explain what follows, the largest residuals of a wrong model do not
-        let place = if robust.outliers().is_empty() { messages.len() } else { 0 };
-        messages.insert(place, readings_to_check(&robust, robot));
-        if let Some(exchanged) = poses_exchanged(robot, observations, &settings.conditions, &robust) {
-            messages.insert(0, exchanged);
-        }
+    if let Some(readings) = readings {
+        readings.add_to(&mut messages, robot);
     }
     messages
+}
+
+/// `true` if errors of a solution give reason to look for wrong readings: residuals exceed the
+/// uncertainty of the instrument, one of them is a spike, or validation readings are far from the
+/// others.
+pub(crate) fn is_suspect(settings: &Settings, found: &Identification, errors: &[PointError]) -> bool {
+    let spike_mm = match settings.standard_uncertainty_mm {
+        Some(u_mm) if found.residuals.chi_square.is_some() => OUTLIER * u_mm,
+        _ => SPIKE * found.residuals.rms.max(LEAST_RESIDUAL),
+    };
+    let degrees = found.residuals.degrees_of_freedom;
+    let exceeds = found.residuals.chi_square.is_some_and(|chi_square| chi_square_exceeds(chi_square, degrees));
+    exceeds || found.residuals.max > spike_mm || validation_outliers(settings, errors).is_some()
 }
 
 /// Returns a message if the poses have no more coordinates than identified parameters, so that the
@@ -160,7 +167,9 @@ fn orientations_turned(settings: &Settings, errors: &[PointError]) -> Option<Mes
 
 /// Returns a warning about validation readings far from the others; their errors contribute to the
 /// accuracy.
-fn validation_outliers(errors: &[PointError], far_times: f64) -> Option<Message> {
+fn validation_outliers(settings: &Settings, errors: &[PointError]) -> Option<Message> {
+    let is_along = settings.conditions.iter().any(|c| c.kind.rows() == 1);
+    let far_times = if is_along { FAR_ALONG } else { FAR };
     let of: Vec<&PointError> = errors.iter().filter(|e| e.set == PoseSet::Validation).collect();
     let median_mm = median(of.iter().map(|e| norm(e.after_mm)))?;
     let far: Vec<&&PointError> = of.iter().filter(|e| norm(e.after_mm) > far_times * median_mm).collect();
@@ -319,19 +328,6 @@ fn contradict(far_mm: Option<[f64; 2]>, judged: &Judgement, messages: &mut Vec<M
 
 fn is_no_error(message: &Message) -> bool {
     message.severity != Severity::Error
-}
-
-/// Returns a warning about poses whose joint values are swapped.
-fn poses_exchanged(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    conditions: &[Condition],
-    robust: &RobustFit,
-) -> Option<Message> {
-    let pairs = exchanged_poses(robot, observations, conditions, robust);
-    let pair = |[first, second]: &[PoseName; 2]| phrase!("pair-of-poses", first, second);
-    let named = truncated(pairs.iter().map(pair), NAMED);
-    (!pairs.is_empty()).then(|| warning!("poses-exchanged", count = pairs.len(), pairs = named).to_decide())
 }
 
 /// Distance (mm) of the nominal robot from the measurements, and the one that its tolerances allow,

@@ -65,7 +65,12 @@ solver-ended = { $termination ->
 readings-contradict = die meisten Messwerte passen, die Messwerte von { $poses } nicht{ $count ->
         [0] {""}
        *[other] {""}: die Gelenkwerte der Posen { $pairs } sind vertauscht
+    }{ $wrong ->
+        [0] {""}
+       *[other] {""}: { $coordinates }
     }
+
+wrong-coordinate = { $axis } von { $target } an Pose { $pose } (Zyklus { $cycle }) ist { FIXED($measured_mm, 3) } mm, und { FIXED($changed_mm, 3) } mm passt
 
 named-poses = { $count ->
         [one] Pose { $poses }
@@ -263,6 +268,8 @@ slip-offset = { $degrees } deg zu { $joint } addiert
 slip-unit = { $quantity ->
         [all-joints] alle Gelenke
         [joints-of-kind] alle Gelenke dieser Art
+        [lengths] alle gemessenen Längen
+        [distances] die gemessenen Abstände
         [points] die gemessenen Punkte
        *[other] { $quantity }
     } { $slip ->

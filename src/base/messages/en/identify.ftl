@@ -136,7 +136,12 @@ solver-ended = { $termination ->
 readings-contradict = most readings fit, but the readings of { $poses } do not{ $count ->
         [0] {""}
        *[other] {""}: the joint values of poses { $pairs } are swapped
+    }{ $wrong ->
+        [0] {""}
+       *[other] {""}: { $coordinates }
     }
+
+wrong-coordinate = { $axis } of { $target } at pose { $pose } (cycle { $cycle }) is { FIXED($measured_mm, 3) } mm, and { FIXED($changed_mm, 3) } mm agrees
 
 named-poses = { $count ->
         [one] pose { $poses }
@@ -520,6 +525,8 @@ slip-offset = { $degrees } deg added to { $joint }
 slip-unit = { $quantity ->
         [all-joints] all joints
         [joints-of-kind] all joints of this kind
+        [lengths] all measured lengths
+        [distances] the measured distances
         [points] the measured points
        *[other] { $quantity }
     } { $slip ->

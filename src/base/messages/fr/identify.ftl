@@ -65,7 +65,12 @@ solver-ended = { $termination ->
 readings-contradict = la plupart des lectures concordent, mais non celles de { $poses }{ $count ->
         [0] {""}
        *[other] {" "}: les valeurs articulaires des poses { $pairs } sont interverties
+    }{ $wrong ->
+        [0] {""}
+       *[other] {" "}: { $coordinates }
     }
+
+wrong-coordinate = { $axis } de { $target } à la pose { $pose } (cycle { $cycle }) vaut { FIXED($measured_mm, 3) } mm, et { FIXED($changed_mm, 3) } mm concorde
 
 named-poses = { $count ->
         [one] la pose { $poses }
@@ -263,6 +268,8 @@ slip-offset = { $degrees } deg ajoutés à { $joint }
 slip-unit = { $quantity ->
         [all-joints] toutes les articulations
         [joints-of-kind] toutes les articulations de ce type
+        [lengths] toutes les longueurs mesurées
+        [distances] les distances mesurées
         [points] les points mesurés
        *[other] { $quantity }
     } { $slip ->
