@@ -130,10 +130,10 @@ impl Selections {
         of
     }
 
-    /// Calibration poses of each series.
-    pub fn calibration_series(&self, poses: &BTreeSet<PoseName>) -> Vec<Vec<PoseName>> {
+    /// Calibration poses of each series, with their indices among the measured poses.
+    pub fn calibration_series(&self, poses: impl IntoIterator<Item = (usize, PoseName)>) -> Vec<Vec<PoseName>> {
         let mut all = vec![Vec::new(); self.series.len()];
-        for (i, &pose) in poses.iter().enumerate().filter(|(i, pose)| self.calibrates(**pose, *i)) {
+        for (i, pose) in poses.into_iter().filter(|(i, pose)| self.calibrates(*pose, *i)) {
             self.series(pose, i).into_iter().for_each(|number| all[number].push(pose));
         }
         all

@@ -49,7 +49,7 @@ pub(crate) fn compare_logs(
         let observations = log.positions(robot, &mut comparison.observations)?;
         let mut theirs = Observed { observations, settings: campaign.settings(stated) };
         exclude(&Exclusion::from_campaign(campaign, stated), robot, &mut theirs)?;
-        let others = split(&theirs, &division.poses, &division.selections);
+        let others = split(&theirs, &division.measured, &division.selections);
         let Fitted { values, rms } = Fitted::new(robot, &others.calibration, &basis.settings).map_err(remedied)?;
         let used = &campaign.file.logs[0].name;
         let first = LogFit { name: used, sets: &basis.sets, values: &found.values, rms_mm: found.residuals.rms };

@@ -1,12 +1,13 @@
 //! Preview of an identification, before the solver.
 
-use crate::stages::calibrate::selection::{Input, uncalibrated_series};
+use crate::stages::calibrate::selection::{Input, indices, uncalibrated_series};
 use crate::stages::evaluate::sets::split;
 use crate::stages::join::Joined;
 use crate::stages::judge::circumstances::hold_constant;
 use crate::stages::judge::excitation::{still_joints, travels, unmoved};
 use crate::stages::judge::readings::check_readings;
 use crate::stages::judge::set_up::check_set_up;
+use crate::stages::observe::exclusions::exclude;
 use crate::stages::observe::repeats::stale;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_campaign::Campaign;
@@ -21,7 +22,10 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
         return Ok(Preview::default());
     };
     let mut messages = Vec::new();
-    let observed = Input::new(campaign, stated, observations)?.observed(robot, &mut messages)?;
+    let input = Input::new(campaign, stated, observations)?;
+    let mut observed = input.read(robot, &mut messages)?;
+    let measured = observed.poses();
+    messages.extend(exclude(&input.exclusions, robot, &mut observed)?);
     messages.extend(stale(robot, &observed.observations));
     match check_set_up(robot, &observed.observations, &observed.settings) {
         Ok(remarks) => {
@@ -33,8 +37,8 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     // selections that do not read are reported with the statements
     let Ok(selections) = campaign.selections(stated) else { return Ok(Preview { messages, ..Preview::default() }) };
     let poses = observed.poses();
-    messages.extend(uncalibrated_series(stated, &selections.calibration_series(&poses)));
-    let sets = split(&observed, &poses, &selections);
+    messages.extend(uncalibrated_series(stated, &selections.calibration_series(indices(&poses, &measured))));
+    let sets = split(&observed, &measured, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     messages.extend(hold_constant(robot, &sets, &mut settings));
     if messages.iter().all(|message| message.severity != Severity::Error) {

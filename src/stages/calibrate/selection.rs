@@ -51,8 +51,8 @@ pub struct Selected {
 
 /// Division of poses into sets.
 pub struct Division {
-    /// Measured poses that are not excluded.
-    pub poses: BTreeSet<PoseName>,
+    /// Measured poses, which give each pose its index.
+    pub measured: BTreeSet<PoseName>,
     /// Selections of the campaign.
     pub selections: Selections,
 }
@@ -74,8 +74,8 @@ pub fn select(data: CampaignData, robot: &mut dyn Robot) -> Result<Selected> {
     let poses = observed.poses();
     check_selections(campaign, &poses, &measured)?;
     let selections = campaign.selections(stated)?;
-    let mut sets = split(&observed, &poses, &selections);
-    let series = selections.calibration_series(&poses);
+    let mut sets = split(&observed, &measured, &selections);
+    let series = selections.calibration_series(indices(&poses, &measured));
     messages.extend(uncalibrated_series(stated, &series));
     let conditions = sets.calibration_conditions.clone();
     let mut settings = Settings { conditions, series, ..observed.settings };
@@ -85,7 +85,7 @@ pub fn select(data: CampaignData, robot: &mut dyn Robot) -> Result<Selected> {
     let targets = ValidationTargets::take(robot, &mut sets, &mut settings);
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     let basis = Basis { sets, settings, systematic };
-    Ok(Selected { basis, targets, division: Division { poses, selections }, messages })
+    Ok(Selected { basis, targets, division: Division { measured, selections }, messages })
 }
 
 /// The uncertainties of the world frame: the independent part of each pose, and the common part.
@@ -162,8 +162,16 @@ fn export_order(campaign: &Campaign) -> Option<AngleOrder> {
     order.parse().ok()
 }
 
+/// Poses with their indices among all measured poses.
+pub(crate) fn indices(
+    poses: &BTreeSet<PoseName>,
+    measured: &BTreeSet<PoseName>,
+) -> impl Iterator<Item = (usize, PoseName)> {
+    measured.iter().copied().enumerate().filter(|(_, pose)| poses.contains(pose))
+}
+
 /// Errors of selections and tables without a measured pose, and of overlapping sets; `all` are
-/// the poses before exclusion, which series may name.
+/// the poses before exclusion, which count for indices and which series may name.
 pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &BTreeSet<PoseName>) -> Result<()> {
     let Some(identify) = &campaign.file.identify else { return Ok(()) };
     // what does not read is reported with the statements
@@ -178,7 +186,7 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &B
             problems.0.push(message.hint_names(&name.to_string(), names.iter().map(String::as_str)));
         }
     }
-    let numbered = || poses.iter().copied().enumerate();
+    let numbered = || indices(poses, all);
     let without_pose = |poses_stated: &Spanned<StatedPoses>, set: &str| {
         let hint = measured(poses);
         error!("selection-without-pose", set).at(campaign.place(poses_stated)).hint(hint)
@@ -246,7 +254,8 @@ fn series_problems(
     let Some(first) = identify.series.first().filter(|_| problems.is_empty()) else { return problems };
     let forgotten = of.iter().enumerate().filter(|(i, (pose, of))| of.is_empty() && selections.calibrates(*pose, *i));
     let forgotten: Vec<String> = forgotten.map(|(_, (pose, _))| pose.to_string()).collect();
-    let calibrating = selections.calibration_series(poses).iter().filter(|poses| !poses.is_empty()).count();
+    let calibrating =
+        selections.calibration_series(indices(poses, poses)).iter().filter(|poses| !poses.is_empty()).count();
     let problem = if !forgotten.is_empty() {
         error!("series-incomplete", poses = truncated(forgotten, 20))
     } else if calibrating < 2 {

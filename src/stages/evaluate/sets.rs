@@ -30,11 +30,11 @@ impl Sets {
     }
 }
 
-/// Divides observations; indices of poses count from 0 over `poses`, the remaining poses of the
-/// identified log.
-pub fn split(observed: &Observed, poses: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
-    let indices: BTreeMap<PoseName, usize> = poses.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
-    let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| poses.range(..pose).count());
+/// Divides observations; indices of poses count from 0 over the `measured` poses of the identified
+/// log, so that an exclusion moves no other pose to another set.
+pub fn split(observed: &Observed, measured: &BTreeSet<PoseName>, selections: &Selections) -> Sets {
+    let indices: BTreeMap<PoseName, usize> = measured.iter().enumerate().map(|(i, pose)| (*pose, i)).collect();
+    let index = |pose: PoseName| indices.get(&pose).copied().unwrap_or_else(|| measured.range(..pose).count());
     let calibrates = |pose: PoseName| selections.calibrates(pose, index(pose));
     let validates = |pose: PoseName| selections.validates(pose, index(pose));
     let (observations, conditions) = (observed.observations.iter(), observed.settings.conditions.iter());
