@@ -229,6 +229,12 @@ impl Message {
         Texts { what, expected: part("expected", &self.expected), hint: part("hint", &self.hint) }
     }
 
+    /// The message with its texts in a language, for a terminal.
+    pub fn in_language(&self, language: &str) -> Self {
+        let Texts { what, expected, hint } = self.texts(language);
+        Self { what, expected, hint, ..self.clone() }
+    }
+
     /// `true` if a caller changed the English sentence: the catalogue then does not have the
     /// addition.
     fn is_reworded(&self) -> bool {

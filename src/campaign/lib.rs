@@ -169,6 +169,13 @@ impl Campaign {
         Ok(path)
     }
 
+    /// Path of the controller's file before loading, if the campaign names one.
+    pub fn controller_backup(&self) -> Option<Result<PathBuf>> {
+        let file = self.file.conditions.robot.controller_backup.as_deref()?;
+        let place = || self.key_place(&["conditions", "controller_backup"]);
+        Some(paths::resolve(&self.folder, file).map_err(|message| message.at(place()).into()))
+    }
+
     /// Path of a source file.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
         match source.kind {

@@ -131,6 +131,16 @@ impl CampaignFile {
         self.valid_until.clone().or_else(by_months)
     }
 
+    /// Given dates of past events, with their keys.
+    pub fn dates(&self) -> impl Iterator<Item = (&'static [&'static str], &String)> {
+        let all: [(&'static [&'static str], &Option<String>); 3] = [
+            (&["date"], &self.date),
+            (&["report", "issued"], &self.report.issued),
+            (&["conditions", "robot_received"], &self.conditions.robot.received),
+        ];
+        all.into_iter().filter_map(|(key, date)| Some((key, date.as_ref()?)))
+    }
+
     /// `true` if the campaign names the file of its robot.
     pub fn states_robot(&self) -> bool {
         !self.robot.get_ref().is_empty() || !self.robot.span().is_empty()
@@ -552,7 +562,8 @@ pub struct Identify {
     #[serde(default)]
     pub residuals: ResidualKind,
     /// Poses for identification: names and ranges (`"1-8, 12, home"` or `["home", "P3", "5-9"]`),
-    /// `all`, or `index mod 10 < 7` (index from 0).
+    /// `all`, or `index mod 10 < 7` (index among
+    /// the measured poses, from 0).
     #[schemars(with = "StatedPoses")]
     pub calibration: Spanned<StatedPoses>,
     /// Poses for validation, in the same notation; `rest` selects all poses that the calibration
@@ -710,6 +721,8 @@ pub struct Limits {
     pub accuracy_max_mm: Option<f64>,
     /// Decision rule for these limits; guarded by default.
     pub decision_rule: Option<DecisionRule>,
+    /// Specification, drawing or agreement that the limits come from, with its date.
+    pub specification: Option<String>,
 }
 
 impl Limits {

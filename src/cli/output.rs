@@ -3,7 +3,7 @@
 use super::{Verdict, progress};
 use etalon_base::message::{Message, Problems, printable, printable_lines};
 use etalon_base::phrase;
-use etalon_documents::WrittenDocument;
+use etalon_documents::{Language, WrittenDocument};
 use etalon_report::Renderer;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
@@ -107,15 +107,24 @@ impl Output {
 
     /// Prints messages to stderr: those that need action first, with similar rows merged.
     pub fn remark(&self, messages: &[Message]) {
+        self.remark_in(Language::En, messages);
+    }
+
+    /// Like [`Output::remark`], in the language of a report.
+    pub fn remark_in(&self, language: Language, messages: &[Message]) {
         let mut grouped = Problems(messages.to_vec()).grouped().0;
         grouped.sort_by_key(|message| message.rank);
-        grouped.iter().for_each(|message| self.say_message(message));
+        grouped.iter().for_each(|message| self.say_message_in(language, message));
     }
 
     /// Prints a message to stderr.
     pub fn say_message(&self, message: &Message) {
+        self.say_message_in(Language::En, message);
+    }
+
+    fn say_message_in(&self, language: Language, message: &Message) {
         self.add(|answer| answer.messages.push(message.clone()));
-        self.say(format_args!("{message}\n"));
+        self.say(format_args!("{}\n", message.in_language(language.code())));
     }
 
     /// Prints the errors that ended a command to stderr.

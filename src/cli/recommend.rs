@@ -39,11 +39,12 @@ impl Recommend {
         self.reports.check(&self.write)?;
         let campaign = Campaign::read(&self.campaign)?;
         let found = recommend(&campaign, &mut progress)?;
-        out.remark(&found.messages);
+        let presentation = self.reports.over(presentation(&campaign)?)?;
+        out.remark_in(presentation.language, &found.messages);
         if let Some(path) = &self.write {
             files::write(path, &to_json(&found.recommended)?)?;
         }
-        let renderer = Renderer::recommendation(&found, self.reports.over(presentation(&campaign)?)?)?;
+        let renderer = Renderer::recommendation(&found, presentation)?;
         self.reports.write(&renderer)?;
         out.answer(&renderer, self.json.then(|| to_json(&found)).transpose()?)
     }

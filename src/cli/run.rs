@@ -1,6 +1,6 @@
 //! Command `etalon run`.
 
-use super::{Output, Verdict, shell_word};
+use super::{Output, Verdict, shell_word, validity};
 use crate::run::documents::Documents;
 use crate::run::pipeline::{self, Outcome};
 use etalon_base::message::printable;
@@ -46,14 +46,16 @@ impl Run {
 
     fn answer(&self, campaign: &Campaign, outcome: Outcome, out: &Output) -> anyhow::Result<Verdict> {
         let Outcome { results, renderer, .. } = outcome;
-        out.remark(&results.messages().cloned().collect::<Vec<_>>());
+        let language = results.campaign.report.language;
+        let later = validity::later_than_today(campaign);
+        out.remark_in(language, &results.messages().cloned().chain(later).collect::<Vec<_>>());
         let Results { identified, tested, verdict, .. } = &results;
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
-            out.say(phrase!("no-controller-files"));
+            out.say(phrase!("no-controller-files").text(language.code()));
         }
         let next = identified.as_ref().map(|_| {
             let folder = shell_word(&self.campaign);
-            phrase!("next-recommend", command = format!("`etalon recommend {folder}`"))
+            phrase!("next-recommend", command = format!("`etalon recommend {folder}`")).text(language.code())
         });
         let data = match (self.json, identified, &tested.poses, &tested.streams) {
             (false, ..) => {

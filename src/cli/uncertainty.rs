@@ -43,9 +43,10 @@ impl Uncertainty {
         self.reports.check(None)?;
         let draws = Draws { most: self.draws as usize, resamples: self.resamples as usize, seed: self.seed };
         let document = uncertainty(&campaign, draws, &mut progress)?;
-        out.remark(&document.messages);
+        let presentation = self.reports.over(presentation(&campaign)?)?;
+        out.remark_in(presentation.language, &document.messages);
         let json = if self.json { Some(to_json(&document)?) } else { None };
-        let renderer = Renderer::uncertainty(&document, self.reports.over(presentation(&campaign)?)?)?;
+        let renderer = Renderer::uncertainty(&document, presentation)?;
         self.reports.write(&renderer)?;
         out.answer(&renderer, json)
     }

@@ -53,8 +53,9 @@ impl Validate {
             provenance.inputs.extend(files::sha256_by_name(&self.parameters)?);
             provenance.inputs.extend(files::sha256_by_name(&self.field)?);
         }
-        out.remark(&messages);
-        let renderer = Renderer::validation(&accuracy, self.reports.over(presentation(&campaign)?)?)?;
+        let presentation = self.reports.over(presentation(&campaign)?)?;
+        out.remark_in(presentation.language, &messages);
+        let renderer = Renderer::validation(&accuracy, presentation)?;
         self.reports.write(&renderer)?;
         out.answer(&renderer, self.json.then(|| to_json(&accuracy)).transpose()?)
     }

@@ -1,9 +1,10 @@
-//! Last day of validity of given parameters, compared with today: a warning on stderr. Documents
-//! and files have no date of their own.
+//! Dates compared with today: the last day of validity of given parameters, and dates of a
+//! campaign. They cause warnings on stderr; documents and files have no date of their own.
 
 use etalon_base::date::{Date, date, date_text, day_of_epoch, source_date_epoch};
 use etalon_base::message::Message;
 use etalon_base::warning;
+use etalon_campaign::Campaign;
 use etalon_documents::{CampaignSummary, ParametersDocument};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -11,6 +12,18 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub(super) fn expired(parameters: &ParametersDocument, campaign: Option<&CampaignSummary>) -> Option<Message> {
     let of_campaign = || campaign.and_then(|campaign| campaign.valid_until.as_deref());
     passed(parameters.valid_until.as_deref().or_else(of_campaign)?, today()?)
+}
+
+/// Returns warnings about dates of a campaign that are later than today.
+pub(super) fn later_than_today(campaign: &Campaign) -> Vec<Message> {
+    let today = today();
+    let later = |(path, text): (&[&str], &String)| {
+        let (stated, today) = date(text).zip(today).filter(|(stated, today)| stated > today)?;
+        let key = path.join(".");
+        let message = warning!("date-in-future", key, date = date_text(stated), today = date_text(today));
+        Some(message.at(campaign.key_place(path)).to_decide())
+    };
+    campaign.file.dates().filter_map(|(path, text)| later((path, text))).collect()
 }
 
 fn passed(valid_until: &str, today: Date) -> Option<Message> {

@@ -23,9 +23,9 @@ pub struct CampaignSummary {
     /// Measuring instrument.
     #[serde(flatten)]
     pub instrument: InstrumentSummary,
-    /// Decision rule for limits, as given.
-    #[serde(default)]
-    pub decision_rule: Option<DecisionRule>,
+    /// Statements about the limits.
+    #[serde(flatten)]
+    pub limits: LimitsSummary,
     /// Repeatability of the robot in returning to a measured point, if given.
     pub contact: Option<ContactSummary>,
     /// Temperature during the measurements.
@@ -59,6 +59,17 @@ pub struct MeasurementSummary {
     pub date: Option<String>,
     /// Operator as given.
     pub operator: Option<String>,
+}
+
+/// Statements about the limits of a campaign.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LimitsSummary {
+    /// Decision rule for limits, as given.
+    #[serde(default)]
+    pub decision_rule: Option<DecisionRule>,
+    /// Specification, drawing or agreement that the limits come from, as given.
+    #[serde(rename = "limits_specification", default, skip_serializing_if = "Option::is_none")]
+    pub specification: Option<String>,
 }
 
 /// Measuring instrument of a campaign.
@@ -198,6 +209,10 @@ pub struct TestedRobot {
     pub state: Option<String>,
     /// Make, type and software version of the controller.
     pub controller: Option<String>,
+    /// File that the controller has before the calibration is loaded. The report gives its SHA-256:
+    /// the way back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub controller_backup: Option<String>,
     /// Mounting of the robot.
     pub mounting: Option<String>,
 }

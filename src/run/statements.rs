@@ -9,7 +9,7 @@ use etalon_formats::Export;
 use etalon_formats::dialect::ColumnRole;
 use etalon_formats::table::LABEL;
 use etalon_robots::Quantity;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
@@ -249,7 +249,8 @@ fn output(campaign: &Campaign, problems: &mut Problems) {
     let stated = |file: &&Spanned<String>| !file.get_ref().is_empty();
     let named =
         file.inputs().chain([&file.robot]).chain(&file.report.logo).chain(&file.report.templates).filter(stated);
-    let inputs = named.filter_map(|f| campaign.resolve(f).ok()).chain([campaign.location.clone()]);
+    let backup = campaign.controller_backup().and_then(Result::ok);
+    let inputs = named.filter_map(|f| campaign.resolve(f).ok()).chain(backup).chain([campaign.location.clone()]);
     // links are followed; a missing folder is placed below its first existing ancestor
     let place = |path: &Path| {
         let there = path.ancestors().find_map(|above| Some((above, canonical(above)?)));
@@ -330,6 +331,36 @@ pub(super) fn frames(campaign: &Campaign, problems: &mut Problems) {
     }
 }
 
+/// `true` for a text that begins like a date in ISO 8601: four digits and a hyphen.
+fn is_like_date(text: &str) -> bool {
+    text.split_once('-').is_some_and(|(year, _)| year.len() == 4 && year.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// Reports dates that the calendar does not have, a robot that was received after its measurements,
+/// and a report that was issued before them.
+fn dates(campaign: &Campaign, problems: &mut Problems) {
+    let mut known = BTreeMap::new();
+    for (path, text) in campaign.file.dates() {
+        let Some(key) = path.last() else { continue };
+        match date(text) {
+            Some(date) => drop(known.insert(*key, (date, path))),
+            // issue and receipt may be in words
+            None if *key == "date" || is_like_date(text) => {
+                problems.0.push(error!("date-invalid", key).at(campaign.key_place(path)));
+            }
+            None => {}
+        }
+    }
+    for [earlier, later] in [["date", "issued"], ["robot_received", "date"]] {
+        let (Some((first, _)), Some((second, path))) = (known.get(earlier), known.get(later)) else { continue };
+        if second < first {
+            let [first, second] = [*first, *second].map(date_text);
+            let message = error!("dates-out-of-order", earlier, later, first, second);
+            problems.0.push(message.at(campaign.key_place(path)));
+        }
+    }
+}
+
 /// Reports implausible names of files, dates, temperatures and nominal lengths.
 pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
     let file = &campaign.file;
@@ -337,9 +368,7 @@ pub(super) fn values(campaign: &Campaign, problems: &mut Problems) {
     for name in file.inputs().chain([&file.robot]).filter(|f| f.get_ref().is_empty() && !f.span().is_empty()) {
         problems.0.push(error!("file-name-empty").at(campaign.place(name)));
     }
-    if file.date.as_deref().is_some_and(|text| date(text).is_none()) {
-        problems.0.push(error!("date-invalid").at(campaign.key_place(&["date"])));
-    }
+    dates(campaign, problems);
     if let Some(value) = file.temperature_c.filter(|t| !TEMPERATURES_C.contains(t)) {
         let (least, most) = (*TEMPERATURES_C.start(), *TEMPERATURES_C.end());
         let message = error!("temperature-implausible", value, least, most);

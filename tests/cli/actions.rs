@@ -71,6 +71,9 @@ fn the_steps_of_a_failed_calibration_run() {
 fn a_last_day_of_validity_is_a_date_after_the_measurements() {
     let name = "name = \"PreXYT, CMM (synthetic)\"";
     for (stated, id) in [
+        ("date = \"2026-03-02\"\nreport = { issued = \"2026-02-27\" }", "dates-out-of-order"),
+        ("date = \"2026-03-02\"\nconditions = { robot_received = \"2026-03-03\" }", "dates-out-of-order"),
+        ("conditions = { robot_received = \"2026-02-30\" }", "date-invalid"),
         ("valid_until = \"next year\"", "valid-until-no-date"),
         ("date = \"2026-03-02\"\nvalid_until = \"2026-03-01\"", "valid-until-before-measurements"),
         ("date = \"2026-03-02\"\nvalid_until = \"2027-03-01\"\nvalid_for_months = 12", "valid-stated-twice"),

@@ -36,7 +36,8 @@ impl Desk {
     /// Creates the environment. `files` by name: `report.typ` and the files that it reads.
     pub fn new(mut files: BTreeMap<String, Bytes>, date: Date) -> Result<Self> {
         files.insert(MAIN.to_owned(), Bytes::from_string(START));
-        let date = Datetime::from_ymd(date.year, date.month, date.day).ok_or_else(|| error!("date-invalid"))?;
+        let date =
+            Datetime::from_ymd(date.year, date.month, date.day).ok_or_else(|| error!("date-invalid", key = "date"))?;
         Ok(Self { library: LazyHash::new(Library::default()), main: id(MAIN)?, files, date })
     }
 

@@ -555,6 +555,8 @@ controller-calibrated = die Steuerung rechnet mit der Werkskalibrierung ihres ei
     .hint = die Werte der Kalibrierdatei der Steuerung in { $robot } eintragen oder nach dem Laden einige Posen messen
 parameters-expired = die Parameter gelten bis { $last }; heute ist der { $today }
     .hint = einige Posen messen und `etalon verify` verwenden oder neu kalibrieren
+date-in-future = `{ $key }` ({ $date }) liegt nach dem heutigen Tag ({ $today })
+    .hint = das Datum oder die Uhr dieses Rechners korrigieren
 
 backlash-not-in-table = die Tabelle hat einen Wert für beide Richtungen; das Umkehrspiel von `{ $axis }`, bis { FIXED($backlash, 5) } { $unit }, ist nicht enthalten
     .hint = es als Umkehrspiel der Achse in der Steuerung angeben

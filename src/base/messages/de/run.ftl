@@ -81,8 +81,10 @@ plane-frame-incomplete = ein durch eine Ebene definiertes Weltkoordinatensystem 
 file-name-empty = der Name der Datei ist leer
     .hint = die Datei im Ordner der Kampagne angeben
 
-date-invalid = `date` beginnt nicht mit einem Datum
+date-invalid = `{ $key }` beginnt nicht mit einem Datum des Kalenders
     .expected = Jahr-Monat-Tag (ISO 8601), zum Beispiel 2026-01-31
+dates-out-of-order = `{ $later }` ({ $second }) liegt vor `{ $earlier }` ({ $first })
+    .hint = eines der beiden Daten korrigieren
 
 temperature-implausible = `temperature_c` = { $value } ist keine Temperatur eines Roboters in Grad Celsius
     .expected = ein Wert von { $least } bis { $most }

@@ -990,6 +990,14 @@ controller-calibrated = the controller computes with the factory calibration of 
 parameters-expired = the parameters are valid until { $last }; today is { $today }
     .hint = measure a few poses and check them with `etalon verify`, or calibrate again
 
+# Means: A date of the campaign is later than today.
+# Matters: Measurements and receipts are in the past: the year or the clock of the computer is
+# probably wrong. Certificates print the date.
+# Do: Correct the date, or the clock.
+# Example: `date = "2062-03-02"` in campaign.toml
+date-in-future = `{ $key }` ({ $date }) is later than today ({ $today })
+    .hint = correct the date, or the clock of this computer
+
 # Means: The axis has backlash, but the table contains one value for both directions of motion.
 # Matters: The table corrects the mean of both directions; half of the backlash remains in each.
 # Do: Set the backlash in the parameters of the axis, or use a format with both directions

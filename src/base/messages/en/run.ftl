@@ -180,12 +180,20 @@ plane-frame-incomplete = a world frame from a plane needs `origin`, one of `x_ax
 file-name-empty = the name of the file is empty
     .hint = write the name of a file in the folder of the campaign
 
-# Means: `date` does not begin with a calendar date.
-# Matters: Reports and comparisons of campaigns order results by this date.
+# Means: A date does not begin with a day that the calendar has.
+# Matters: Reports and comparisons of campaigns order results by `date`, and certificates print it.
 # Do: Write year, month and day (ISO 8601): `date = "2026-01-31"`.
 # Example: `date = "31.2.2026"`
-date-invalid = `date` does not begin with a calendar date
+date-invalid = `{ $key }` does not begin with a calendar date
     .expected = year-month-day (ISO 8601), for example 2026-01-31
+
+# Means: Two dates of the campaign contradict each other: a report is issued before the
+# measurements, or the robot is received after them.
+# Matters: One of the dates is wrong, and the certificate would print it.
+# Do: Correct the wrong date.
+# Example: `date = "2026-03-02"` with `issued = "2026-02-27"` in [report]
+dates-out-of-order = `{ $later }` ({ $second }) is before `{ $earlier }` ({ $first })
+    .hint = correct one of the dates
 
 # Means: `temperature_c` is outside the range of workshops and climatic chambers.
 # Matters: The value is probably in another unit.

@@ -556,6 +556,8 @@ controller-calibrated = la commande calcule avec l’étalonnage d’usine de so
     .hint = reporter dans { $robot } les valeurs du fichier d’étalonnage de la commande, ou mesurer quelques poses après le chargement
 parameters-expired = les paramètres sont valables jusqu’au { $last } ; nous sommes le { $today }
     .hint = mesurer quelques poses et utiliser `etalon verify`, ou étalonner à nouveau
+date-in-future = `{ $key }` ({ $date }) est postérieure à aujourd’hui ({ $today })
+    .hint = corriger la date ou l’horloge de cet ordinateur
 
 backlash-not-in-table = la table a une valeur pour les deux sens ; le jeu de `{ $axis }`, jusqu’à { FIXED($backlash, 5) } { $unit }, n’y figure pas
     .hint = l’indiquer comme jeu de l’axe dans le contrôleur

@@ -81,8 +81,10 @@ plane-frame-incomplete = un repère atelier défini par un plan exige `origin`, 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
 
-date-invalid = `date` ne commence pas par une date du calendrier
+date-invalid = `{ $key }` ne commence pas par une date du calendrier
     .expected = année-mois-jour (ISO 8601), par exemple 2026-01-31
+dates-out-of-order = `{ $later }` ({ $second }) précède `{ $earlier }` ({ $first })
+    .hint = corriger l’une des dates
 
 temperature-implausible = `temperature_c` = { $value } n’est pas la température d’un robot en degrés Celsius
     .expected = une valeur de { $least } à { $most }
