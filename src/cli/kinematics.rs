@@ -1,7 +1,7 @@
 //! Command `etalon kinematics`.
 
 use super::{Output, Verdict};
-use crate::run::documents::read_parameters;
+use crate::run::documents::read_loaded_parameters;
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use crate::tasks::kinematics::identified;
@@ -42,6 +42,10 @@ pub struct KinematicsCommand {
     /// Identified parameters; nominal by default.
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
+    /// Controller file of the run of these parameters, whose values are used: the display of the
+    /// controller after loading.
+    #[arg(long, value_name = "FILE", requires = "parameters")]
+    loaded: Option<PathBuf>,
     /// One solution per pose: the nearest to the joints of its row, or of the previous row.
     #[arg(long)]
     nearest: bool,
@@ -66,7 +70,8 @@ impl KinematicsCommand {
         let file = read_robot(&self.robot)?;
         let mut robot = file.build(&file.targets_or("tool"))?;
         if let Some(path) = &self.parameters {
-            let values = identified(robot.as_ref(), &read_parameters(path)?, path)?;
+            let document = read_loaded_parameters(path, self.loaded.as_deref())?;
+            let values = identified(robot.as_ref(), &document, path)?;
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;

@@ -2,8 +2,8 @@
 
 use super::report::Reports;
 use super::{Output, Verdict, progress, validity};
-use crate::run::documents::read_parameters_and_run;
-use crate::stages::verify::earlier_parameters::unknown_geometry;
+use crate::run::documents::{read_loaded_parameters, read_parameters_and_run};
+use crate::stages::verify::earlier_parameters::{mastered, unknown_geometry};
 use crate::tasks::{Inputs, Table, VerifyOptions, plan_verification, verify};
 use etalon_base::files;
 use etalon_base::message::Message;
@@ -39,6 +39,10 @@ pub struct Verify {
     /// Identified parameters.
     #[arg(long, value_name = "FILE")]
     parameters: PathBuf,
+    /// Controller file of the calibration whose joint zeros the controller has loaded as mastering
+    /// values: its joint values contain them.
+    #[arg(long, value_name = "FILE")]
+    mastered: Option<PathBuf>,
     #[command(flatten)]
     options: VerifyOptions,
     #[command(flatten)]
@@ -67,7 +71,11 @@ impl Verify {
             [Some(&self.robot), Some(&self.parameters), self.observations.as_ref(), self.choice.candidates.as_ref()];
         self.reports.check(given.into_iter().flatten())?;
         let robot = &read_robot(&self.robot)?;
-        let (document, run) = read_parameters_and_run(&self.parameters)?;
+        let (mut document, run) = read_parameters_and_run(&self.parameters)?;
+        if let Some(file) = &self.mastered {
+            let loaded = read_loaded_parameters(&self.parameters, Some(file))?;
+            mastered(robot.build(&robot.targets_or("tool"))?, &mut document, &loaded);
+        }
         let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
         out.remark(validity::expired(&document, campaign.as_ref()).as_slice());
         out.remark(unknown_geometry(&document, &files::sha256(&files::read(&self.robot)?)).as_slice());

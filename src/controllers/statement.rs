@@ -19,7 +19,7 @@ pub struct Statement {
     /// Position errors that decide whether the file is written; `None` if they were not measured.
     pub errors: Option<ControllerErrors>,
     /// Parameters that the file contains instead of the identified ones.
-    pub(crate) parameters: Option<ParametersDocument>,
+    pub parameters: Option<ParametersDocument>,
     /// Frame in which the file describes the robot.
     frame: &'static str,
     /// `true` if `parameters` were identified again, `false` if they were conditioned by the

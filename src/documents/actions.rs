@@ -1,10 +1,12 @@
 //! Next steps for the person who loads or repeats a calibration, each with its reason, from the
 //! documents of a campaign.
 
+use crate::loading::accepted_field;
 use crate::worded::worded;
 use crate::{
     AccuracyDocument, CampaignSummary, EffectProof, FieldDocument, Figure, Judged, LOADING_RATIO, LimitQuantity,
-    LimitVerdict, LoadAnswer, Loading, PointError, PoseSet, PositionErrors, Reason, UncertaintySource, VerdictDocument,
+    LimitVerdict, LoadAnswer, Loading, LoadingCheck, PointError, PoseSet, PositionErrors, Reason, UncertaintySource,
+    VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank, Severity};
@@ -112,7 +114,7 @@ pub enum ActionKind {
 }
 
 /// Controller file that a run wrote.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WrittenFile {
     /// Name of the format.
@@ -125,6 +127,10 @@ pub struct WrittenFile {
     /// SHA-256 of the file; absent in output folders of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
+    /// Pose on the display of the controller, before and after loading; absent in output folders of
+    /// earlier versions, and for robots without kinematics of a whole pose.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub check: Option<LoadingCheck>,
 }
 
 /// Files of output folders that do not give it were said to be for controllers.
@@ -225,7 +231,11 @@ impl Evidence<'_> {
         let judges = self.judged.accuracy.is_some() || self.judged.tested.poses.is_some();
         if verdict.limits.is_empty() && judges {
             let what = phrase!("action-state-limits");
-            let action = Action::new(ActionKind::StateLimits, what, phrase!("action-state-limits-reason"));
+            let reason = match verdict.verdict {
+                Some(_) => phrase!("action-state-limits-to-accept"),
+                None => phrase!("action-state-limits-reason"),
+            };
+            let action = Action::new(ActionKind::StateLimits, what, reason);
             all.push(action.file("campaign.toml"));
         }
         // stable: steps without a known gain keep the order of the verdict
@@ -239,7 +249,7 @@ impl Evidence<'_> {
         // the step that closes the loop follows what changes the robot
         let changes = |action: &Action| matches!(action.action, ActionKind::Load | ActionKind::Compensate);
         if let Some(last) = all.iter().rposition(changes) {
-            all.insert(last + 1, verify());
+            all.insert(last + 1, self.verify(loading));
         }
         all.truncate(MOST);
         all
@@ -266,9 +276,14 @@ impl Evidence<'_> {
 
     /// Correction of programs by the residual field, in addition to the loaded parameters.
     fn compensate(&self, loading: &Loading) -> Option<Action> {
-        let field = self.judged.accuracy?.field.as_ref().filter(|f| f.accepted)?.held_out.as_ref()?;
-        if loading.answer != LoadAnswer::Load || field.without_mm <= LOADING_RATIO * field.with_mm {
-            return None;
+        let accuracy = self.judged.accuracy?;
+        let field = accepted_field(accuracy)?;
+        let nominal_mm = accuracy.left_out.as_ref().map_or(field.without_mm, |left_out| left_out.nominal.rms);
+        match loading.answer {
+            LoadAnswer::Load => {}
+            // programs may be corrected although no file is worth loading
+            LoadAnswer::KeepNominal if nominal_mm > LOADING_RATIO * field.with_mm => {}
+            _ => return None,
         }
         let [without, with] = lengths([field.without_mm, field.with_mm]);
         let what = phrase!("action-compensate", file = FieldDocument::NAME);
@@ -347,6 +362,15 @@ impl Evidence<'_> {
     /// Search for the cause of errors beyond a limit, which begins at the worst pose.
     fn search_cause(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, beyond) = (limit.value?, limit.value? - limit.limit);
+        if let Some(whole) = self.met_with_all_parameters(limit) {
+            let what = phrase!("action-use-all-parameters", limit = limit.name.phrase());
+            let [value, whole, limit] = match limit.unit.as_str() {
+                "mm" => lengths([value, whole, limit.limit]),
+                _ => [value, whole, limit.limit].map(|v| in_unit(v, limit)),
+            };
+            let reason = phrase!("action-use-all-parameters-reason", value, whole, limit);
+            return Some(Action::new(ActionKind::MeetLimit, what, reason));
+        }
         let worst = limit.name.limited_error().and_then(|(quantity, _)| {
             let deciding = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?.name;
             let all = self.errors.iter().filter(|e| e.set == deciding && e.quantity == quantity);
@@ -366,6 +390,14 @@ impl Evidence<'_> {
         let action = Action::new(ActionKind::MeetLimit, what, reason);
         // parameters of effects are chosen at poses that are excluded
         Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
+    }
+
+    /// Value of a limit with all identified parameters, if it is met with them and missed with the
+    /// values of the file to load.
+    fn met_with_all_parameters(&self, limit: &LimitVerdict) -> Option<f64> {
+        self.judged.loaded?;
+        let whole = self.judged.accuracy?.limits.iter().find(|l| l.name == limit.name && l.met)?;
+        whole.value
     }
 
     /// Uncertainty at which a limit can be decided, and its largest source; a decision rule, if so
@@ -419,6 +451,21 @@ impl Evidence<'_> {
         Some(Action::new(ActionKind::ReduceUncertainty, what, reason))
     }
 
+    /// Test of the loaded file at a pose, and the way back.
+    fn verify(&self, loading: Option<&Loading>) -> Action {
+        let name = loading.and_then(|loading| loading.file.as_ref());
+        let file = name.and_then(|name| self.campaign.controller_files.iter().find(|file| file.file == *name));
+        let what = match file.and_then(|file| file.check.as_ref()) {
+            Some(check) => phrase!("action-verify-at-pose", pose = check.pose),
+            None => phrase!("action-verify"),
+        };
+        let reason = match &self.campaign.conditions.robot.controller_backup {
+            Some(backup) => phrase!("action-verify-backup", file = backup),
+            None => phrase!("action-verify-reason"),
+        };
+        Action::new(ActionKind::Verify, what, reason)
+    }
+
     /// Validation, without which errors are too small.
     fn add_validation(&self) -> Option<Action> {
         let sets = &self.judged.accuracy.filter(|a| a.given.is_none())?.sets;
@@ -428,11 +475,6 @@ impl Evidence<'_> {
             Action::new(ActionKind::AddValidation, what, reason).file("campaign.toml")
         })
     }
-}
-
-/// Measurement after loading, and the way back.
-fn verify() -> Action {
-    Action::new(ActionKind::Verify, phrase!("action-verify"), phrase!("action-verify-reason"))
 }
 
 /// Effect that improves the errors at poses that are excluded from the identification.

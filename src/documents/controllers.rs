@@ -1,7 +1,7 @@
 //! `controllers.json`: values of controller files whose format leaves identified parameters out,
 //! and position errors with these values.
 
-use super::{AccuracySet, ErrorStatistics, ParametersDocument, PoseSet, Statistics};
+use super::{AccuracySet, ErrorStatistics, LimitVerdict, ParametersDocument, PoseSet, Statistics};
 use etalon_base::message::{Message, Severity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,6 +33,13 @@ pub struct ControllerFiles {
     pub values: Vec<WrittenParameter>,
     /// Position errors, one entry per set of poses: `calibration`, `validation`.
     pub errors: Vec<ControllerErrors>,
+    /// Errors of all quantities at the deciding poses, with nominal and with the written values;
+    /// absent in output folders of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub deciding_set: Option<AccuracySet>,
+    /// Limits of errors, judged with the written values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<LimitVerdict>,
 }
 
 /// A parameter as written to a file.

@@ -94,6 +94,8 @@ pub enum SourceKind {
     Stream,
     /// A template of a controller format.
     Template,
+    /// A file of the controller before loading.
+    Backup,
 }
 
 impl Source {

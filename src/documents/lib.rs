@@ -70,7 +70,7 @@ pub use import::*;
 pub use iso9283::*;
 pub use kinematics::*;
 pub use limits::*;
-pub use loading::{LOADING_RATIO, LoadAnswer, Loading};
+pub use loading::{DisplayedPose, LOADING_RATIO, LoadAnswer, Loading, LoadingCheck};
 pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;

@@ -2,7 +2,11 @@
 //! documents; next steps and `etalon recommend` repeat this answer.
 
 use crate::{AccuracyDocument, ControllerErrors, Effect, EffectProof, FigureBudget, PositionErrors};
-use crate::{CampaignSummary, ControllersDocument, Figure, Judged, VerdictDocument, WrittenFile};
+use crate::{
+    CampaignSummary, ControllerFiles, ControllersDocument, FieldHeldOut, Figure, Judged, VerdictDocument, WrittenFile,
+};
+use etalon_base::pose::Vector;
+use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -49,6 +53,33 @@ pub enum LoadAnswer {
     Resolve,
 }
 
+/// Pose on the display of a controller at joint values that were measured: before and after a file
+/// is loaded.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LoadingCheck {
+    /// Measured pose at which the file changes the displayed position most.
+    pub pose: PoseName,
+    /// Joints, named as columns: `q1_deg`; the assembly mode of a five-bar.
+    pub joints: Vec<String>,
+    /// Joint values (mm or deg) before loading.
+    pub joint_values: Vec<f64>,
+    /// Pose with nominal parameters.
+    pub before: DisplayedPose,
+    /// Pose with the values of the file.
+    pub after: DisplayedPose,
+}
+
+/// Pose of flange, tool link or platform in the base frame of the robot.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DisplayedPose {
+    /// Position (mm).
+    pub xyz_mm: Vector,
+    /// Orientation as a unit quaternion: w, x, y, z.
+    pub quaternion: [f64; 4],
+}
+
 impl Loading {
     /// Decides for an identified robot; `None` without an identification, or without a measured
     /// error.
@@ -77,42 +108,90 @@ impl Loading {
         if !verdict.passes() {
             return Some(empty(LoadAnswer::Resolve));
         }
-        let effects: Vec<Effect> = further_effects(accuracy).map(|proof| proof.effect).collect();
+        let field_mm = accepted_field(accuracy).map_or(f64::INFINITY, |field| field.with_mm);
+        let better = further_effects(accuracy).filter(|proof| proof.with_mm < field_mm);
+        let effects: Vec<Effect> = better.map(|proof| proof.effect).collect();
         if !effects.is_empty() {
             return Some(Self { effects, ..empty(LoadAnswer::IdentifyFurther) });
         }
-        let Some((first, errors)) = files.first() else {
+        let Some(first) = files.first() else {
             return Some(Self { errors: Some(whole), ..empty(LoadAnswer::Load) });
         };
         Some(Self {
             answer: LoadAnswer::Load,
-            file: Some(first.file.clone()),
-            alternatives: files[1..].iter().map(|(file, _)| file.file.clone()).collect(),
-            is_for_controllers: Some(first.is_for_controllers),
-            errors: Some(errors.clone()),
+            file: Some(first.file.file.clone()),
+            alternatives: files[1..].iter().map(|other| other.file.file.clone()).collect(),
+            is_for_controllers: Some(first.file.is_for_controllers),
+            errors: Some(first.errors.clone()),
             effects: Vec::new(),
         })
     }
 }
 
-/// The best controller files, with their errors at the deciding poses.
+/// Controller file with its errors at the deciding poses.
+#[derive(Clone)]
+struct KnownFile<'a> {
+    file: &'a WrittenFile,
+    errors: ControllerErrors,
+    /// Values of the file, if they differ from the identified ones.
+    values: Option<&'a ControllerFiles>,
+}
+
+/// Controller files whose errors are known.
+fn known_files<'a>(
+    whole: &ControllerErrors,
+    files: &'a [WrittenFile],
+    controllers: Option<&'a ControllersDocument>,
+) -> Vec<KnownFile<'a>> {
+    let known = |file: &'a WrittenFile| {
+        let of_format = |c: &&ControllerFiles| c.formats.contains(&file.format);
+        let values = controllers.and_then(|c| c.files.iter().find(of_format));
+        let errors = values.map_or_else(|| Some(whole.clone()), |c| c.deciding().cloned())?;
+        Some(KnownFile { file, errors, values })
+    };
+    files.iter().filter_map(known).collect()
+}
+
+/// Files with the smallest error; files that a controller loads precede files of laboratories.
+fn best(mut known: Vec<KnownFile>) -> Vec<KnownFile> {
+    let of_controllers = known.iter().any(|k| k.file.is_for_controllers);
+    known.retain(|k| k.file.is_for_controllers || !of_controllers);
+    let best = known.iter().map(|k| k.errors.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm));
+    known.retain(|k| Some(k.errors.written) == best);
+    known
+}
+
+/// The best controller files of those that are clearly better than nominal parameters.
 fn better_files<'a>(
     whole: &ControllerErrors,
     files: &'a [WrittenFile],
-    controllers: Option<&ControllersDocument>,
-) -> Vec<(&'a WrittenFile, ControllerErrors)> {
-    let errors = |file: &WrittenFile| {
-        let of_format = |c: &&crate::ControllerFiles| c.formats.contains(&file.format);
-        let left_out = controllers.and_then(|c| c.files.iter().find(of_format));
-        left_out.map_or_else(|| Some(whole.clone()), |c| c.deciding().cloned())
-    };
-    let better = |e: &ControllerErrors| !e.is_hardly_better_than_nominal();
-    let mut known: Vec<_> = files.iter().filter_map(|f| Some((f, errors(f).filter(better)?))).collect();
-    let of_controllers = known.iter().any(|(file, _)| file.is_for_controllers);
-    known.retain(|(file, _)| file.is_for_controllers || !of_controllers);
-    let best = known.iter().map(|(_, e)| e.written).min_by(|a, b| a.rms_mm.total_cmp(&b.rms_mm));
-    known.retain(|(_, e)| Some(e.written) == best);
-    known
+    controllers: Option<&'a ControllersDocument>,
+) -> Vec<KnownFile<'a>> {
+    let better = |k: &KnownFile| !k.errors.is_hardly_better_than_nominal();
+    best(known_files(whole, files, controllers).into_iter().filter(better).collect())
+}
+
+/// Controller file that a run judges, with its values: the file to load, or the best one if none is
+/// clearly better than nominal parameters. `None` if it contains the identified values.
+pub(crate) fn judged_file<'a>(
+    accuracy: &AccuracyDocument,
+    files: &'a [WrittenFile],
+    controllers: Option<&'a ControllersDocument>,
+) -> Option<(&'a WrittenFile, &'a ControllerFiles)> {
+    let set = accuracy.sets.iter().rfind(|s| s.count > 0)?;
+    let whole = ControllerErrors::new(set, None)?;
+    let better = better_files(&whole, files, controllers);
+    let all = if better.is_empty() { best(known_files(&whole, files, controllers)) } else { better };
+    let first = all.first()?;
+    // output folders of earlier versions do not contain the errors of all quantities
+    Some((first.file, first.values.filter(|values| values.deciding_set.is_some())?))
+}
+
+/// Errors at held-out poses of a residual field that corrects programs, if it is more than 5 %
+/// better than the parameters alone.
+pub(crate) fn accepted_field(accuracy: &AccuracyDocument) -> Option<&FieldHeldOut> {
+    let found = accuracy.field.as_ref().filter(|field| field.accepted)?.held_out.as_ref();
+    found.filter(|field| field.without_mm > LOADING_RATIO * field.with_mm)
 }
 
 /// Effects that are not identified, and without which errors at held-out poses are more than 5 %

@@ -1,10 +1,11 @@
 //! Results of a run: filled once, stored in the documents of its output folder, and read back as
 //! the same type.
 
+use crate::loading::judged_file;
 use crate::{
-    AccuracyDocument, CampaignSummary, Characteristics, ControllersDocument, Evidence, FeaturesDocument, FieldDocument,
-    FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument, PointError, Provenance,
-    VerdictDocument,
+    AccuracyDocument, CampaignSummary, Characteristics, ControllerFiles, ControllersDocument, Evidence,
+    FeaturesDocument, FieldDocument, FramesDocument, GeometricDocument, ImportDocument, Judged, ParametersDocument,
+    PointError, Provenance, VerdictDocument, WrittenFile,
 };
 use etalon_base::message::Message;
 
@@ -49,17 +50,28 @@ impl Results {
     /// Fills the verdict with its reasons and next steps, from all other documents.
     pub fn judged(mut self) -> Self {
         let identified = self.identified.as_ref();
+        let file = self.judged_file();
         let judged = Judged {
             parameters: identified.map(|i| &i.parameters),
             accuracy: identified.map(|i| &i.accuracy),
             tested: &self.tested,
             controllers: self.controllers.as_ref(),
+            loaded: file.map(|(_, values)| values),
             conditions: Some(&self.campaign.conditions),
         };
         let errors = identified.map_or(&[][..], |i| &i.errors);
         let messages = self.messages().collect();
-        self.verdict = Evidence { judged, campaign: &self.campaign, errors, messages }.verdict();
+        let judged_file = file.map(|(written, _)| written.file.clone());
+        let verdict = Evidence { judged, campaign: &self.campaign, errors, messages }.verdict();
+        self.verdict = VerdictDocument { judged_file, ..verdict };
         self
+    }
+
+    /// Controller file with whose values the limits are judged; `None` if its values are the
+    /// identified ones.
+    pub fn judged_file(&self) -> Option<(&WrittenFile, &ControllerFiles)> {
+        let accuracy = &self.plausible()?.accuracy;
+        judged_file(accuracy, &self.campaign.controller_files, self.controllers.as_ref())
     }
 
     /// Warnings and errors of all documents, in the order of the report.

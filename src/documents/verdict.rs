@@ -2,7 +2,7 @@
 
 use crate::loading::hardly_better;
 use crate::{
-    Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors,
+    Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors, ControllerFiles,
     ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, Loading, ParametersDocument, PoseCharacteristic,
     PositionErrors, UntestedMistake,
 };
@@ -26,6 +26,10 @@ pub struct VerdictDocument {
     pub reasons: Vec<Reason>,
     /// All limits with their verdicts.
     pub limits: Vec<LimitVerdict>,
+    /// Controller file with whose values the limits of errors are judged; absent if its values are
+    /// the identified ones, or if no file is written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub judged_file: Option<String>,
     /// Answer to the question of which values a controller should load; absent without identified
     /// parameters.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -149,6 +153,8 @@ pub struct Judged<'a> {
     pub tested: &'a Characteristics,
     /// Controller files.
     pub controllers: Option<&'a ControllersDocument>,
+    /// Values of the controller file to load, if they differ from the identified ones.
+    pub loaded: Option<&'a ControllerFiles>,
     /// Given conditions of the measurements.
     pub conditions: Option<&'a Conditions>,
 }
@@ -275,10 +281,19 @@ impl Reason {
     }
 }
 
-impl Judged<'_> {
-    /// All limits.
+impl<'a> Judged<'a> {
+    /// Test to ISO 9283 alone.
+    pub fn tested(tested: &'a Characteristics) -> Self {
+        Self { parameters: None, accuracy: None, tested, controllers: None, loaded: None, conditions: None }
+    }
+
+    /// All limits; limits of errors apply to the values of the file to load.
     pub fn limits(&self) -> impl Iterator<Item = &LimitVerdict> {
-        self.accuracy.iter().flat_map(|accuracy| &accuracy.limits).chain(self.tested.limits())
+        let of_errors = match self.loaded {
+            Some(loaded) => Some(&loaded.limits),
+            None => self.accuracy.map(|accuracy| &accuracy.limits),
+        };
+        of_errors.into_iter().flatten().chain(self.tested.limits())
     }
 
     /// Verdict with its reasons.
@@ -326,6 +341,7 @@ impl Default for VerdictDocument {
             exit_code: 0,
             reasons: Vec::new(),
             limits: Vec::new(),
+            judged_file: None,
             loading: None,
             actions: Vec::new(),
         }

@@ -1,7 +1,8 @@
 //! Controller formats of a campaign: formats by their names, and templates of the campaign's own.
 
 use crate::run::documents::is_file_of_run;
-use etalon_base::files::Stamp;
+use etalon_base::catalogue::Phrase;
+use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
@@ -14,7 +15,7 @@ use toml::Spanned;
 #[derive(Default)]
 pub struct ControllerFormats {
     formats: Vec<Format>,
-    /// Files of the templates.
+    /// Files of the templates, and the controller's file before loading.
     pub sources: Vec<Source>,
 }
 
@@ -33,10 +34,12 @@ impl ControllerFormats {
     /// templates that cannot be used.
     pub fn read(campaign: &Campaign, problems: &mut Problems) -> Self {
         let known = |name: &str| etalon_controllers::by_name(name).map(Format::Known);
+        let mut found =
+            Self { sources: problems.keep(backup(campaign)).flatten().into_iter().collect(), ..Self::default() };
         let Some(stated) = &campaign.file.controllers else {
-            return Self { formats: etalon_controllers::usual().filter_map(known).collect(), sources: Vec::new() };
+            found.formats.extend(etalon_controllers::usual().filter_map(known));
+            return found;
         };
-        let mut found = Self::default();
         for name in stated {
             if is_template(name.get_ref()) {
                 let Some((format, source)) = problems.keep(template(campaign, name)) else { continue };
@@ -98,16 +101,35 @@ fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(TemplateForm
     let path = campaign.resolve(name)?;
     let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
     let format = template_format(name.get_ref(), text, campaign.place(name))?;
-    let (stamp, holds) = (Stamp::new(&bytes), phrase!("controller-template"));
-    let source = Source {
-        file: name.get_ref().clone(),
+    Ok((format, source(name.get_ref(), &bytes, SourceKind::Template, phrase!("controller-template"))))
+}
+
+/// Reads the controller's file before loading, if the campaign names one.
+///
+/// # Errors
+///
+/// Reports a file that cannot be read.
+fn backup(campaign: &Campaign) -> Result<Option<Source>> {
+    let (Some(name), Some(path)) = (&campaign.file.conditions.robot.controller_backup, campaign.controller_backup())
+    else {
+        return Ok(None);
+    };
+    let place = || campaign.key_place(&["conditions", "controller_backup"]);
+    let bytes = files::read(&path?).map_err(|problems| problems.at(&place()))?;
+    Ok(Some(source(name, &bytes, SourceKind::Backup, phrase!("source-backup"))))
+}
+
+/// Source without rows.
+fn source(file: &str, bytes: &[u8], kind: SourceKind, read_as: Phrase) -> Source {
+    let stamp = Stamp::new(bytes);
+    Source {
+        file: file.to_owned(),
         sha256: stamp.sha256,
         bytes: stamp.size,
-        kind: SourceKind::Template,
-        dialect: holds.into(),
+        kind,
+        dialect: read_as.into(),
         rows_read: 0,
         refused: Vec::new(),
         standstills: Vec::new(),
-    };
-    Ok((format, source))
+    }
 }

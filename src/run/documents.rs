@@ -10,7 +10,8 @@ use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
-    AccuracyDocument, CellDocument, FieldDocument, ManifestDocument, ParametersDocument, PointError,
+    AccuracyDocument, CampaignSummary, CellDocument, ControllerFiles, ControllersDocument, FieldDocument,
+    ManifestDocument, ParametersDocument, PointError,
 };
 use etalon_formats::parquet;
 use serde::de::DeserializeOwned;
@@ -131,6 +132,23 @@ impl Documents {
         named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
+    /// Identified parameters with the values of a controller file of the run; a path counts by its
+    /// file name.
+    ///
+    /// # Errors
+    /// Fails if the run wrote no such file.
+    pub fn parameters_in_file(&self, identified: &ParametersDocument, file: &Path) -> Result<ParametersDocument> {
+        let campaign: CampaignSummary = self.json("campaign.json")?;
+        let name = file.file_name().unwrap_or_default();
+        let Some(written) = campaign.controller_files.iter().find(|written| name == written.file.as_str()) else {
+            return Err(error!("file-not-of-run", file = file.display().to_string()).into());
+        };
+        let controllers: Option<ControllersDocument> = self.optional("controllers.json")?;
+        let of_format = |values: &ControllerFiles| values.formats.contains(&written.format);
+        let values = controllers.and_then(|document| document.files.into_iter().find(of_format));
+        Ok(values.map_or_else(|| identified.clone(), |values| values.applied_to(identified)))
+    }
+
     /// Errors of the measured points of a run with this accuracy.
     pub fn errors(&self, accuracy: &AccuracyDocument) -> Result<Vec<PointError>> {
         let name = "residuals.parquet";
@@ -205,6 +223,22 @@ pub fn read_parameters_and_run(path: &Path) -> Result<(ParametersDocument, Optio
         _ => files::read(path)?,
     };
     Ok((checked(path, &bytes)?, run))
+}
+
+/// Reads `parameters.json`; with a controller file of its run, the parameters with its values.
+///
+/// # Errors
+/// Fails if the parameters are not in the output folder of a run that wrote this file.
+pub fn read_loaded_parameters(path: &Path, file: Option<&Path>) -> Result<ParametersDocument> {
+    let (document, run) = read_parameters_and_run(path)?;
+    match (file, run) {
+        (None, _) => Ok(document),
+        (Some(file), Some(run)) => run.parameters_in_file(&document, file),
+        (Some(_), None) => {
+            let folder = path.parent().unwrap_or(Path::new("")).display().to_string();
+            Err(error!("not-an-output-folder", folder).into())
+        }
+    }
 }
 
 /// Reads the answer of `etalon cell --json`.

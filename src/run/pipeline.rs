@@ -7,10 +7,12 @@ use crate::run::summary::summary;
 use crate::run::walk::{Inputs, Mode, Walk};
 use crate::stages::calibrate::controller_files as written_values;
 use crate::stages::calibrate::identification::{Identified, IdentifiedSolution};
+use crate::stages::calibrate::loading_check::loading_check;
 use crate::stages::gather::{self, Gathered};
 use crate::stages::join::Joined;
 use crate::stages::kinds;
 use crate::stages::table_file::TableFile;
+use crate::stages::verify::earlier_parameters::robot_values;
 use etalon_base::files;
 use etalon_base::folder::Durability;
 use etalon_base::message::{Problems, Result};
@@ -21,7 +23,7 @@ use etalon_documents::{
     to_json,
 };
 use etalon_report::Renderer;
-use etalon_robots::Robot;
+use etalon_robots::{Robot, Role};
 
 /// Files that a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,8 +106,10 @@ pub fn evaluate(campaign: &Campaign) -> Result<Evaluated> {
         tested,
         verdict: VerdictDocument::default(),
     };
-    results.campaign.controller_files =
-        robot.map_or_else(Vec::new, |robot| written(campaign, robot, &results, &formats));
+    results.campaign.controller_files = match robot.zip(solution.as_ref()) {
+        Some((robot, solution)) => written(campaign, robot, solution, &results, &formats),
+        None => Vec::new(),
+    };
     Ok(Evaluated { results: results.judged(), solution, gathered, joined, formats })
 }
 
@@ -129,26 +133,35 @@ pub(super) fn identified_again(
 ) -> Option<ControllersDocument> {
     let input = export_input(campaign, robot, &found.documents, summary);
     let is_plausible = found.documents.parameters.is_plausible();
-    is_plausible.then(|| written_values::identify_again(&input, robot, &found.solution, formats)).flatten()
+    is_plausible.then(|| written_values::identify_again(campaign, &input, robot, &found.solution, formats)).flatten()
 }
 
 /// Controller files that are not rejected.
-fn written(campaign: &Campaign, robot: &dyn Robot, results: &Results, formats: &ControllerFormats) -> Vec<WrittenFile> {
+fn written(
+    campaign: &Campaign,
+    robot: &dyn Robot,
+    solution: &IdentifiedSolution,
+    results: &Results,
+    formats: &ControllerFormats,
+) -> Vec<WrittenFile> {
     let Some(found) = results.plausible() else { return Vec::new() };
     let input = ExportInput {
         controllers: results.controllers.as_ref(),
         ..export_input(campaign, robot, found, &results.campaign)
     };
-    let is_written = |(name, exporter): &(&str, &dyn Exporter)| {
-        input.statement(*exporter).is_ok_and(|statement| statement.refusal(name).is_none())
+    let file = |(name, exporter): (&str, &dyn Exporter)| {
+        let statement = input.statement(exporter).ok().filter(|statement| statement.refusal(name).is_none())?;
+        let parameters = statement.parameters.as_ref().unwrap_or(&found.parameters);
+        let values = robot_values(robot, parameters, &[Role::Robot]).ok();
+        Some(WrittenFile {
+            format: name.to_owned(),
+            file: exporter.file_name().to_owned(),
+            is_for_controllers: exporter.is_for_controllers(),
+            sha256: None,
+            check: values.and_then(|values| loading_check(robot, solution, &values)),
+        })
     };
-    let file = |(name, exporter): (&str, &dyn Exporter)| WrittenFile {
-        format: name.to_owned(),
-        file: exporter.file_name().to_owned(),
-        is_for_controllers: exporter.is_for_controllers(),
-        sha256: None,
-    };
-    formats.all().into_iter().filter(is_written).map(file).collect()
+    formats.all().into_iter().filter_map(file).collect()
 }
 
 /// Writes what [`evaluate`] computed to the output folder of the campaign.

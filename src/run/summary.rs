@@ -2,7 +2,8 @@
 
 use etalon_campaign::{Campaign, ReportDefinition};
 use etalon_documents::{
-    CampaignSummary, ContactSummary, InstrumentSummary, Issue, MeasurementSummary, Presentation, TemperatureSummary,
+    CampaignSummary, ContactSummary, InstrumentSummary, Issue, LimitsSummary, MeasurementSummary, Presentation,
+    TemperatureSummary,
 };
 
 /// The campaign as its report gives it, before its files are read.
@@ -23,7 +24,10 @@ pub fn summary(campaign: &Campaign, report: Presentation) -> CampaignSummary {
             coverage_factor: Some(file.instrument.coverage_factor),
             expanded_position_uncertainty_um: file.instrument.expanded_position_uncertainty_um,
         },
-        decision_rule: file.limits.decision_rule,
+        limits: LimitsSummary {
+            decision_rule: file.limits.decision_rule,
+            specification: file.limits.specification.clone(),
+        },
         contact: file
             .contact
             .map(|c| ContactSummary { repeatability_um: c.repeatability_um, coverage_factor: c.coverage_factor }),

@@ -148,7 +148,7 @@ fn every_line_of_the_lists_is_at_its_place() {
 /// The checklist names what is missing with its key, and a certificate is a draft until nothing is.
 #[test]
 fn a_certificate_of_complete_measured_data_is_no_draft() {
-    let rule = "\n[limits]\nposition_max_mm = 0.044\ndecision_rule = \"guarded\"\n";
+    let rule = "\n[limits]\nposition_max_mm = 0.044\ndecision_rule = \"guarded\"\nspecification = \"drawing 4711\"\n";
     let whole = format!("{STATED}{rule}");
     for (stated, missing) in [(whole.clone(), None), (whole.replace("issued =", "# issued ="), Some("report.issued"))] {
         let (scratch, html) = page_of("prexyt-cmm", &stated, false);

@@ -291,7 +291,10 @@ fn files_of_deltas_are_better_than_nominal_and_the_same_by_export() {
     scratch.replace("campaign.toml", "[\"json\"]", &format!("{formats:?}"));
     let folder = scratch.path();
     let ran = etalon(&folder, &["run", "."]);
-    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    // the best of these files leaves 0.18 mm, where all parameters meet the limit of 0.1 mm
+    assert_eq!(ran.status.code(), Some(1), "{}", text(&ran.stderr));
+    let verdict = json(&folder, "verdict.json");
+    assert_eq!(verdict["judged_file"], "klipper_delta.cfg", "{verdict}");
     let mut arguments = vec!["export", "out/parameters.json", "--robot", "robot.toml", "--to", "again"];
     arguments.extend(formats.iter().flat_map(|format| ["--format", format]));
     assert_eq!(etalon(&folder, &arguments).status.code(), Some(0));

@@ -21,6 +21,7 @@ mod iso9283_campaign;
 mod iso9283_commands;
 mod iso9283_poses;
 mod kinematics;
+mod loaded;
 mod numbers;
 mod plan;
 mod plan_generate;

@@ -84,6 +84,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
         ..identified.accuracy.clone()
     };
     let mut section = errors::section_from_errors(&accuracy, &[], words);
+    errors::insert_file_errors(&mut section, results, words);
     section.title = tr!(words, "results-before-and-after");
     Some(section)
 }
@@ -156,7 +157,8 @@ mod tests {
         let mut documents = Documents::demo();
         let c = &mut documents.campaign;
         let text = || Some("stated".to_owned());
-        (c.measurements.synthetic, c.decision_rule) = (None, Some(etalon_documents::DecisionRule::Guarded));
+        (c.measurements.synthetic, c.limits.decision_rule) = (None, Some(etalon_documents::DecisionRule::Guarded));
+        c.limits.specification = text();
         let issue = &mut c.issue;
         (issue.number, issue.customer, issue.issued, issue.authorised_by) = (text(), text(), text(), text());
         let given = &mut c.conditions;
@@ -164,6 +166,8 @@ mod tests {
         (given.robot.serial_number, given.robot.state) = (text(), text());
         (given.instrument_calibration, given.traceability) = (text(), text());
         given.deviations = Some(Vec::new());
+        given.robot.controller = text();
+        (given.motion.load_kg, given.warm_up_minutes) = (Some(0.0), Some(30.0));
         documents
     }
 
@@ -194,6 +198,7 @@ mod tests {
             file: "controller.json".to_owned(),
             is_for_controllers: false,
             sha256: Some(sha256.clone()),
+            check: None,
         }];
         let results = documents.results();
         let identified = &results.identified.as_ref().unwrap().parameters;

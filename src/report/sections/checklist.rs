@@ -40,8 +40,9 @@ pub(super) fn section_from_missing(missing: &[Missing], words: &Words) -> Option
 /// Fields that are not given, in the order of the clauses.
 pub(super) fn missing(results: &Results, words: &Words) -> Vec<Missing> {
     let mut all = general(results, words);
-    if !results.tested.is_empty() {
-        all.extend(test_fields(results, words));
+    match results.tested.is_empty() {
+        true => all.extend(influences(results, CALIBRATION, words)),
+        false => all.extend(test_fields(results, words)),
     }
     let missing = all.into_iter().filter(|(.., stated)| !stated);
     missing.map(|(field, key, clause, _)| Missing { field, key, clause }).collect()
@@ -90,22 +91,34 @@ fn general(results: &Results, words: &Words) -> Vec<Field> {
         (tr!(words, "traceability"), "conditions.traceability", CALIBRATION, is_stated(&given.traceability)),
         (tr!(words, "temperature"), "temperature_c", CALIBRATION, c.temperature.stated_c.is_some()),
     ];
-    if !super::limits::limits(results.identified.as_ref(), &results.tested).is_empty() {
-        all.push((tr!(words, "decision-rule"), "limits.decision_rule", CONFORMITY, c.decision_rule.is_some()));
+    if !results.verdict.limits.is_empty() {
+        let limits = &c.limits;
+        all.push((tr!(words, "decision-rule"), "limits.decision_rule", CONFORMITY, limits.decision_rule.is_some()));
+        let specification = is_stated(&limits.specification);
+        all.push((tr!(words, "limits-specification"), "limits.specification", CONFORMITY, specification));
     }
     all
+}
+
+/// Conditions that influence the results.
+fn influences(results: &Results, clause: &'static str, words: &Words) -> Vec<Field> {
+    let given = &results.campaign.conditions;
+    vec![
+        (tr!(words, "controller"), "conditions.controller", clause, is_stated(&given.robot.controller)),
+        (tr!(words, "load"), "conditions.load_kg", clause, given.motion.load_kg.is_some()),
+        (tr!(words, "warm-up-before-the-test"), "conditions.warm_up_minutes", clause, given.warm_up_minutes.is_some()),
+    ]
 }
 
 /// Conditions of a test.
 fn test_fields(results: &Results, words: &Words) -> Vec<Field> {
     let given = &results.campaign.conditions;
     let velocity = given.motion.velocities_percent.is_some() || given.motion.velocities_mm_s.is_some();
-    vec![
-        (tr!(words, "controller"), "conditions.controller", TEST, is_stated(&given.robot.controller)),
+    let mut all = vec![
         (tr!(words, "mounting"), "conditions.mounting", TEST, is_stated(&given.robot.mounting)),
         (tr!(words, "measurement-point"), "conditions.measurement_point", TEST, is_stated(&given.measurement_point)),
-        (tr!(words, "load"), "conditions.load_kg", TEST, given.motion.load_kg.is_some()),
         (tr!(words, "velocities"), "conditions.velocities_percent", TEST, velocity),
-        (tr!(words, "warm-up-before-the-test"), "conditions.warm_up_minutes", TEST, given.warm_up_minutes.is_some()),
-    ]
+    ];
+    all.extend(influences(results, TEST, words));
+    all
 }

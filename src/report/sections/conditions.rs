@@ -43,7 +43,7 @@ fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cel
 /// Identification of report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
 fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, issue) = (&results.campaign, &results.campaign.conditions, &results.campaign.issue);
-    let rule = c.decision_rule.map(|rule| name(rule, words));
+    let rule = c.limits.decision_rule.map(|rule| name(rule, words));
     let default = || tr!(words, "rule-not-stated", rule = name(DecisionRule::default(), words));
     let all = vec![
         (tr!(words, "report-number"), issue.number.clone()),
@@ -69,22 +69,12 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     stated(all, words).into_iter().chain(until).collect()
 }
 
-/// Data of a certificate on report, customer, item, place, dates, traceability and deviations,
-/// including those that are missing.
+/// Data of a certificate on report, customer, item, place, dates, conditions, traceability and
+/// deviations, including those that are missing.
 pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
-    let conditions = facts(results, words);
-    let traced = [
-        tr!(words, "instrument"),
-        tr!(words, "instrument-uncertainty"),
-        tr!(words, "instrument-calibration"),
-        tr!(words, "traceability"),
-        tr!(words, "temperature"),
-        tr!(words, "deviations-from-the-method"),
-    ];
-    identity(results, words)
-        .into_iter()
-        .chain(conditions.into_iter().filter(|(what, _)| traced.contains(what)))
-        .collect()
+    let remarks = [tr!(words, "contact"), tr!(words, "notes")];
+    let conditions = facts(results, words).into_iter().filter(|(what, _)| !remarks.contains(what));
+    identity(results, words).into_iter().chain(conditions).collect()
 }
 
 /// Name of the robot in the campaign, which differs from its model.
@@ -242,6 +232,28 @@ mod tests {
             assert_eq!(fact(&identity, what).as_deref(), Some("not stated"), "{what}");
         }
         assert_eq!(fact(&identity, "date of the measurements").as_deref(), Some("2011-05-12"));
+    }
+
+    #[test]
+    fn a_certificate_shows_what_a_signer_has_to_add() {
+        let facts = certificate_facts(&Documents::demo().results(), &Words::default());
+        for what in [
+            "controller",
+            "mounting",
+            "measurement point",
+            "load",
+            "load centre (from the mechanical interface)",
+            "velocities",
+            "relative humidity",
+            "environment",
+            "warm-up before the test",
+            "instrument's calibration",
+            "traceability",
+        ] {
+            assert_eq!(fact(&facts, what).as_deref(), Some("not stated"), "{what}");
+        }
+        assert_eq!(fact(&facts, "operator").as_deref(), Some("N. N."));
+        assert!(facts.iter().all(|(name, _)| name != "notes"), "{facts:?}");
     }
 
     #[test]

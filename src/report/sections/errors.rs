@@ -25,7 +25,21 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let flagged = outliers.into_iter().flat_map(|(poses, critical)| {
         poses.iter().filter(move |p| p.residual_over_sigma > critical).map(|p| (p.pose, p.residual_over_sigma))
     });
-    with_flagged(accuracy, false, errors, &flagged.collect(), words).whole()
+    let mut section = with_flagged(accuracy, false, errors, &flagged.collect(), words);
+    insert_file_errors(&mut section, results, words);
+    section.whole()
+}
+
+/// Inserts the errors with the values of the file that is judged, before those with all identified
+/// parameters.
+pub(super) fn insert_file_errors(section: &mut Section, results: &Results, words: &Words) {
+    let Some((file, values)) = results.judged_file() else { return };
+    let (Some(identified), Some(set)) = (&results.identified, &values.deciding_set) else { return };
+    let name = words.tr(&set.name.phrase());
+    let names = [phrase!("before"), phrase!("after")];
+    section.begin(Block::heading(tr!(words, "errors-with-all-parameters")));
+    section.begin(Block::Table(statistics(&identified.accuracy, set, set.name.name(), names, words)));
+    section.begin(Block::heading(tr!(words, "errors-with-file", file = file.file, set = name, poses = set.poses)));
 }
 
 /// Section of these errors.

@@ -4,16 +4,18 @@ use crate::model::{Block, Cell, Columns, Section, Table, Text, number_cell, sign
 use crate::number;
 use crate::words::{Words, names, tr};
 use etalon_base::phrase;
-use etalon_documents::{
-    Acceptance, Characteristics, Conformity, DecisionRule, IdentifiedDocuments, LimitVerdict, Results,
-};
+use etalon_documents::{Acceptance, Conformity, DecisionRule, LimitVerdict, Results};
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
-    section_from_verdicts(
-        &limits(results.identified.as_ref(), &results.tested),
-        results.campaign.decision_rule.is_none(),
-        words,
-    )
+    let all: Vec<&LimitVerdict> = results.verdict.limits.iter().collect();
+    let mut section = section_from_verdicts(&all, results.campaign.limits.decision_rule.is_none(), words)?;
+    if let Some(file) = &results.verdict.judged_file {
+        section.push(Block::text(tr!(words, "limits-are-of-file", file)));
+    }
+    let specification = results.campaign.limits.specification.clone();
+    let specification = specification.unwrap_or_else(|| tr!(words, "not-stated"));
+    section.push(Block::facts(vec![(tr!(words, "limits-specification"), specification.into())]));
+    Some(section)
 }
 
 /// Section of these limits; `default` if the decision rule was not chosen.
@@ -109,14 +111,6 @@ fn rule(rule: DecisionRule, default: bool, words: &Words) -> String {
     let named = tr!(words, "decision-rule-explained", rule = name(rule, words), explanation = means);
     let none = tr!(words, "decision-rule-by-default");
     if default { format!("{named} {none}") } else { named }
-}
-
-/// All judged limits of the campaign.
-pub(super) fn limits<'a>(
-    identified: Option<&'a IdentifiedDocuments>,
-    tested: &'a Characteristics,
-) -> Vec<&'a LimitVerdict> {
-    identified.iter().flat_map(|i| &i.accuracy.limits).chain(tested.limits()).collect()
 }
 
 /// Value to the second digit of its uncertainty, or with as many digits as distinguish it from its

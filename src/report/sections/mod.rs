@@ -34,6 +34,7 @@ mod streams;
 mod test_poses;
 pub(super) mod validity;
 pub(super) mod verdict;
+mod way_back;
 
 use super::model::{Block, Section};
 use super::words::{Words, tr};
@@ -46,7 +47,8 @@ type Make = fn(&Results, &Words) -> Option<Section>;
 const BEFORE: [Make; 4] = [conditions::section, limits::section, errors::section, errors::pictures];
 const AFTER: [Make; 3] = [field::section, effects::section, budget::section];
 /// Annexes behind the evidence.
-const ANNEXES: [Make; 11] = [
+const ANNEXES: [Make; 12] = [
+    way_back::section,
     errors::other_sets,
     messages::section,
     checklist::section,

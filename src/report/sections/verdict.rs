@@ -8,9 +8,10 @@ use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
-    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, DecisionRule, ErrorQuantity, Figure,
-    IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict, ParametersDocument,
-    PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame, VerdictDocument,
+    Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, ControllerErrors, ControllerFiles,
+    DecisionRule, ErrorQuantity, Figure, IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict,
+    ParametersDocument, PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame,
+    VerdictDocument, WrittenFile,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -30,11 +31,14 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     let (identified, tested) = (results.identified.as_ref(), &results.tested);
     let judgement = &results.verdict;
     let limits: Vec<&LimitVerdict> = judgement.limits.iter().collect();
-    let set = identified.and_then(|i| headline_set(&i.accuracy));
+    let judged_file = results.judged_file();
+    let set_of_file = judged_file.and_then(|(_, values)| values.deciding_set.as_ref());
+    let set = set_of_file.or_else(|| identified.and_then(|i| headline_set(&i.accuracy)));
     let mut sentences: Vec<String> = identified.and_then(|i| alarm(&i.parameters, words)).into_iter().collect();
     sentences.extend(named(judgement, words));
     sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
-    sentences.extend(identified.zip(set).into_iter().flat_map(|(i, set)| errors(&i.accuracy, set, words)));
+    sentences.extend(judged_file.and_then(|(file, values)| file_sentence(file, values, words)));
+    sentences.extend(set.into_iter().flat_map(|set| errors(&limits, set, words)));
     sentences.extend(identified.and_then(|i| unexplained(i, words)));
     sentences.extend(identified.and_then(|i| Some(series(i.parameters.residuals.between_series?, words))));
     sentences.extend(characteristics(tested, words));
@@ -51,8 +55,10 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     // a platform without a given point has its centre, which nobody measured
     let is_stated = |tool: &&ToolAccuracy| tool.frame != ToolFrame::Platform || tool.point_mm != [0.0; 3];
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).filter(is_stated);
+    // the expected error at the tool point is that of all identified parameters
+    let tool = tool.filter(|_| judged_file.is_none());
     let tool = tool.map(|tool| at_tool(tool, words));
-    let shown = identified.zip(set).map_or_else(Vec::new, |(i, set)| before_after(&i.accuracy, set, words));
+    let shown = set.map_or_else(Vec::new, |set| before_after(&limits, set, words));
     let verdict = Verdict {
         class: Grade::from_verdict(judgement.verdict),
         met: judgement.passes(),
@@ -90,7 +96,7 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
             tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
         }
         Reason::ModelDoesNotFit { times } => {
-            tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 2))
+            tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 3))
         }
         Reason::SetUpUntested { count, flange_mm, flange_deg } => tr!(
             words,
@@ -160,10 +166,23 @@ fn counted(limits: &[&LimitVerdict], words: &Words) -> String {
     said.into_iter().flatten().filter(|s| !s.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
+/// Controller file that the other sentences describe, with its error beside the error with all
+/// identified parameters.
+fn file_sentence(file: &WrittenFile, values: &ControllerFiles, words: &Words) -> Option<String> {
+    let ControllerErrors { written, identified, .. } = values.deciding()?;
+    let DisplayUnit { unit, factor } = number::display_unit("mm", written.rms_mm);
+    let [rms, whole] = [written, identified].map(|e| number::significant(e.rms_mm * factor, 3));
+    let count = values.left_out.len();
+    Some(tr!(words, "verdict-is-of-file", file = file.file, count, rms, whole, unit))
+}
+
 /// Sentences on the limited errors; without limits, on the largest leading error.
-fn errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<String> {
-    let limited: Vec<String> = accuracy.limits.iter().filter_map(|l| limited(l, set, words)).collect();
-    if accuracy.limits.is_empty() { largest_error(set, words).into_iter().collect() } else { limited }
+fn errors(limits: &[&LimitVerdict], set: &AccuracySet, words: &Words) -> Vec<String> {
+    let mut of_errors = limits.iter().filter(|l| l.name.limited_error().is_some()).peekable();
+    match of_errors.peek() {
+        Some(_) => of_errors.filter_map(|l| limited(l, set, words)).collect(),
+        None => largest_error(set, words).into_iter().collect(),
+    }
 }
 
 /// A limited error with its uncertainty, its value before calibration, its limit and verdict.
@@ -237,7 +256,7 @@ fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
         None if !r.conditions.is_empty() => tr!(words, "uncertainty-of-readings"),
         None => tr!(words, "uncertainty-of-instrument"),
     };
-    let numbers = position_rms(&of.accuracy).filter(|_| ratio > 0.0).map(|rms_mm| {
+    let numbers = r.position.position_rms_mm.filter(|_| ratio > 0.0 && r.conditions.is_empty()).map(|rms_mm| {
         let DisplayUnit { unit, factor } = number::display_unit("mm", rms_mm);
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
         tr!(words, "position-residuals-explained", rms, expected, unit)
@@ -257,21 +276,13 @@ fn series(scatter: SeriesScatter, words: &Words) -> String {
     }
 }
 
-/// Root mean square of the position residuals of the calibration, if all residuals are positions.
-fn position_rms(accuracy: &AccuracyDocument) -> Option<f64> {
-    let set = accuracy.sets.iter().find(|s| s.name == PoseSet::Calibration)?;
-    let others = ErrorQuantity::OTHERS.iter().any(|q| set.error_statistics(*q).is_some());
-    Some(set.error_statistics(ErrorQuantity::Position)?.after.rms).filter(|_| !others)
-}
-
 /// Verdict on given parameters, judged on the data of a campaign.
 pub(crate) fn validation_verdict(accuracy: &AccuracyDocument, words: &Words) -> Verdict {
     let tested = Characteristics::default();
-    let judged =
-        Judged { parameters: None, accuracy: Some(accuracy), tested: &tested, controllers: None, conditions: None };
+    let judged = Judged { accuracy: Some(accuracy), ..Judged::tested(&tested) };
     let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
-    let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(accuracy, set, words));
+    let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(&limits, set, words));
     let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
     let sentences = sentences.chain(reservations(&judgement, words));
     let verdict = Verdict {
@@ -285,8 +296,7 @@ pub(crate) fn validation_verdict(accuracy: &AccuracyDocument, words: &Words) -> 
 
 /// Verdict of a test without a campaign.
 pub(crate) fn test_verdict(tested: &Characteristics, words: &Words) -> Verdict {
-    let judged = Judged { parameters: None, accuracy: None, tested, controllers: None, conditions: None };
-    let judgement = judged.verdict();
+    let judgement = Judged::tested(tested).verdict();
     let sentences = named(&judgement, words).into_iter().chain(characteristics(tested, words));
     let verdict = Verdict {
         met: judgement.passes(),
@@ -329,7 +339,7 @@ struct BeforeAfter {
 }
 
 /// Limited errors; without limits, maximum and RMS of the leading error and of orientations.
-fn before_after(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Vec<BeforeAfter> {
+fn before_after(limits: &[&LimitVerdict], set: &AccuracySet, words: &Words) -> Vec<BeforeAfter> {
     let of = |quantity: ErrorQuantity, figure: Figure| {
         let errors = set.error_statistics(quantity)?;
         let what = match (quantity, figure) {
@@ -345,7 +355,7 @@ fn before_after(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -
         })
     };
     let limited: Vec<_> =
-        accuracy.limits.iter().filter_map(|l| l.name.limited_error()).filter_map(|(q, figure)| of(q, figure)).collect();
+        limits.iter().filter_map(|l| l.name.limited_error()).filter_map(|(q, figure)| of(q, figure)).collect();
     if !limited.is_empty() {
         return limited;
     }
@@ -393,7 +403,7 @@ fn characteristics(tested: &Characteristics, words: &Words) -> Vec<String> {
         let apart_um = limit.map(|l| 1e3 * (l.limit - mm).abs());
         let digits = apart_um.and_then(|apart| number::decimals(apart, 2)).unwrap_or(1).clamp(1, 6);
         let um = |mm: f64| number::fixed(1e3 * mm, digits);
-        let within = limit.map(|l| within(mm <= l.limit, &um(l.limit), words));
+        let within = limit.map(|l| within(l.conformity, &um(l.limit), words));
         let said = [Some(sentence(&um(mm), &pose, words)), within, conformity(document, of, words)];
         Some(said.into_iter().flatten().collect::<Vec<_>>().join(" "))
     };
@@ -428,10 +438,11 @@ fn pooled(document: &Iso9283Document, words: &Words) -> Option<String> {
     ))
 }
 
-fn within(within: bool, allowed: &str, words: &Words) -> String {
-    match within {
-        true => tr!(words, "limit-kept-sentence", limit = allowed),
-        false => tr!(words, "limit-exceeded-sentence", limit = allowed),
+fn within(conformity: Conformity, allowed: &str, words: &Words) -> String {
+    match conformity {
+        Conformity::Conforming => tr!(words, "limit-kept-sentence", limit = allowed),
+        Conformity::NotConforming => tr!(words, "limit-exceeded-sentence", limit = allowed),
+        Conformity::Neither | Conformity::NotAssessable => tr!(words, "limit-undecided-sentence", limit = allowed),
     }
 }
 
@@ -546,7 +557,7 @@ mod tests {
         documents.tested = whole();
         let open = report_verdict(&documents);
         let expected = [
-            "Largest pose accuracy AP: 51.20 µm, at pose 2. Within the limit of 52.00 µm. According to guarded acceptance \
+            "Largest pose accuracy AP: 51.20 µm, at pose 2. Limit: 52.00 µm. According to guarded acceptance \
              (ILAC-G8:09/2019, 4.2.2): poses 1, 2 are undecided.",
             "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
             "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. According to guarded acceptance \

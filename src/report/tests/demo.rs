@@ -182,7 +182,7 @@ fn campaign() -> CampaignSummary {
             coverage_factor: Some(2.0),
             expanded_position_uncertainty_um: None,
         },
-        decision_rule: None,
+        limits: LimitsSummary::default(),
         contact: None,
         temperature: TemperatureSummary { stated_c: Some(20.1), range_c: None },
         conditions: Conditions::default(),
@@ -351,7 +351,7 @@ fn observability() -> ObservabilitySummary {
 
 fn residuals() -> ResidualSummary {
     ResidualSummary {
-        position: etalon_documents::PositionResiduals::default(),
+        position: etalon_documents::PositionResiduals { position_rms_mm: Some(0.026), ..Default::default() },
         kind: ResidualKind::Targets,
         count: 160,
         rms: 0.0162,

@@ -47,6 +47,7 @@ pub(crate) fn kind(kind: SourceKind) -> Phrase {
         SourceKind::Table => phrase!("table"),
         SourceKind::Stream => phrase!("stream"),
         SourceKind::Template => phrase!("template"),
+        SourceKind::Backup => phrase!("source-backup"),
     }
 }
 

@@ -2,17 +2,19 @@
 //! measured poses.
 
 use crate::stages::calibrate::identification::IdentifiedSolution;
-use crate::stages::evaluate::accuracy::summarise;
 use etalon_base::message::{Message, Result, Severity};
 use etalon_base::phrase;
-use etalon_base::pose::norm;
+use etalon_campaign::Campaign;
 use etalon_controllers::{ExportInput, Exporter, Statement};
-use etalon_documents::{AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter};
+use etalon_documents::{
+    AccuracyDocument, AccuracySet, ControllerErrors, ControllerFiles, ControllersDocument, WrittenParameter,
+};
 use etalon_robots::Robot;
 
 /// Identifies again for each of these formats that omits identified parameters; `None` if no format
 /// does.
 pub fn identify_again(
+    campaign: &Campaign,
     given: &ExportInput,
     robot: &dyn Robot,
     solution: &IdentifiedSolution,
@@ -20,7 +22,7 @@ pub fn identify_again(
 ) -> Option<ControllersDocument> {
     let (mut files, mut messages) = (Vec::<ControllerFiles>::new(), Vec::new());
     for &(name, exporter) in formats.iter().filter(|(_, exporter)| exporter.unsuited(given).is_none()) {
-        match identify_for_format(given, robot, solution, exporter) {
+        match identify_for_format(campaign, given, robot, solution, exporter) {
             Ok(None) => {}
             Ok(Some(file)) => match files.iter_mut().find(|f| f.left_out == file.left_out && f.values == file.values) {
                 Some(same) => same.formats.push(name.to_owned()),
@@ -65,6 +67,7 @@ fn judged(given: &ExportInput, formats: &[(&str, &dyn Exporter)]) -> Vec<Message
 /// Values of a format that omits or ties parameters; `None` if the format holds the identified
 /// values.
 fn identify_for_format(
+    campaign: &Campaign,
     given: &ExportInput,
     robot: &dyn Robot,
     solution: &IdentifiedSolution,
@@ -88,23 +91,18 @@ fn identify_for_format(
             .then(|| identified.standard_uncertainty(i).map(|u| p.quantity.outward(u)))
             .flatten(),
     });
-    let errors = errors(given, robot, solution, &values)?;
-    Ok(Some(ControllerFiles { formats: Vec::new(), left_out, values: written.collect(), errors }))
+    let accuracy = solution.accuracy_with(campaign, robot, &values)?;
+    let (errors, deciding_set) = (errors(given, &accuracy), accuracy.sets.last().cloned());
+    let limits = accuracy.limits;
+    Ok(Some(ControllerFiles { formats: Vec::new(), left_out, values: written.collect(), errors, deciding_set, limits }))
 }
 
 /// Errors with nominal, identified and these values, at calibration and validation poses.
-fn errors(
-    given: &ExportInput,
-    robot: &dyn Robot,
-    solution: &IdentifiedSolution,
-    values: &[f64],
-) -> Result<Vec<ControllerErrors>> {
-    let written = solution.errors_with(robot, values)?;
+fn errors(given: &ExportInput, accuracy: &AccuracyDocument) -> Vec<ControllerErrors> {
     let of_set = |set: &AccuracySet| {
-        let leading = set.leading()?.quantity;
-        let of_set = written.iter().filter(|e| e.set == set.name && e.quantity == leading);
-        let sizes = of_set.filter_map(|e| Some(norm(e.after_mm) / e.statistics_divisor()?)).collect();
-        ControllerErrors::new(set, Some(&summarise(sizes)))
+        let written = accuracy.sets.iter().find(|other| other.name == set.name)?;
+        let leading = written.error_statistics(set.leading()?.quantity)?;
+        ControllerErrors::new(set, Some(&leading.after))
     };
-    Ok(given.accuracy.iter().flat_map(|accuracy| &accuracy.sets).filter_map(of_set).collect())
+    given.accuracy.iter().flat_map(|accuracy| &accuracy.sets).filter_map(of_set).collect()
 }

@@ -7,6 +7,7 @@ use crate::stages::calibrate::log_comparison::compare_logs;
 use crate::stages::calibrate::selection::{CampaignData, Selected, select};
 use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::calibrate::validation_targets::{TargetLocations, ValidationTargets};
+use crate::stages::evaluate::accuracy::{self, ErrorUncertainty, Judged};
 use crate::stages::evaluate::errors::{point_errors, position_rms_mm, within_poses_rms_mm};
 use crate::stages::evaluate::influence::influences;
 use crate::stages::evaluate::sets::Sets;
@@ -57,17 +58,21 @@ pub struct Again {
 }
 
 impl IdentifiedSolution {
-    /// Errors of all observations with other values of the parameters.
+    /// Statistics of the errors with other values of the parameters, and the verdicts on their
+    /// limits.
     ///
     /// # Errors
     /// Fails if targets cannot be placed.
-    pub fn errors_with(&self, robot: &dyn Robot, values: &[f64]) -> Result<Vec<PointError>> {
-        let Again { targets, before, .. } = &self.again;
+    pub fn accuracy_with(&self, campaign: &Campaign, robot: &dyn Robot, values: &[f64]) -> Result<AccuracyDocument> {
+        let Again { targets, before, systematic } = &self.again;
         let mut errors = point_errors(robot, &self.sets, before, values);
         let (mut before, mut values) = (before.clone(), values.to_vec());
         let locations = targets.locate(robot, &mut before, &mut values)?;
         errors.extend(targets.errors(robot, &before, &values, &locations));
-        Ok(errors)
+        let (all, set_up) = (targets.with_readings(&self.sets), self.found.set_up_parameters(robot));
+        let judged = Judged { robot, values: &values, set_up: &set_up, sets: &all, settings: &self.settings };
+        let uncertainty = ErrorUncertainty::new(campaign, judged, systematic)?;
+        Ok(accuracy::evaluate(robot, &errors, &campaign.file.limits, uncertainty))
     }
 
     /// Identifies again with these parameters held at their nominal values.

@@ -5,6 +5,7 @@ pub mod cross_validation;
 pub mod evaluation;
 pub mod findings;
 pub mod identification;
+pub mod loading_check;
 pub(crate) mod log_comparison;
 pub mod preview;
 pub mod recommendation;

@@ -6,7 +6,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument};
 use etalon_identify::IdentifiedParameters;
-use etalon_robots::{Parameter, Robot, Role};
+use etalon_robots::{Effect, Parameter, Robot, Role, reference_poses};
 use std::collections::BTreeMap;
 
 /// The parameters of `robot` in a document, without the parameters of other targets.
@@ -174,6 +174,29 @@ pub fn robot_values(robot: &dyn Robot, document: &ParametersDocument, roles: &[R
     }
     Ok(values)
 }
+
+/// Subtracts the joint zeros that a controller has loaded as mastering values from the identified
+/// zeros: the joint values of the controller contain them. A transmission ratio next to 1 makes no
+/// difference to zeros of this size.
+pub fn mastered(mut robot: Box<dyn Robot>, document: &mut ParametersDocument, loaded: &ParametersDocument) {
+    // the zero of the last joint moves no target on its axis
+    let at = |p: &Parameter| if p.role == Role::Target { p.nominal + OFF_AXIS_MM } else { p.nominal };
+    let values: Vec<f64> = robot.parameters().iter().map(at).collect();
+    robot.definition_mut().set_nominal(&values);
+    let poses = reference_poses(robot.as_ref(), &values);
+    let effects = etalon_identify::effects(robot.as_ref(), poses.iter().map(|pose| &pose.joints[..]));
+    for (zero, _) in robot.parameters().iter().zip(effects).filter(|(_, effect)| *effect == Some(Effect::Zeros)) {
+        let Some(loaded) = entry(loaded, zero) else { continue };
+        let change = loaded.value - loaded.nominal;
+        let own = document.parameters.iter_mut().find(|p| p.name == loaded.name && p.unit == loaded.unit);
+        if let Some(p) = own {
+            p.value -= change;
+        }
+    }
+}
+
+/// Distance (mm) along each axis from the flange to a target that all joints move.
+const OFF_AXIS_MM: f64 = 100.0;
 
 /// Returns an error if a nominal value of the robot differs from its value in the identification:
 /// the parameters belong to another robot.

@@ -120,7 +120,7 @@ pub(crate) fn identified(
             ..MeasurementSummary::default()
         },
         instrument: InstrumentSummary::default(),
-        decision_rule: None,
+        limits: etalon::documents::LimitsSummary::default(),
         contact: None,
         temperature: TemperatureSummary::default(),
         conditions: Conditions::default(),

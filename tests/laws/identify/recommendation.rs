@@ -7,7 +7,7 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
 use etalon::documents::{
-    AccuracyDocument, ActionKind, Effect, FrameOrigin, LOADING_RATIO, LoadAnswer, LoadVerdict, Results,
+    AccuracyDocument, Action, ActionKind, Effect, FrameOrigin, LOADING_RATIO, LoadAnswer, LoadVerdict, Results,
 };
 use etalon::robots::Role;
 use etalon::run::pipeline::evaluate;
@@ -104,13 +104,27 @@ fn ratio_at_fresh_poses(folder: &Scratch, set_up: impl Fn(&mut toml::Table)) -> 
         leading(&validate(&Campaign::read(&folder.path()).unwrap(), judged).unwrap().accuracy).after.rms
     });
     let corrects = answered.verdict.actions.iter().any(|action| action.action == ActionKind::Compensate);
-    let loaded = match loading.answer {
-        LoadAnswer::KeepNominal => nominal,
-        LoadAnswer::IdentifyFurther => errors(Some("proven"))[1],
-        LoadAnswer::Load | LoadAnswer::Resolve => field.filter(|_| corrects).unwrap_or(own),
+    let loaded = match (loading.answer, field.filter(|_| corrects)) {
+        (_, Some(field)) => field,
+        (LoadAnswer::KeepNominal, None) => nominal,
+        (LoadAnswer::IdentifyFurther, None) => {
+            add_effects(folder, &answered.verdict.actions);
+            errors(Some("proven"))[1]
+        }
+        (LoadAnswer::Load | LoadAnswer::Resolve, None) => own,
     };
     let ratio = loaded / nominal.min(own).min(all).min(field.unwrap_or(f64::INFINITY));
     (ratio, format!("{:?}, nominal {nominal:.4}, own {own:.4}, all {all:.4}, field {field:?}", loading.answer))
+}
+
+/// Adds the lines of effects to robot.toml, as the steps of a verdict ask for.
+fn add_effects(folder: &Scratch, steps: &[Action]) {
+    let path = folder.path().join("robot.toml");
+    let of_robot = steps.iter().filter(|step| step.file.as_deref() == Some("robot.toml"));
+    let lines: Vec<&str> = of_robot.filter_map(|step| step.line.as_deref()).collect();
+    // before the first table of the file
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, format!("{}\n{text}", lines.join("\n"))).unwrap();
 }
 
 /// Keys of `[identify]` of a campaign.

@@ -188,8 +188,10 @@ action-agree-rule = mit dem Kunden eine Entscheidungsregel vereinbaren: { $limit
 action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
-action-verify = das Laden prüfen: an einigen Posen die angezeigte Pose der Steuerung mit `etalon kinematics direct` für parameters.json vergleichen. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
-action-verify-reason = diese Datei vor dem Laden sichern. Später zeigt `etalon verify` anhand weniger gemessener Posen, ob sich Basis oder Roboter geändert haben; `--candidates` wählt diese Posen
+action-verify = das Laden prüfen: einige Posen messen und `etalon verify` ausführen. Gelten die Parameter nicht, die vorherige Datei der Steuerung wiederherstellen
+action-verify-reason = die vorherige Datei vor dem Laden sichern; `controller_backup` in [conditions] ergänzt ihren SHA-256
+action-verify-at-pose = das Laden an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt die angezeigte Pose. Bei einem Unterschied die vorherige Datei wiederherstellen
+action-verify-backup = die vorherige Datei ist `{ $file }`; derselbe Abschnitt nennt ihren SHA-256
 action-finer-instrument = mit einer erweiterten Messunsicherheit der Position von höchstens { $uncertainty } messen
 action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty }, also { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %; diesen Wert { $count ->
         [one] überschreitet Pose { $poses }
@@ -207,7 +209,7 @@ action-load = `{ $file }`{ $count ->
 action-load-reason = quadratischer Mittelwert der Abweichung ({ $quantity }) an { $count } { $set ->
         [validation] Validierungsposen
        *[calibration] Kalibrierposen
-    }: mit Nennparametern { $nominal }, mit identifizierten Parametern { $expected }
+    }: mit Nennparametern { $nominal }, mit dieser Datei { $expected }
 action-load-synthetic = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
@@ -226,6 +228,8 @@ action-measure-quantity-reason = der Grenzwert einer nicht gemessenen Größe is
 action-meet-limit = die Ursache der Abweichungen suchen: { $limit }
 action-meet-limit-at-pose = die Ursache der Abweichung an Pose { $pose } suchen: { $limit }
 action-meet-limit-reason = { $value }, Grenzwert { $limit }: um { $beyond } überschritten
+action-use-all-parameters = die Steuerung alle identifizierten Parameter nutzen lassen, durch ein anderes Format oder `etalon compensate`: { $limit }
+action-use-all-parameters-reason = { $value } mit den Werten dieser Datei, { $whole } mit allen identifizierten Parametern; Grenzwert { $limit }
 action-prove-effects = `{ $line }` in [identify] angeben
 action-reduce-uncertainty = die Messunsicherheit verringern: { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; für eine Entscheidung nötig: { $required }; größter Beitrag: { $source } ({ $percent } %)
@@ -233,6 +237,7 @@ action-reduce-uncertainty-reason = U = { $present }; für eine Entscheidung nöt
 action-resolve = diese Warnung klären
 action-state-limits = die Toleranz der Anwendung in [limits] angeben
 action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
+action-state-limits-to-accept = nur Grenzwerte zeigen, ob die Genauigkeit für die Anwendung ausreicht
 action-warm-up = den Roboter vor der Prüfung warmfahren und `warm_up_minutes` angeben
 action-warm-up-cold = der Roboter wurde kalt geprüft
 action-warm-up-drift = Drift von AP: { $change } in { $cycles } Zyklen, nicht abgeklungen

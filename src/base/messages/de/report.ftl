@@ -520,6 +520,8 @@ errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: 
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
 errors-overlaid-title = Abweichungen vorher und nachher: { $quantity }
 errors-that-do-not-decide = Weitere Abweichungen
+errors-with-all-parameters = Mit allen identifizierten Parametern
+errors-with-file = Mit den Werten von `{ $file }`: { $set }, { $poses } Posen
 example-label = Beispiel:
 exchangeability = Austauschbarkeit
 exchangeability-between-robots = Austauschbarkeit E = { $distance } µm: größter Abstand zwischen den mittleren Positionen zweier Roboter an derselben Pose (ISO 9283:1998, 7.7).
@@ -553,6 +555,7 @@ figures-of-measurement-point = Alle Werte beziehen sich auf den Messpunkt: { $po
 figures-with-field = Die Abweichungen „nachher“ schließen das Feld ein.
 figures-without-field = Die anderen Werte dieses Berichts gelten ohne das Feld.
 file = Datei
+file-with-hash = { $file }, SHA-256 { $sha256 }
 filter = Filter
 filter-rows = Zeilen filtern
 first-cycle = erster Zyklus
@@ -565,7 +568,7 @@ folds-over-u = Standardabweichung der Teilmengen / u
 force-up-to = Kraft bis
 formats = Formate
 formats-without-all-parameters = Diese Formate können nicht alle identifizierten Parameter aufnehmen. Ihre Dateien enthalten eine zweite Identifikation, bei der die übrigen Parameter auf ihren Nennwerten festgehalten sind. Positionsabweichungen: RMS und Maximum.
-formula-sources = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate (A. Joubair, Dissertation, ÉTS Montréal 2012, Kapitel 1 bis 4); Kenngrößen: ISO 9283:1998; Unsicherheiten: JCGM 100:2008, JCGM 101:2008
+formula-sources = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate, verglichen mit den Tabellen einer Dissertation (A. Joubair, ÉTS Montréal 2012, Kapitel 1 bis 4); Kenngrößen: nach ISO 9283:1998, von der nur der Text von 7.2.2 verglichen wurde; Unsicherheiten: nach JCGM 100:2008 und JCGM 101:2008
 frame-as-exported = die Koordinaten der Exporte sind im Weltkoordinatensystem angegeben
 frame-from-plane = xy-Ebene: Geometrieelement `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
 frame-from-targets = Anpassung an die Zielmarken { $targets }: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
@@ -719,6 +722,7 @@ limit-position-mean = mittlere Positionsabweichung
 limit-position-rms = Positionsabweichung, RMS
 limit-repeatability-max = größter Wert der Pose-Wiederholgenauigkeit RP
 limit-surface-max = größter Abstand von einer Fläche
+limit-undecided-sentence = Grenzwert: { $limit } µm.
 limited-error = { $quantity } an { $count ->
         [one] 1 Pose
        *[other] { $count } Posen
@@ -728,12 +732,14 @@ limited-error = { $quantity } an { $count ->
     }): { $before } → { $after } { $unit }, Grenzwert { $limit } { $unit }: { $verdict }
 limits = Grenzwerte
 limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
+limits-are-of-file = Bewertet mit den Werten von `{ $file }`.
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->
     [one] 1 von { $total } Grenzwerten der Kampagne ist nicht eingehalten.
    *[other] { $count } von { $total } Grenzwerten der Kampagne sind nicht eingehalten.
 }
+limits-specification = Spezifikation der Grenzwerte
 limits-undecided = Unentschieden (Grenzwert innerhalb der Unsicherheit): { $limits }.
 line = Zeile
 line-number = Zeile { $line }
@@ -1342,6 +1348,7 @@ solver-residuals-zero = konvergiert: die Residuen sind bis auf Rundung null
 solver-rounding = bis auf Rundung konvergiert: kein kürzerer Schritt verkleinert die Residuen
 solver-step-vanished = konvergiert: der letzte Schritt ließ die Parameter unverändert
 solver-too-few-equations = abgebrochen: weniger Gleichungen als Parameter; mehr Posen messen oder Parameter festhalten
+source-backup = Steuerungsdatei vor dem Laden
 source-contact-meaning = angegebene Unsicherheit der Antastung eines Sockels, einer Fläche oder eines gemessenen Punkts
 source-encoders-meaning = angegebene Unsicherheit der Geber an den Gliedern
 source-frame-meaning = Punkte, die das Weltkoordinatensystem festlegen (allen Posen gemeinsam)
@@ -1495,6 +1502,11 @@ velocity-sentence = Geschwindigkeit: { $velocity }.
 verdict = Bewertung
 verdict-conditional = Bewertung: bedingt bestanden.
 verdict-fail = Bewertung: nicht bestanden.
+verdict-is-of-file = Diese Abweichungen gelten für `{ $file }`{ $count ->
+        [0] {""}
+        [one] , ohne einen identifizierten Parameter
+       *[other] , ohne { $count } identifizierte Parameter
+    }: RMS { $rms } { $unit }; mit allen Parametern { $whole } { $unit }.
 verdict-pass = Bewertung: bestanden.
 verdict-title = Bewertung
 verdict-undecided = Bewertung: unentschieden.
@@ -1517,6 +1529,17 @@ visits-of-pose-title = Pose { $pose }, { $plane }-Ebene
 visits-over-time = Anfahrten über der Zeit
 warm-up-before-the-test = Warmlauf vor der Prüfung
 warnings-and-remarks = Warnungen und Bemerkungen
+way-back-after = nach dem Laden
+way-back-before = vor dem Laden
+way-back-display = angezeigte Pose
+way-back-file = Datei vor dem Laden
+way-back-loaded = zu ladende Datei
+way-back-not-stated = nicht angegeben: sichern und als `controller_backup` in [conditions] angeben
+way-back-other-poses = Anzeige an anderen Posen, aus den Gelenkwerten vor dem Laden: `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters parameters.json --loaded { $file }`.
+way-back-restore = Rückweg: die gesicherte Datei wieder laden. Sie gilt wieder, wenn die Anzeige am selben Ort die erste Zeile zeigt.
+way-back-test = Vor dem Laden Pose { $pose } anfahren: { $joints }. Laden, ohne den Roboter zu bewegen. Die Anzeige muss von der ersten zur zweiten Zeile wechseln. Sie zeigt den Flansch im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
+way-back-title = Prüfung nach dem Laden und Rückweg
+way-back-verify = Später einige Posen messen und `etalon verify` ausführen. Enthalten die Gelenkwerte der Steuerung die geladenen Nullpunkte (Justage), `--mastered { $file }` hinzufügen.
 weaker-trends = Weitere signifikante Trends
 weave = Pendeln
 weave-passes = { $passes ->

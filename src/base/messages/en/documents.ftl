@@ -294,8 +294,10 @@ action-agree-rule = agree with the customer on a decision rule for the { $limit 
 action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, that is about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`. The field contains errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
-action-verify = test the loaded file: at a few poses, compare the pose on the display of the controller with `etalon kinematics direct` for parameters.json. If they differ, restore the previous file of the controller
-action-verify-reason = save the previous file before you load. Later, `etalon verify` reports from a few measured poses whether base or robot have changed; `--candidates` chooses these poses
+action-verify = test the loaded file: measure a few poses, and run `etalon verify`. If the parameters do not apply, restore the previous file of the controller
+action-verify-reason = save the previous file before you load; `controller_backup` in [conditions] adds its SHA-256
+action-verify-at-pose = test the loaded file at pose { $pose }: “Test after loading, and way back” gives the pose on the display. If it differs, restore the previous file
+action-verify-backup = the previous file is `{ $file }`; the same section gives its SHA-256
 action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = at pose { $pose }, U = { $uncertainty } is { $percent } % of the characteristic; ISO 9283 allows 25 %, which { $count ->
         [one] pose { $poses } exceeds
@@ -313,7 +315,7 @@ action-load = load `{ $file }`{ $count ->
 action-load-reason = root-mean-square error ({ $quantity }) at { $count } { $set ->
         [validation] validation
        *[calibration] calibration
-    } poses: nominal { $nominal }, identified { $expected }
+    } poses: nominal { $nominal }, with this file { $expected }
 action-load-synthetic = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
@@ -332,6 +334,8 @@ action-measure-quantity-reason = without measurements of its quantity, a limit c
 action-meet-limit = find the cause of the errors: { $limit }
 action-meet-limit-at-pose = find the cause of the error at pose { $pose }: { $limit }
 action-meet-limit-reason = { $value }, limit { $limit }: exceeded by { $beyond }
+action-use-all-parameters = let the controller use all identified parameters, by another format or by `etalon compensate`: { $limit }
+action-use-all-parameters-reason = { $value } with the values of this file, { $whole } with all identified parameters; limit { $limit }
 action-prove-effects = set `{ $line }` in [identify]
 action-reduce-uncertainty = reduce the uncertainty of the { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; a decision needs { $required }; largest share: { $source } ({ $percent } %)
@@ -339,6 +343,7 @@ action-reduce-uncertainty-reason = U = { $present }; a decision needs { $require
 action-resolve = decide how to treat this warning
 action-state-limits = give the tolerance of the application in [limits]
 action-state-limits-reason = a verdict needs limits
+action-state-limits-to-accept = only limits show whether the accuracy suffices for the application
 action-warm-up = warm the robot up before the test, and set `warm_up_minutes`
 action-warm-up-cold = the robot was tested cold
 action-warm-up-drift = AP drifts by { $change } in { $cycles } cycles and has not settled

@@ -493,6 +493,8 @@ errors-of-poses-drawn = { $drawn } of { $total } errors are plotted: the largest
 errors-overlaid-description = Shares of { $count } points of { $set }; logarithmic axis.
 errors-overlaid-title = Errors before and after: { $quantity }
 errors-that-do-not-decide = Further errors
+errors-with-all-parameters = With all identified parameters
+errors-with-file = With the values of `{ $file }`: { $set }, { $poses } poses
 example-label = example:
 exchangeability = Exchangeability
 exchangeability-between-robots = Exchangeability E = { $distance } µm: largest distance between the mean positions of two robots at one pose (ISO 9283:1998, 7.7).
@@ -526,6 +528,7 @@ figures-of-measurement-point = All values refer to the measurement point: { $poi
 figures-with-field = The errors after calibration include the field.
 figures-without-field = The other results of this report do not include the field.
 file = file
+file-with-hash = { $file }, SHA-256 { $sha256 }
 filter = Filter
 filter-rows = Filter rows
 first-cycle = first cycle
@@ -538,7 +541,7 @@ folds-over-u = SD between folds / u
 force-up-to = force up to
 formats = formats
 formats-without-all-parameters = These formats cannot hold all identified parameters. Their files contain a second identification with the remaining parameters held at their nominal values. Position errors: RMS and maximum.
-formula-sources = frames and identification: weighted least squares (A. Joubair, thesis, ÉTS Montréal 2012, chapters 1 to 4); characteristics: ISO 9283:1998; uncertainties: JCGM 100:2008, JCGM 101:2008
+formula-sources = frames and identification: weighted least squares, compared with the tables of a thesis (A. Joubair, ÉTS Montréal 2012, chapters 1 to 4); characteristics: after ISO 9283:1998, of which only the text of clause 7.2.2 was compared; uncertainties: after JCGM 100:2008 and JCGM 101:2008
 frame-as-exported = the coordinates of the exports are in the world frame
 frame-from-plane = xy plane: feature `{ $plane }`; origin: `{ $origin }`; { $axis } axis: `{ $from }` to `{ $to }`; other axis towards `{ $towards }`
 frame-from-targets = best fit of the targets { $targets }: origin at the first target, x axis to the second, third in the xy plane
@@ -689,18 +692,21 @@ limit-position-mean = mean position error
 limit-position-rms = RMS position error
 limit-repeatability-max = largest pose repeatability RP
 limit-surface-max = largest distance from a surface
+limit-undecided-sentence = Limit: { $limit } µm.
 limited-error = { $quantity } at { $count } { $set } poses{ $readings ->
         [0] {""}
        *[other] {" "}({ $readings } readings)
     }: { $before } → { $after } { $unit }, limit { $limit } { $unit }: { $verdict }
 limits = Limits
 limits-all-met = All { $count } limits of the campaign are met.
+limits-are-of-file = Judged with the values of `{ $file }`.
 limits-both-met = Both limits of the campaign are met.
 limits-not-assessable = Not assessable (quantity not measured): { $limits }.
 limits-not-met = { $count ->
     [one] 1 of { $total } limits of the campaign is not met.
    *[other] { $count } of { $total } limits of the campaign are not met.
 }
+limits-specification = specification of the limits
 limits-undecided = Undecided (limit within the uncertainty): { $limits }.
 line = line
 line-number = line { $line }
@@ -1276,6 +1282,7 @@ solver-residuals-zero = converged: the residuals are zero within rounding
 solver-rounding = converged to rounding: no shorter step reduces the residuals
 solver-step-vanished = converged: the last step left the parameters unchanged
 solver-too-few-equations = stopped: fewer equations than parameters; measure more poses or hold parameters
+source-backup = controller file before loading
 source-contact-meaning = stated uncertainty of a contact with a socket, a surface or a measured point
 source-encoders-meaning = stated uncertainty of encoders at the links
 source-frame-meaning = points that define the world frame (common to all poses)
@@ -1429,6 +1436,11 @@ velocity-sentence = Velocity: { $velocity }.
 verdict = verdict
 verdict-conditional = Verdict: conditional pass.
 verdict-fail = Verdict: fail.
+verdict-is-of-file = These errors are those of `{ $file }`{ $count ->
+        [0] {""}
+        [one] , which omits one identified parameter
+       *[other] , which omits { $count } identified parameters
+    }: RMS { $rms } { $unit }; with all parameters { $whole } { $unit }.
 verdict-pass = Verdict: pass.
 verdict-title = Verdict
 verdict-undecided = Verdict: undecided.
@@ -1451,6 +1463,17 @@ visits-of-pose-title = Pose { $pose }, { $plane } plane
 visits-over-time = Visits over time
 warm-up-before-the-test = warm-up before the test
 warnings-and-remarks = Warnings and remarks
+way-back-after = after loading
+way-back-before = before loading
+way-back-display = pose on the display
+way-back-file = file before loading
+way-back-loaded = file to load
+way-back-not-stated = not stated: save it, and name it as `controller_backup` in [conditions]
+way-back-other-poses = The display at other poses, from the joint values before loading: `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters parameters.json --loaded { $file }`.
+way-back-restore = Way back: load the saved file again. It is restored if the display shows the first row at the same place.
+way-back-test = Move to pose { $pose } before loading: { $joints }. Load without moving the robot. The display must change from the first row to the second. It shows the flange in the base frame, without tool and work object.
+way-back-title = Test after loading, and way back
+way-back-verify = Later, measure a few poses and run `etalon verify`. If the joint values of the controller contain the loaded zeros (mastering), add `--mastered { $file }`.
 weaker-trends = Further significant trends
 weave = weave
 weave-passes = { $passes } passes, { $turns } turns

@@ -182,8 +182,10 @@ action-agree-rule = convenir avec le client d’une règle de décision : { $li
 action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de lectures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
 action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
-action-verify = vérifier le chargement : à quelques poses, comparer la pose affichée par le contrôleur avec `etalon kinematics direct` pour parameters.json. Si elles diffèrent, rétablir le fichier précédent du contrôleur
-action-verify-reason = sauvegarder ce fichier avant le chargement. Plus tard, `etalon verify` indique à partir de quelques poses mesurées si la base ou le robot ont changé ; `--candidates` choisit ces poses
+action-verify = vérifier le chargement : mesurer quelques poses et lancer `etalon verify`. Si les paramètres ne conviennent pas, rétablir le fichier précédent du contrôleur
+action-verify-reason = sauvegarder le fichier précédent avant le chargement ; `controller_backup` dans [conditions] ajoute son SHA-256
+action-verify-at-pose = vérifier le chargement à la pose { $pose } : « Vérification après chargement et retour » donne la pose affichée. Si elle diffère, rétablir le fichier précédent
+action-verify-backup = le fichier précédent est `{ $file }` ; la même section donne son SHA-256
 action-finer-instrument = mesurer avec une incertitude élargie d’une position de { $uncertainty } au plus
 action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->
         [one] la pose { $poses } dépasse
@@ -201,7 +203,7 @@ action-load = charger `{ $file }`{ $count ->
 action-load-reason = moyenne quadratique de l’erreur ({ $quantity }) aux { $count } poses { $set ->
         [validation] de validation
        *[calibration] d’étalonnage
-    } : nominale { $nominal }, identifiée { $expected }
+    } : nominale { $nominal }, avec ce fichier { $expected }
 action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
@@ -220,6 +222,8 @@ action-measure-quantity-reason = une limite sur une grandeur non mesurée ne peu
 action-meet-limit = chercher la cause des erreurs : { $limit }
 action-meet-limit-at-pose = chercher la cause de l’erreur à la pose { $pose } : { $limit }
 action-meet-limit-reason = { $value }, limite { $limit } : dépassement de { $beyond }
+action-use-all-parameters = faire utiliser tous les paramètres identifiés par le contrôleur, par un autre format ou par `etalon compensate` : { $limit }
+action-use-all-parameters-reason = { $value } avec les valeurs de ce fichier, { $whole } avec tous les paramètres identifiés ; limite { $limit }
 action-prove-effects = indiquer `{ $line }` dans [identify]
 action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
 action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
@@ -227,6 +231,7 @@ action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut {
 action-resolve = décider de la suite à donner à cet avertissement
 action-state-limits = indiquer la tolérance de l’application dans [limits]
 action-state-limits-reason = sans limites, il n’y a pas de verdict
+action-state-limits-to-accept = seules des limites montrent si l’exactitude suffit à l’application
 action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
 action-warm-up-cold = le robot a été essayé à froid
 action-warm-up-drift = dérive de AP : { $change } en { $cycles } cycles, sans stabilisation

@@ -523,6 +523,8 @@ errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la pl
 errors-overlaid-description = Proportions de { $count } points ({ $set }) ; axe logarithmique.
 errors-overlaid-title = Erreurs avant et après : { $quantity }
 errors-that-do-not-decide = Autres erreurs
+errors-with-all-parameters = Avec tous les paramètres identifiés
+errors-with-file = Avec les valeurs de `{ $file }` : { $set }, { $poses } poses
 example-label = exemple :
 exchangeability = Interchangeabilité
 exchangeability-between-robots = Interchangeabilité E = { $distance } µm : plus grande distance entre les positions moyennes de deux robots à une même pose (ISO 9283:1998, 7.7).
@@ -556,6 +558,7 @@ figures-of-measurement-point = Toutes les valeurs se rapportent au point de mesu
 figures-with-field = Les erreurs après étalonnage tiennent compte du champ.
 figures-without-field = Les autres valeurs de ce rapport ne tiennent pas compte du champ.
 file = fichier
+file-with-hash = { $file }, SHA-256 { $sha256 }
 filter = Filtre
 filter-rows = Filtrer les lignes
 first-cycle = premier cycle
@@ -568,7 +571,7 @@ folds-over-u = écart-type entre blocs / u
 force-up-to = force jusqu’à
 formats = formats
 formats-without-all-parameters = Ces formats ne peuvent pas contenir tous les paramètres identifiés. Leurs fichiers contiennent une seconde identification, les autres paramètres étant fixés à leurs valeurs nominales. Erreurs de position : RMS et maximum.
-formula-sources = repères et identification : moindres carrés pondérés (A. Joubair, thèse, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : ISO 9283:1998 ; incertitudes : JCGM 100:2008, JCGM 101:2008
+formula-sources = repères et identification : moindres carrés pondérés, comparés aux tableaux d’une thèse (A. Joubair, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : d’après l’ISO 9283:1998, dont seul le texte de 7.2.2 a été comparé ; incertitudes : d’après JCGM 100:2008 et JCGM 101:2008
 frame-as-exported = les coordonnées des exports sont dans le repère atelier
 frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
 frame-from-targets = ajustement aux cibles { $targets } : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
@@ -722,6 +725,7 @@ limit-position-mean = erreur de position moyenne
 limit-position-rms = erreur de position, RMS
 limit-repeatability-max = plus grande valeur de la répétabilité de pose RP
 limit-surface-max = distance maximale à une surface
+limit-undecided-sentence = Limite : { $limit } µm.
 limited-error = { $quantity } sur { $count ->
         [one] { $count } pose
        *[other] { $count } poses
@@ -731,12 +735,14 @@ limited-error = { $quantity } sur { $count ->
     }) : { $before } → { $after } { $unit }, limite { $limit } { $unit } : { $verdict }
 limits = Limites
 limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
+limits-are-of-file = Jugé avec les valeurs de `{ $file }`.
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->
     [one] 1 des { $total } limites de la campagne n’est pas respectée.
    *[other] { $count } des { $total } limites de la campagne ne sont pas respectées.
 }
+limits-specification = spécification des limites
 limits-undecided = Indécidé (limite à l’intérieur de l’incertitude) : { $limits }.
 line = ligne
 line-number = ligne { $line }
@@ -1348,6 +1354,7 @@ solver-residuals-zero = convergence : les résidus sont nuls à l’arrondi pr�
 solver-rounding = convergence à l’arrondi près : aucun pas plus court ne réduit les résidus
 solver-step-vanished = convergence : le dernier pas a laissé les paramètres inchangés
 solver-too-few-equations = arrêt : moins d’équations que de paramètres ; mesurer plus de poses ou fixer des paramètres
+source-backup = fichier du contrôleur avant chargement
 source-contact-meaning = incertitude indiquée du contact avec un siège, une surface ou un point mesuré
 source-encoders-meaning = incertitude indiquée des codeurs aux segments
 source-frame-meaning = points qui définissent le repère atelier (communs à toutes les poses)
@@ -1501,6 +1508,11 @@ velocity-sentence = Vitesse : { $velocity }.
 verdict = verdict
 verdict-conditional = Verdict : conforme sous réserve.
 verdict-fail = Verdict : non conforme.
+verdict-is-of-file = Ces erreurs sont celles de `{ $file }`{ $count ->
+        [0] {""}
+        [one] , sans un paramètre identifié
+       *[other] , sans { $count } paramètres identifiés
+    } : RMS { $rms } { $unit } ; avec tous les paramètres { $whole } { $unit }.
 verdict-pass = Verdict : conforme.
 verdict-title = Verdict
 verdict-undecided = Verdict : indécidé.
@@ -1523,6 +1535,17 @@ visits-of-pose-title = Pose { $pose }, plan { $plane }
 visits-over-time = Positionnements au fil du temps
 warm-up-before-the-test = mise en température avant l’essai
 warnings-and-remarks = Avertissements et remarques
+way-back-after = après chargement
+way-back-before = avant chargement
+way-back-display = pose affichée
+way-back-file = fichier avant chargement
+way-back-loaded = fichier à charger
+way-back-not-stated = non indiqué : le sauvegarder et l’indiquer comme `controller_backup` dans [conditions]
+way-back-other-poses = Affichage à d’autres poses, d’après les valeurs articulaires avant chargement : `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters parameters.json --loaded { $file }`.
+way-back-restore = Retour : recharger le fichier d’avant le chargement. Il est rétabli si l’affichage donne de nouveau la première ligne au même endroit.
+way-back-test = Avant le chargement, aller à la pose { $pose } : { $joints }. Charger sans bouger le robot. L’affichage doit passer de la première à la deuxième ligne. Il montre la bride dans le référentiel de la base, sans outil ni pièce.
+way-back-title = Vérification après chargement et retour
+way-back-verify = Plus tard, mesurer quelques poses et lancer `etalon verify`. Si les valeurs articulaires du contrôleur contiennent les zéros chargés (calage), ajouter `--mastered { $file }`.
 weaker-trends = Autres tendances significatives
 weave = balayage
 weave-passes = { $passes ->

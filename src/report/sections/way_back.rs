@@ -1,0 +1,68 @@
+//! Test of a loaded controller file at one pose, and the way back to the file before.
+
+use crate::model::{Block, Columns, Section, Table, Text, fixed};
+use crate::words::{Words, tr};
+use etalon_base::phrase;
+use etalon_documents::{DisplayedPose, LoadingCheck, Results, Source, SourceKind, WrittenFile};
+
+/// Decimals of positions (mm) and joint values.
+const DECIMALS: usize = 3;
+
+/// A displayed pose with its name.
+struct Row {
+    name: String,
+    pose: DisplayedPose,
+}
+
+/// Section for the file to load; `None` without such a file.
+pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
+    let name = results.verdict.loading.as_ref()?.file.as_ref()?;
+    let file = results.campaign.controller_files.iter().find(|written| written.file == *name)?;
+    let mut section = Section::new("way-back", tr!(words, "way-back-title"));
+    section.push(Block::facts(vec![
+        (tr!(words, "way-back-file"), backup(results, words).into()),
+        (tr!(words, "way-back-loaded"), loaded(file).into()),
+    ]));
+    if let Some(check) = &file.check {
+        at_pose(&mut section, check, file, words);
+    }
+    section.push(Block::text(tr!(words, "way-back-verify", file = file.file)));
+    section.whole()
+}
+
+/// File of the controller before loading, with its checksum.
+fn backup(results: &Results, words: &Words) -> String {
+    let of_controller = |source: &&Source| source.kind == SourceKind::Backup;
+    match results.import.sources.iter().find(of_controller) {
+        Some(source) => tr!(words, "file-with-hash", file = source.file, sha256 = source.sha256),
+        None => tr!(words, "way-back-not-stated"),
+    }
+}
+
+/// File to load, with its checksum.
+fn loaded(file: &WrittenFile) -> String {
+    file.sha256.iter().fold(file.file.clone(), |name, sha256| format!("{name}, SHA-256 {sha256}"))
+}
+
+/// Adds the pose on the display before and after loading.
+fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, words: &Words) {
+    let joint = |(name, value): (&String, &f64)| format!("{name} = {}", words.decimal(format!("{value:.DECIMALS$}")));
+    let joints: Vec<String> = check.joints.iter().zip(&check.joint_values).map(joint).collect();
+    section.push(Block::text(tr!(words, "way-back-test", pose = check.pose, joints = joints.join("; "))));
+    let rows = [
+        Row { name: tr!(words, "way-back-before"), pose: check.before },
+        Row { name: tr!(words, "way-back-after"), pose: check.after },
+    ];
+    let columns = Columns::<Row>::new().page(phrase!("way-back-display"), "", |r| Text::from(r.name.clone()));
+    let columns = ["x", "y", "z"]
+        .into_iter()
+        .enumerate()
+        .fold(columns, |columns, (axis, name)| columns.page(name, "mm", move |r| fixed(r.pose.xyz_mm[axis], DECIMALS)));
+    let columns = ["qw", "qx", "qy", "qz"]
+        .into_iter()
+        .enumerate()
+        .fold(columns, |columns, (part, name)| columns.page(name, "", move |r| fixed(r.pose.quaternion[part], 6)));
+    section.push(Block::Table(Table::new(words, &rows, columns)));
+    section.push(Block::text(tr!(words, "way-back-restore")));
+    section.push(Block::text(tr!(words, "way-back-other-poses", file = file.file)));
+}

@@ -1,0 +1,180 @@
+//! A controller file that is loaded: the verdict is about its values, and the tests after loading agree with it.
+
+use super::{etalon, text_of};
+use crate::support::said::Says;
+use crate::support::scratch::{Scratch, copy_sample, ends};
+use etalon::documents::{
+    Acceptance, ActionKind, CampaignSummary, ControllersDocument, LoadAnswer, LoadingCheck, VerdictDocument,
+};
+use etalon::run::pipeline::evaluate;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+
+/// Zeros of joints alone, as ABB, KUKA and FANUC take them.
+const ZEROS: &str = "{# holds: theta_* #}\n{% for p in parameters %}\n{{ p.name }}={{ p.value }}\n{% endfor %}\n";
+
+/// An arm whose controller takes zeros; its limit is 0.4 mm.
+fn arm() -> Scratch {
+    let scratch = copy_sample("second-encoders");
+    std::fs::write(scratch.path().join("zeros.ini.j2"), ZEROS).unwrap();
+    scratch.replace("campaign.toml", "controllers = [\"json\"]", "controllers = [\"json\", \"zeros.ini.j2\"]");
+    scratch
+}
+
+fn document<T: DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
+    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap()).unwrap()
+}
+
+fn check_of(scratch: &Scratch) -> LoadingCheck {
+    let campaign: CampaignSummary = document(scratch, "campaign.json");
+    campaign.controller_files.into_iter().find(|file| file.file == "zeros.ini").unwrap().check.unwrap()
+}
+
+/// Geometry and gains that zeros cannot replace leave 0.8 mm (RMS), and 90 µm with all parameters.
+#[test]
+fn a_file_of_zeros_is_judged_by_its_own_errors() {
+    let scratch = arm();
+    ends(&scratch, "run", 1, &[]);
+    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let controllers: ControllersDocument = document(&scratch, "controllers.json");
+    let written = controllers.files[0].deciding().unwrap().written;
+    assert_eq!((verdict.verdict, verdict.judged_file.as_deref()), (Some(Acceptance::Fail), Some("zeros.ini")));
+    assert_eq!(verdict.limits[0].value, Some(written.max_mm));
+    assert!(written.max_mm > 1.0 && written.rms_mm > 0.5, "{written:?}");
+    assert_eq!(verdict.loading.unwrap().answer, LoadAnswer::Resolve);
+    assert!(verdict.actions.iter().all(|step| step.action != ActionKind::Load), "{:?}", verdict.actions);
+    let meet = verdict.actions.iter().find(|step| step.action == ActionKind::MeetLimit).unwrap();
+    assert_eq!(meet.what.phrase().unwrap().id, "action-use-all-parameters");
+    // the same robot with all parameters
+    scratch.replace("campaign.toml", "[\"json\", \"zeros.ini.j2\"]", "[\"json\"]");
+    ends(&scratch, "run", 0, &[]);
+    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    assert!(verdict.judged_file.is_none() && verdict.limits[0].value.unwrap() < 0.4, "{verdict:?}");
+}
+
+/// The display that the report announces is the one that `etalon kinematics` computes, before and after loading.
+#[test]
+fn the_display_after_loading_is_that_of_the_file() {
+    let scratch = arm();
+    scratch.replace("campaign.toml", "position_max_mm = 0.4", "position_max_mm = 5.0");
+    scratch.replace(
+        "campaign.toml",
+        "[instrument]",
+        "[conditions]\ncontroller_backup = \"before.ini\"\n\n[instrument]",
+    );
+    let missing = ends(&scratch, "run", 2, &["campaign.toml:"]);
+    assert!(missing.contains("before.ini"), "{missing}");
+    std::fs::write(scratch.path().join("before.ini"), "theta_2=0\n").unwrap();
+    ends(&scratch, "run", 0, &[]);
+    let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+    // sha256sum
+    assert!(html.contains("before.ini, SHA-256 4ea600a1"), "the hash of the backup");
+    let LoadingCheck { joints, joint_values, before, after, .. } = check_of(&scratch);
+    let values: Vec<String> = joint_values.iter().map(f64::to_string).collect();
+    let table = format!("pose,{}\n1,{}\n", joints.join(","), values.join(","));
+    std::fs::write(scratch.path().join("joints.csv"), table).unwrap();
+    let display = |more: &[&str]| {
+        let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
+        let output = etalon(&scratch.path(), &[&direct[..], more].concat());
+        assert!(output.status.success(), "{}", text_of(&output));
+        let csv = String::from_utf8(output.stdout).unwrap();
+        csv.lines().nth(1).unwrap().split(',').skip(1).map(|v| v.parse().unwrap()).collect::<Vec<f64>>()
+    };
+    let loaded = ["--parameters", "out/parameters.json", "--loaded", "out/zeros.ini"];
+    for (more, expected) in [(&[][..], before), (&loaded[..], after)] {
+        let found = display(more);
+        let expected: Vec<f64> = expected.xyz_mm.into_iter().chain(expected.quaternion).collect();
+        assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?} {expected:?}");
+    }
+    assert!((before.xyz_mm[0] - after.xyz_mm[0]).abs() > 0.01, "{before:?} {after:?}");
+    let other = ["--parameters", "out/parameters.json", "--loaded", "other.ini"];
+    let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
+    let refused = text_of(&etalon(&scratch.path(), &[&direct[..], &other].concat()));
+    assert!(refused.says("error[file-not-of-run] file=other.ini"), "{refused}");
+}
+
+/// After mastering, the joint values of the controller contain the loaded zeros: the robot is the same.
+#[test]
+fn a_robot_with_loaded_zeros_is_verified_by_its_new_joint_values() {
+    let scratch = arm();
+    ends(&scratch, "run", 1, &[]);
+    let controllers: ControllersDocument = document(&scratch, "controllers.json");
+    let parameters: etalon::documents::ParametersDocument = document(&scratch, "parameters.json");
+    let change: BTreeMap<String, f64> = controllers.files[0]
+        .values
+        .iter()
+        .filter_map(|v| {
+            let nominal = parameters.parameters.iter().find(|p| p.name == v.name)?.nominal;
+            Some((format!("q{}_deg", v.name.strip_prefix("theta_")?), v.value - nominal))
+        })
+        .collect();
+    let observed = std::fs::read_to_string(scratch.path().join("observations.csv")).unwrap();
+    let heads: Vec<&str> = observed.lines().next().unwrap().split(',').collect();
+    let shifted = |line: &str| {
+        let cell = |(head, cell): (&&str, &str)| match change.get(*head) {
+            Some(change) => format!("{}", cell.parse::<f64>().unwrap() + change),
+            None => cell.to_owned(),
+        };
+        heads.iter().zip(line.split(',')).map(cell).collect::<Vec<_>>().join(",")
+    };
+    let rows: Vec<String> = observed.lines().skip(1).take(40).map(shifted).collect();
+    std::fs::write(scratch.path().join("after.csv"), format!("{}\n{}\n", heads.join(","), rows.join("\n"))).unwrap();
+    let verify = ["verify", "after.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
+    let without = etalon(&scratch.path(), &verify);
+    assert_eq!(without.status.code(), Some(1), "{}", text_of(&without));
+    let with = etalon(&scratch.path(), &[&verify[..], &["--mastered", "zeros.ini"]].concat());
+    assert_eq!(with.status.code(), Some(0), "{}{}", text_of(&with), String::from_utf8_lossy(&with.stdout));
+}
+
+/// A pose that is excluded moves no other pose from calibration to validation.
+#[test]
+fn an_exclusion_does_not_move_the_split() {
+    let sets = |excluded: &str| {
+        let scratch = copy_sample("prexyt-cmm");
+        let by_index = "calibration = \"index mod 2 < 1\"\nvalidation = \"rest\"";
+        scratch.replace("campaign.toml", "calibration = \"1-8\"", &format!("{by_index}{excluded}"));
+        let text = std::fs::read_to_string(scratch.path().join("campaign.toml")).unwrap();
+        let kept: Vec<&str> = text.lines().filter(|line| !line.starts_with("validation = \"9-59\"")).collect();
+        std::fs::write(scratch.path().join("campaign.toml"), kept.join("\n")).unwrap();
+        let campaign = etalon::campaign::Campaign::read(&scratch.path()).unwrap();
+        let errors = evaluate(&campaign).unwrap().results.identified.unwrap().errors;
+        errors.iter().map(|e| (e.pose, e.set)).collect::<BTreeMap<_, _>>()
+    };
+    let (all, fewer) = (sets(""), sets("\nexclude = [{ poses = \"4\", reason = \"touched\" }]"));
+    assert_eq!(fewer.len() + 1, all.len());
+    assert!(fewer.iter().all(|(pose, set)| all[pose] == *set), "{fewer:?}");
+}
+
+/// Messages on the terminal are in the language of the report.
+#[test]
+fn warnings_are_in_the_language_of_the_report() {
+    for (language, english) in [("de", false), ("fr", false), ("en", true)] {
+        let scratch = copy_sample("second-encoders");
+        scratch.replace(
+            "campaign.toml",
+            "[instrument]",
+            &format!("[report]\nlanguage = \"{language}\"\n\n[instrument]"),
+        );
+        let run = etalon(scratch.root(), &["run", "campaign"]);
+        let parameters: etalon::documents::ParametersDocument = document(&scratch, "parameters.json");
+        let shown = text_of(&run);
+        let message = &parameters.messages[0];
+        assert!(shown.contains(&message.in_language(language).what), "{language}: {shown}");
+        assert_eq!(shown.contains(&message.what), english, "{language}: {shown}");
+    }
+}
+
+/// 2026-03-01 at noon (`date -u -d`), SOURCE_DATE_EPOCH 1772366400.
+#[test]
+fn a_date_after_today_is_a_warning_that_no_document_contains() {
+    let scratch = copy_sample("prexyt-cmm");
+    let name = "name = \"PreXYT, CMM (synthetic)\"";
+    scratch.replace("campaign.toml", name, &format!("{name}\ndate = \"2062-03-02\""));
+    let mut command = std::process::Command::new(crate::support::program());
+    command.args(["run", "campaign"]).current_dir(scratch.root()).env("SOURCE_DATE_EPOCH", "1772366400");
+    let run = command.output().unwrap();
+    assert_eq!(run.status.code(), Some(0), "{}", text_of(&run));
+    let shown = text_of(&run);
+    assert!(shown.says("warning[date-in-future] key=date date=2062-03-02 today=2026-03-01"), "{shown}");
+    assert!(!std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("date-in-future"));
+}
