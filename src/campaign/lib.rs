@@ -7,6 +7,7 @@ mod iso9283;
 mod join;
 mod mixed;
 mod named_files;
+mod open;
 mod paths;
 mod robot_faults;
 mod robot_file;
@@ -23,6 +24,7 @@ pub use edit::Changes;
 pub use geometric::*;
 pub use iso9283::*;
 pub use join::{ClockOffset, ClockRate, Join, JoinBy};
+pub use open::{OpenPart, open_parts};
 pub use robot_file::{PartMesh, RobotFile, Unbuilt};
 pub use robot_text::{RobotHead, UrdfJoint, nominal_text, screws_text, table_text, urdf_text};
 pub use selection::{Selection, Selections, StatedPoses};
@@ -37,6 +39,7 @@ use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic, UncertaintyBound};
 use etalon_robots::{Joint, Quantity, Robot, TreeChain};
+use open::open_questions;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
@@ -348,31 +351,6 @@ impl Campaign {
         let series = identify.series.iter().map(parse).collect::<Result<_>>()?;
         Ok(Selections { calibration, validation: identify.validation.as_ref().map(parse).transpose()?, series })
     }
-}
-
-/// Incomplete lines of a proposal: each value `"?"`, and each line with a joint or a time in
-/// `UNIT`.
-fn open_questions(name: &str, text: &str) -> Problems {
-    let stated = |line: &str| line.split(" #").next().unwrap_or(line).to_owned();
-    let open = |line: &str| {
-        let stated = stated(line);
-        let open = ["= \"?\"", "_UNIT =", "\"time_UNIT\""].iter().any(|part| stated.contains(part));
-        open && !stated.trim_start().starts_with('#')
-    };
-    let question = |(at, line): (usize, &str)| {
-        let timeless = stated(line).replace("time_UNIT", "");
-        let message = if timeless.contains("_UNIT =") {
-            error!("joint-unit-open")
-        } else if stated(line).contains("time_UNIT") {
-            error!("time-unit-open")
-        } else {
-            let key = line.split('=').next().unwrap_or("").trim();
-            let remark = line.split_once(" #").map_or("none", |(_, remark)| remark.trim());
-            error!("key-open", key, remark)
-        };
-        message.at(Place::line(name, at + 1, line))
-    };
-    Problems(text.lines().enumerate().filter(|(_, line)| open(line)).map(question).collect())
 }
 
 /// Keys of `campaign.toml` that this campaign needs and does not give. A test to ISO 9283 needs

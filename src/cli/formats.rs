@@ -4,7 +4,7 @@ use super::{Output, Verdict};
 use crate::tasks::start::refusal_of_lines;
 use etalon_base::phrase;
 use etalon_campaign::read_robot;
-use etalon_formats::{FilesProposal, propose_file_for, propose_files};
+use etalon_formats::{FilesProposal, has_several_tables, propose_file_for, propose_files};
 use std::path::{Path, PathBuf};
 
 /// Propose how to read and join files, as lines for campaign.toml with reasons and doubts.
@@ -34,7 +34,7 @@ impl Formats {
         let mut refusal = None;
         let mut lines = String::new();
         match &self.files[..] {
-            [file] => {
+            [file] if self.json || !has_several_tables(file) => {
                 let mut document = propose_file_for(file, robot)?;
                 document.toml = in_campaign(document.toml, std::slice::from_ref(file));
                 let text = document.toml.clone().into_bytes();

@@ -41,8 +41,8 @@ pub use logs::{DIRECTION, is_common_column, meaning as log_column, read as log, 
 pub use logs::{arrays, matlab, numpy};
 pub use points::{Line, Names, Point, SharedText, Stated, to_parquet};
 pub use propose::{
-    FilesProposal, JOINTS_REMARK, TargetFit, fit_targets, heading_without_unit, label_form, propose, propose_file,
-    propose_file_for, propose_files,
+    FilesProposal, JOINTS_REMARK, TargetFit, files_beside, fit_targets, has_several_tables, heading_without_unit,
+    label_form, propose, propose_file, propose_file_for, propose_files, world_lines,
 };
 pub use tables::observations::{TableReading, observations, observations_with};
 

@@ -576,7 +576,7 @@ fn names_coordinate(heading: &str, name: &str) -> bool {
     let Some((letter, _)) = name.rsplit_once('_') else { return false };
     let heading = heading.to_lowercase();
     let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    let is_unit = |word: &&str| ["mm", "m", "um", "inch", "in", "deg", "rad"].contains(word);
+    let is_unit = |word: &&str| ["mm", "m", "cm", "um", "inch", "in", "deg", "rad"].contains(word);
     words.rfind(|word| !is_unit(word)) == Some(letter)
 }
 

@@ -22,8 +22,10 @@ const CHARACTERS: usize = 400;
 /// Bytes from which the first rows of a file are shown.
 const HEAD: usize = 64 << 10;
 /// Units of lengths, and of joints, that a campaign may contain.
-const LENGTHS: [&str; 4] = ["mm", "m", "um", "inch"];
+const LENGTHS: [&str; 5] = ["mm", "m", "cm", "um", "inch"];
 const JOINTS: [&str; 5] = ["deg", "rad", "mm", "m", "um"];
+/// Units of times.
+const TIMES: [&str; 4] = ["s", "ms", "us", "ns"];
 /// Begins the ids of questions of robot.toml.
 const ROBOT: &str = "robot.toml:";
 
@@ -134,11 +136,11 @@ pub(super) fn propose(folder: &Path, dropped: &files::Dropped, asked: &Asked, la
     let robot = robot_question(&inputs, language)?;
     let Some(chosen) = inputs.robot(asked.robot.as_deref())? else {
         let read = propose_files(&inputs.measured, None)?;
-        let (files, messages) = read_as(&inputs.measured, &read.documents, language);
+        let (files, messages) = read_as(&read.documents, language);
         return Ok(Proposal { campaign: read.toml, files, questions: vec![robot], messages, ..Proposal::default() });
     };
     let drafted = Drafted::new(&chosen, &inputs.measured, &asked.answers)?;
-    let (files, messages) = read_as(&inputs.measured, &drafted.started.documents, language);
+    let (files, messages) = read_as(&drafted.started.documents, language);
     let asked_for = Drafted::questions(&drafted.texts);
     let questions = asked_for.into_iter().map(|(id, open)| question(id, &open, language));
     let [before, after] = [&drafted.texts[0], &drafted.answered[0]];
@@ -187,9 +189,10 @@ pub(super) fn accept(folder: &Path, dropped: &files::Dropped, asked: &Asked) -> 
 }
 
 /// Reading of each file with its first rows, and doubts about it.
-fn read_as(paths: &[PathBuf], documents: &[FormatsDocument], language: &str) -> (Vec<FileProposal>, Vec<ShownMessage>) {
+fn read_as(documents: &[FormatsDocument], language: &str) -> (Vec<FileProposal>, Vec<ShownMessage>) {
     let (mut files, mut messages) = (Vec::new(), Vec::new());
-    for (path, document) in paths.iter().zip(documents) {
+    for document in documents {
+        let path = Path::new(&document.file);
         let column = |column: &etalon_documents::FormatsColumn| ColumnRead {
             heading: column.heading.clone().unwrap_or_else(|| format!("${}", column.number)),
             taken_for: Some(column.taken_for.text(language)).filter(|text| !text.is_empty()),
@@ -251,6 +254,10 @@ fn question(id: String, open: &Open, language: &str) -> Question {
         ("instrument", "expanded_rotation_uncertainty_deg") => (phrase!("view-question-rotation"), &[]),
         (_, "unit") => (phrase!("view-question-unit", file), &LENGTHS),
         (_, "UNIT") => (phrase!("view-question-joint-unit", file), &JOINTS),
+        (_, "time_UNIT") => (phrase!("view-question-time-unit", file), &TIMES),
+        (_, "rx_UNIT") => (phrase!("view-question-angle-unit", file), &JOINTS[..2]),
+        (_, "rotation") => (phrase!("view-question-rotation-order", file), &[]),
+        (_, "as_exported") => (phrase!("view-question-world"), &["true"]),
         (section, key) => (phrase!("view-question-key", key, section), &[]),
     };
     let option = |value: &&str| QuestionOption { value: (*value).to_owned(), label: (*value).to_owned() };

@@ -15,6 +15,8 @@ const MOST: usize = 200_000;
 const COMMENTS: [&str; 4] = ["//", "#", "%", "$$"];
 /// Words that end files.
 const ENDS: [&str; 3] = ["END", "EOF", "End"];
+/// Maximum number of last fields that most rows do not have.
+const MOST_SPARSE: usize = 4;
 /// Delimiters that are tried.
 const DELIMITERS: [Delimiter; 5] =
     [Delimiter::Tab, Delimiter::Semicolon, Delimiter::Bar, Delimiter::Comma, Delimiter::Blank];
@@ -57,6 +59,9 @@ pub struct Guess<'t> {
     pub head: Head,
     /// Units of lengths that the lines above the data state.
     pub stated_units: Vec<StatedUnit>,
+    /// Smallest and largest number of fields of a row that is read: the last fields of a row may be
+    /// missing.
+    pub widths: [usize; 2],
     /// Line of the first data row.
     pub first: usize,
     /// Number of data rows.
@@ -140,9 +145,14 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let data = &all[header..end.unwrap_or(all.len()).max(header)];
     // a sheet omits trailing empty cells
     let widths = data.iter().map(filled_width);
-    let columns = if of_sheet { widths.max() } else { most_common(widths) }?;
+    let least = if of_sheet { widths.max() } else { most_common(widths) }?;
+    let holds = |field: &Cow<str>| is_number(field) || is_gap(field);
+    // the headings may name fields that only some rows have
+    let named = header.checked_sub(1).map_or(0, |at| filled_width(&all[at]));
+    let most = if of_sheet { least } else { sparse_width(data, [least, named.max(least)], &holds) };
+    let columns = if (least..=most).contains(&named) { named } else { least };
     let fits = |row: &Row| {
-        (of_sheet || filled_width(row) == columns)
+        (of_sheet || (least..=most).contains(&filled_width(row)))
             && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && is_gap(f)))
     };
     let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
@@ -150,14 +160,7 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let used: Vec<&Cow<str>> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
     let mark = if decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
-    let three = |field: &&&Cow<str>| {
-        // a group of thousands does not follow a zero
-        field.split_once(mark).is_some_and(|(before, after)| {
-            let whole = before.trim_start_matches(['+', '-']);
-            !whole.starts_with('0') && after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit())
-        })
-    };
-    let threes = used.iter().filter(three).count();
+    let threes = used.iter().filter(|field| has_three_digits(field, mark)).count();
     // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions
     let grouped = thousands.is_some() && used.iter().any(|field| !is_plain(field));
     let plain = if thousands.is_some() && !grouped { 0.95 } else { 1.0 };
@@ -168,7 +171,6 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let passed = all[..header].iter().filter(|row| !is_worded(row)).count();
     let taken = good.len() as f64 / (data.len() + passed) as f64;
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
-    let holds = |field: &Cow<str>| is_number(field) || is_gap(field);
     let numeric = (0..columns)
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
@@ -191,6 +193,7 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         commented,
         head,
         stated_units: Vec::new(),
+        widths: [least, most],
         first,
         rows: data.len(),
         read: good.len(),
@@ -202,6 +205,33 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         score,
         form,
     })
+}
+
+/// `true` if exactly three digits follow a mark: it may be a thousands mark, unless it follows a
+/// zero.
+fn has_three_digits(field: &str, mark: char) -> bool {
+    field.split_once(mark).is_some_and(|(before, after)| {
+        let whole = before.trim_start_matches(['+', '-']);
+        !whole.starts_with('0') && after.len() == 3 && after.bytes().all(|b| b.is_ascii_digit())
+    })
+}
+
+/// Largest number of fields of the rows, if rows with more fields than the usual number continue
+/// the usual ones: readings under a heading and remarks that are missing in most rows. `holds` is
+/// `true` for a number or a gap; a number without a heading may be the second half of another one.
+fn sparse_width(data: &[Row], [usual, named]: [usize; 2], holds: &dyn Fn(&Cow<str>) -> bool) -> usize {
+    let of_usual = || data.iter().filter(|row| filled_width(row) == usual).take(SAMPLE);
+    let numeric: Vec<usize> =
+        (0..usual).filter(|at| of_usual().all(|row| row.fields.get(*at).is_some_and(holds))).collect();
+    let wider = || data.iter().filter(|row| filled_width(row) > usual);
+    let is_remark = |field: &Cow<str>| field.is_empty() || !holds(field);
+    let continues = |row: &Row| {
+        numeric.iter().all(|at| row.fields.get(*at).is_some_and(holds)) && row.fields.iter().skip(named).all(is_remark)
+    };
+    let most = wider().map(filled_width).max().unwrap_or(usual);
+    // a text in front of some rows shifts their numbers
+    let is_sparse = numeric.len() >= 2 && most <= usual + MOST_SPARSE && wider().all(continues);
+    if is_sparse { most } else { usual }
 }
 
 /// `true` for a number in some marks: digits with marks between them, and a sign.
@@ -252,6 +282,28 @@ pub fn is_time(cell: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Cells that only some rows have: under a heading, or texts. A number without a heading may be
+    /// the second half of a number in groups of three.
+    #[test]
+    fn last_cells_may_be_missing_in_most_rows() {
+        let rows = |last: &str| -> String {
+            let row = |i: usize| format!("P{i};{i}.5;{i}.25;{i}.75{}\n", if i % 5 == 4 { last } else { "" });
+            (0..30).map(row).collect()
+        };
+        for (head, last, widths, columns) in [
+            ("Name;X;Y;Z;Temp\n", ";20.5", [4, 5], 5),
+            ("Name;X;Y;Z\n", ";moved", [4, 5], 4),
+            ("", ";moved", [4, 5], 4),
+            ("Name;X;Y;Z\n", ";20.5", [4, 4], 4),
+            ("", ";20.5", [4, 4], 4),
+        ] {
+            let text = head.to_owned() + &rows(last);
+            let best = &guesses(&text, None)[0];
+            assert_eq!((best.widths, best.numeric.len()), (widths, columns), "{head}{last}");
+            assert_eq!(best.read, if widths == [4, 4] { 24 } else { 30 }, "{head}{last}");
+        }
+    }
 
     #[test]
     fn a_number_with_its_sign_behind_it_is_no_date() {

@@ -231,7 +231,7 @@ const UNIT_KEYS: [&str; 12] = [
 /// Unit of lengths that a word gives.
 fn length_unit(word: &str) -> Option<&'static str> {
     unit_word(word.trim_matches(|c: char| matches!(c, '"' | '\'' | '(' | ')' | '[' | ']' | ';' | ',')))
-        .filter(|unit| ["mm", "m", "um", "inch"].contains(unit))
+        .filter(|unit| ["mm", "m", "cm", "um", "inch"].contains(unit))
 }
 
 /// Returns the units of lengths that are given in the lines above the data, which begin at the line

@@ -14,6 +14,8 @@ pub fn unit_word(word: &str) -> Option<&'static str> {
         "m" | "metre" | "metres" | "meter" | "meters" | "mètre" | "mètres" | "metri" | "metros" | "米" | "メートル" => {
             "m"
         }
+        "cm" | "centimetre" | "centimetres" | "centimeter" | "centimeters" | "zentimeter" | "centimètre"
+        | "centimètres" | "centimetri" | "centimetros" | "centímetros" | "厘米" | "センチ" => "cm",
         // micro sign, Greek mu
         "um" | "\u{b5}m" | "\u{3bc}m" | "micron" | "microns" | "微米" | "ミクロン" => "um",
         "in" | "inch" | "inches" | "\"" | "zoll" | "pouce" | "pouces" | "pulgada" | "pulgadas" | "英寸" | "インチ" => {

@@ -8,7 +8,7 @@ use etalon::documents::ParametersDocument;
 use std::fmt::Write;
 use std::path::Path;
 
-fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+pub(super) fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
     let output =
         std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
@@ -16,7 +16,7 @@ fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
 }
 
 /// Joint values (rad), the place of a reflector and the orientation of its body of a UR5e with small errors.
-fn measured(at: &Path, count: usize) -> Vec<(Vec<f64>, [f64; 3], [f64; 4])> {
+pub(super) fn measured(at: &Path, count: usize) -> Vec<(Vec<f64>, [f64; 3], [f64; 4])> {
     assert_eq!(program(at, &["init", "nominal", "--robot", "ur5e"]).0, Some(0));
     let names = ["o", "a", "b", "c"].map(str::to_owned);
     let arm = etalon::campaign::read_robot(&at.join("nominal/robot.toml")).unwrap().build(&names).unwrap();
@@ -45,7 +45,7 @@ fn measured(at: &Path, count: usize) -> Vec<(Vec<f64>, [f64; 3], [f64; 4])> {
 }
 
 /// Answers what `check` asks until it has nothing left to ask; gives the keys that it asked for.
-fn answer(at: &Path, answers: &[(&str, &str)]) -> Vec<String> {
+pub(super) fn answer(at: &Path, answers: &[(&str, &str)]) -> Vec<String> {
     let mut asked = Vec::new();
     for _ in 0..20 {
         let (code, said) = program(at, &["check", "mine"]);
@@ -71,14 +71,14 @@ fn answer(at: &Path, answers: &[(&str, &str)]) -> Vec<String> {
     panic!("the questions have no end: {asked:?}");
 }
 
-fn found(at: &Path) -> ParametersDocument {
+pub(super) fn found(at: &Path) -> ParametersDocument {
     let (code, said) = program(at, &["run", "mine"]);
     assert_eq!(code, Some(0), "{said}");
     serde_json::from_slice(&std::fs::read(at.join("mine/out/parameters.json")).unwrap()).unwrap()
 }
 
 /// Values of the true errors, within what a calibration of forty poses determines.
-fn is_calibrated(document: &ParametersDocument) {
+pub(super) fn is_calibrated(document: &ParametersDocument) {
     let value = |name: &str| document.parameters.iter().find(|p| p.name == name).map(|p| p.value - p.nominal).unwrap();
     assert!((value("d_4") - 0.4).abs() < 0.1, "{}", value("d_4"));
     assert!(document.residuals.rms < 0.03, "{}", document.residuals.rms);

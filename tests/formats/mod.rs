@@ -10,6 +10,7 @@ pub(crate) mod recordings;
 mod robot;
 mod several;
 mod six_d;
+mod strangers;
 mod tables;
 
 use crate::support::root;
@@ -67,6 +68,8 @@ fn answered(document: &FormatsDocument, right: &Right) -> String {
     for name in ["a", "b", "c"] {
         text = text.replace(&format!("{name}_UNIT ="), &format!("{name}_deg ="));
     }
+    text =
+        text.replace("rotation = \"?\"", "rotation = \"vector\"").replace("as_exported = \"?\"", "as_exported = true");
     let order = right.orientation.as_deref().unwrap_or("zyx");
     text = text.replace("orientation = \"?\"", &format!("orientation = \"{order}\""));
     text.replace("time_UNIT", "time_s").replace("_UNIT", &format!("_{joint}")).replace("\"?\"", "\"T\"")

@@ -33,9 +33,12 @@ pub struct Dialect {
     /// expanded uncertainties.
     pub coverage_factor: Option<f64>,
     /// Order of the rotations of three angles `rx_deg`, `ry_deg`, `rz_deg`, like `orientation` of
-    /// tables; without it they are a rotation vector.
+    /// tables; with `vector`, and without this key, they are a rotation vector.
     pub rotation: Option<String>,
 }
+
+/// Word of `rotation` for a rotation vector.
+pub(crate) const ROTATION_VECTOR: &str = "vector";
 
 /// Length unit of an export.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -47,6 +50,9 @@ pub enum Unit {
     /// Metre.
     #[serde(rename = "m")]
     Metre,
+    /// Centimetre.
+    #[serde(rename = "cm")]
+    Centimetre,
     /// Micrometre.
     #[serde(rename = "um")]
     Micrometre,
@@ -57,11 +63,15 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// All units.
+    pub const ALL: [Self; 5] = [Self::Millimetre, Self::Metre, Self::Centimetre, Self::Micrometre, Self::Inch];
+
     /// Length of the unit (mm).
     pub fn in_mm(self) -> f64 {
         match self {
             Self::Millimetre => 1.0,
             Self::Metre => 1000.0,
+            Self::Centimetre => 10.0,
             Self::Micrometre => 0.001,
             Self::Inch => 25.4,
         }
@@ -69,7 +79,7 @@ impl Unit {
 
     /// Returns the unit with this name.
     pub fn named(name: &str) -> Option<Self> {
-        [Self::Millimetre, Self::Metre, Self::Micrometre, Self::Inch].into_iter().find(|unit| unit.name() == name)
+        Self::ALL.into_iter().find(|unit| unit.name() == name)
     }
 
     /// Name in campaign.toml.
@@ -77,6 +87,7 @@ impl Unit {
         match self {
             Self::Millimetre => "mm",
             Self::Metre => "m",
+            Self::Centimetre => "cm",
             Self::Micrometre => "um",
             Self::Inch => "inch",
         }
@@ -122,11 +133,11 @@ impl Dialect {
             let names: Vec<&str> = form.iter().map(|role| role.name()).collect();
             wrong.push(error!("column-group-incomplete", names));
         }
-        if let Some(order) = &self.rotation {
+        if self.rotation.is_some() {
             if !roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad)) {
                 wrong.push(error!("key-needs-columns", key = "rotation", columns = ["rx_deg", "ry_deg", "rz_deg"]));
             }
-            wrong.extend(order.parse::<AngleOrder>().err());
+            wrong.extend(self.angle_order().err());
         }
         let expanded = roles.iter().filter(|role| role.is_expanded()).count();
         if expanded > 0 && self.coverage_factor.is_none() {
@@ -144,6 +155,14 @@ impl Dialect {
             wrong.push(error!("key-not-positive", key = "coverage_factor"));
         }
         wrong
+    }
+
+    /// Order of the three angles; `None` for a rotation vector.
+    ///
+    /// # Errors
+    /// Fails for an unknown order.
+    pub fn angle_order(&self) -> Result<Option<AngleOrder>, Message> {
+        self.rotation.as_deref().filter(|order| *order != ROTATION_VECTOR).map(str::parse).transpose()
     }
 
     fn separation(&self) -> Vec<Message> {
@@ -419,6 +438,10 @@ mod tests {
             ("delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j']", "column-group-incomplete"),
             ("delimiter = ';', columns = ['x', 'y', 'z', 'qw', 'qx', 'qy']", "column-group-incomplete"),
             ("delimiter = ';', columns = ['x', 'y'], rotation = 'zyx'", "key-needs-columns"),
+            (
+                "delimiter = ';', columns = ['x', 'y', 'z', 'rx_deg', 'ry_deg', 'rz_deg'], rotation = 'rpy'",
+                "angle-order-unknown",
+            ),
             ("delimiter = ';', columns = ['x', 'y'], types = { 1 = ['x', 'y', 'z'] }", "key-needs-columns"),
             ("delimiter = ';', columns = ['x', 'y', 'u95x', 'u95y']", "coverage-factor-missing"),
             ("delimiter = ';', columns = ['x', 'y', 'u95x'], coverage_factor = 2.0", "uncertainty-column-count"),
@@ -450,14 +473,17 @@ mod tests {
         let sound =
             "{ delimiter = ';', columns = ['x', 'y', 'z', 'i', 'j', 'k', 'u1', 'u2', 'u3', 'qw', 'qx', 'qy', 'qz'] }";
         assert_eq!(read(sound).check(), []);
+        let turned =
+            "{ delimiter = ';', columns = ['x', 'y', 'z', 'rx_rad', 'ry_rad', 'rz_rad'], rotation = 'vector' }";
+        assert!(read(turned).check().is_empty() && read(turned).angle_order() == Ok(None));
     }
 
     #[test]
     fn units_of_headings_are_in_brackets_or_behind_the_name() {
         let of = |name: &str| Unit::from_heading(name).map(Unit::name);
         assert_eq!(
-            ["X [mm]", "y (in)", "z_um", "X Inch", "x [m]", "\u{b5} [\u{b5}m]"].map(of),
-            ["mm", "inch", "um", "inch", "m", "um"].map(Some)
+            ["X [mm]", "y (in)", "z_um", "X Inch", "x [m]", "x (cm)", "\u{b5} [\u{b5}m]"].map(of),
+            ["mm", "inch", "um", "inch", "m", "cm", "um"].map(Some)
         );
         assert_eq!(["X", "x_m", "x [rad]", "", "[", "X (M)"].map(of), [None; 6]);
     }

@@ -6,5 +6,5 @@ mod description;
 
 pub use columns::{Column, ColumnRole, Columns};
 pub use coordinates::{AngleUnit, CoordinateType};
-pub(crate) use description::quoted;
 pub use description::{Dialect, Unit, coordinate_type};
+pub(crate) use description::{ROTATION_VECTOR, quoted};

@@ -607,7 +607,7 @@ impl Reader<'_> {
             point.refused = Some(Box::new(phrase!("row-invisible")));
             return;
         }
-        match orientation(&mut turned, self.dialect.rotation.as_deref()) {
+        match self.dialect.angle_order().and_then(|order| orientation(&mut turned, order)) {
             Ok(None) => {}
             Ok(turned) => point.orientation = turned,
             Err(message) => problems.0.push(message.at(row.place(self.file))),
@@ -684,8 +684,9 @@ fn is_deleted(cell: &str) -> bool {
     ["1", "true", "yes", "y", "x", "deleted", "ja", "oui", "si"].iter().any(|mark| cell.eq_ignore_ascii_case(mark))
 }
 
-/// Quaternion of an orientation; `None` if all of its cells are missing.
-fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Result<Option<[f64; 4]>, Message> {
+/// Quaternion of an orientation, of three angles in this order; `None` if all of its cells are
+/// missing.
+fn orientation(numbers: &mut [(ColumnRole, f64)], order: Option<AngleOrder>) -> Result<Option<[f64; 4]>, Message> {
     numbers.sort_by_key(|(role, _)| *role as usize);
     let Some((first, _)) = numbers.first() else { return Ok(None) };
     let form = ColumnRole::ORIENTATIONS.iter().find(|form| form.contains(first)).copied().unwrap_or(&[]);
@@ -704,8 +705,8 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], rotation: Option<&str>) -> Res
         [a, b, c] => {
             let factor = if *first == ColumnRole::RxDeg { PI / 180.0 } else { 1.0 };
             let angles = [a, b, c].map(|v| v * factor);
-            match rotation {
-                Some(order) => order.parse::<AngleOrder>()?.pose(angles),
+            match order {
+                Some(order) => order.pose(angles),
                 None => Pose::from_rotation_vector(angles),
             }
         }

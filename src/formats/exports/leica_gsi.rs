@@ -9,12 +9,16 @@ use super::{About, ExportFormat, ExportRow, Recognised, Text, WriteError, Writin
 use crate::Point;
 use crate::dialect::{Dialect, Unit};
 use etalon_base::message::{Message, Problems};
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Leica GSI.
 pub(super) struct LeicaGsi;
+
+/// Distance (mm) of two measurements of one point by which they are from two set-ups.
+const OTHER_PLACE_MM: f64 = 1000.0;
 
 impl ExportFormat for LeicaGsi {
     fn about(&self) -> About {
@@ -34,9 +38,14 @@ impl ExportFormat for LeicaGsi {
 
     fn read(&self, text: &Text, _dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems) {
         let (mut points, mut problems) = (Vec::new(), Problems::default());
+        let mut set_ups = SetUps::default();
         for (i, line) in text.lines.iter().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
             match row(text, i + 1, line) {
-                Ok(point) => points.push(point),
+                Ok((kind, point)) => {
+                    let again = set_ups.again(kind, i + 1, &point);
+                    problems.0.extend(again.map(|line| error!("stations-several", line).at(text.place(line))));
+                    points.push(point);
+                }
                 Err(message) => problems.0.push(message),
             }
         }
@@ -85,6 +94,12 @@ impl<'a> Word<'a> {
         (whole && info).then(|| Self { index, unit: bytes[5], negative: bytes[6] == b'-', value: &word[7..] })
     }
 
+    /// `true` for dashes in place of a value: not measured.
+    fn is_missing(self) -> bool {
+        let value = self.value.trim_start_matches('0');
+        !value.is_empty() && value.bytes().all(|b| b == b'-')
+    }
+
     fn signed(self, of_digit: f64) -> Option<f64> {
         let digits: u64 = self.value.parse().ok()?;
         let value = digits as f64 / of_digit;
@@ -123,8 +138,55 @@ fn words(line: &str) -> impl Iterator<Item = &str> {
     line.trim().trim_start_matches('*').split_whitespace()
 }
 
-/// Point of a line.
-fn row(text: &Text, line: usize, content: &str) -> Result<Point, Message> {
+/// Kind of a line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Coordinates of the instrument.
+    Station,
+    /// A code of the user, which may name a set-up.
+    Code,
+    /// Coordinates of a point, or none.
+    Point,
+    /// Directions and distance of a point from the instrument.
+    Polar,
+}
+
+/// Set-ups of the instrument; each has directions of its own.
+#[derive(Default)]
+struct SetUps {
+    stations: usize,
+    /// Line of a further set-up: coordinates of the instrument, or a code.
+    further: Option<usize>,
+    code: Option<usize>,
+    places: BTreeMap<String, Vector>,
+    is_reported: bool,
+}
+
+impl SetUps {
+    /// Returns the line of a second set-up, once, at the first directions from it: behind the
+    /// coordinates of the instrument, or behind a code if a point has moved.
+    fn again(&mut self, kind: Kind, line: usize, point: &Point) -> Option<usize> {
+        match kind {
+            Kind::Station => {
+                self.further = self.further.or((self.stations > 0).then_some(line));
+                self.stations += 1;
+            }
+            Kind::Code => self.code = Some(line),
+            Kind::Polar => {
+                let place = self.places.entry(point.label.to_string()).or_insert(point.xyz_mm);
+                let is_moved = norm(minus(*place, point.xyz_mm)) > OTHER_PLACE_MM;
+                let found = self.further.or(self.code.filter(|_| is_moved)).filter(|_| !self.is_reported);
+                self.is_reported |= found.is_some();
+                return found;
+            }
+            Kind::Point => {}
+        }
+        None
+    }
+}
+
+/// Kind of a line, and its point.
+fn row(text: &Text, line: usize, content: &str) -> Result<(Kind, Point), Message> {
     let mut all: Vec<Word> = Vec::new();
     for word in words(content) {
         let invalid = || error!("record-invalid", text = word, format = "leica_gsi", valid = "81..00+00001234");
@@ -132,7 +194,7 @@ fn row(text: &Text, line: usize, content: &str) -> Result<Point, Message> {
     }
     let word = |index: u8| all.iter().find(|word| word.index == index);
     let value = |index: u8, read: fn(Word) -> Option<f64>| -> Result<Option<f64>, Message> {
-        let Some(word) = word(index) else { return Ok(None) };
+        let Some(word) = word(index).filter(|word| !word.is_missing()) else { return Ok(None) };
         let invalid = || error!("record-invalid", text = word.value, format = "leica_gsi", valid = "81..00+00001234");
         read(*word).map(Some).ok_or_else(|| invalid().at(text.place(line)))
     };
@@ -140,13 +202,21 @@ fn row(text: &Text, line: usize, content: &str) -> Result<Point, Message> {
     let label = if label.is_empty() && word(11).is_some() { "0" } else { label };
     let axes = [81, 82, 83].map(|index| value(index, |word| word.length_m()));
     if let [Ok(Some(x)), Ok(Some(y)), Ok(Some(z))] = axes {
-        return Ok(text.point(line, label, [x, y, z], Unit::Metre));
+        return Ok((Kind::Point, text.point(line, label, [x, y, z], Unit::Metre)));
     }
     axes.into_iter().collect::<Result<Vec<_>, _>>()?;
     let direction = value(21, |word| word.angle_rad())?.zip(value(22, |word| word.angle_rad())?);
     match direction.zip(value(31, |word| word.length_m())?) {
-        Some((angles, distance)) => Ok(text.point(line, label, placed(angles, distance), Unit::Metre)),
-        None => Ok(text.no_point(line, label, phrase!("row-without-coordinates"))),
+        Some((angles, distance)) => Ok((Kind::Polar, text.point(line, label, placed(angles, distance), Unit::Metre))),
+        None => {
+            let is_station = word(84).is_some() && word(85).is_some();
+            let kind = match () {
+                () if is_station => Kind::Station,
+                () if word(41).is_some() => Kind::Code,
+                () => Kind::Point,
+            };
+            Ok((kind, text.no_point(line, label, phrase!("row-without-coordinates"))))
+        }
     }
 }
 
@@ -181,6 +251,23 @@ mod tests {
         assert!((0..3).all(|k| (points[0].xyz_mm[k] - [half, 0.0, -half][k]).abs() < 1e-9), "{points:?}");
         let (_, problems) = format.read("s.gsi", &text.into(), Unit::Millimetre);
         assert!(problems.0[0].is("unit-differs", &[("of_file", &"m"), ("stated", &"mm")]), "{problems:?}");
+        // dashes are no value
+        let text = "*110004+0000000000009003 81..10+0000000698434705 82..10+0000000173455362 83..10+00000000000-----\n";
+        let (points, problems) = read(text);
+        assert!(problems.0.is_empty() && points[0].refused.is_some(), "{problems:?}");
+        // directions after a second set-up are in another frame
+        let polar = "110002+00000001 21.102+10000000 22.102+15000000 31..00+00002000\n";
+        let station = "110003+00000ST1 84..40+00519659 85..40+00465244 86..40-00000588\n";
+        let (points, problems) = read(&format!("{station}{polar}"));
+        assert!(problems.0.is_empty() && points.len() == 2, "{problems:?}");
+        let (_, problems) = read(&format!("{station}{polar}{station}{polar}"));
+        assert!(problems.0.len() == 1 && problems.0[0].is("stations-several", &[("line", &3)]), "{problems:?}");
+        // a code alone is no set-up, unless a point is at another place behind it
+        let code = "410003+00000021 42....+0000BP04\n";
+        assert!(read(&format!("{polar}{code}{polar}")).1.0.is_empty());
+        let other = "110004+00000001 21.102+30000000 22.102+10000000 31..00+00009000\n";
+        let (_, problems) = read(&format!("{polar}{code}{other}{other}"));
+        assert!(problems.0.len() == 1 && problems.0[0].is("stations-several", &[("line", &2)]), "{problems:?}");
         // feet
         assert!(read("110001+00000001 81..01+00001234 82..01+00001 83..01+0").1.0[0].is("record-invalid", &[]));
         let document = crate::propose("s.gsi", text);

@@ -1,22 +1,28 @@
 //! Proposal for a file of arrays of NumPy or MATLAB: an export of an array of three columns,
 //! otherwise a log.
 
-use super::meaning::Interpretation;
+use super::headings::Heading;
+use super::lines::{fitted_unit_line, joint_entry, roles, unit_line};
+use super::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use super::several::{POSE_LINE, TARGET_LINE};
 use super::table::{Column, MOST_ROWS, Table};
-use super::with_remarks;
-use crate::dialect::quoted;
+use super::{Correct, columns, with_remarks};
+use crate::dialect::{ColumnRole, quoted};
 use crate::logs::{ArrayFile, ArrayParts, LogKind};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
-use std::fmt::Write as _;
 
 /// Proposes lines for the arrays of a file.
 ///
 /// # Errors
 /// Fails if the file cannot be read, or has no array of numbers with one or two axes.
-pub(super) fn propose_arrays(file: &str, contents: &ArrayFile, format: LogKind) -> Result<FormatsDocument, Message> {
+pub(super) fn propose_arrays(
+    file: &str,
+    contents: &ArrayFile,
+    format: LogKind,
+    correct: Option<Correct>,
+) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(contents)?;
     // joints are the parts of the array with the most parts
     let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));
@@ -34,94 +40,173 @@ pub(super) fn propose_arrays(file: &str, contents: &ArrayFile, format: LogKind) 
     let shown = |array: &ArrayParts| format!("`{}` ({} x {})", array.name, array.count, array.parts.len());
     let all: Vec<String> = arrays.iter().map(shown).collect();
     document.because(phrase!("because-arrays-of-numbers", arrays = all));
-    let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
-    let is_time = |array: &&ArrayParts| {
-        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
-        ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"].contains(&name.as_str())
-    };
-    let time = arrays.iter().filter(beside).find(is_time);
-    let times = time.map(|time| format!("time_s = {}, ", quoted(&time.name))).unwrap_or_default();
-    if let Some(columns) = columns_of_poses(contents, format, widest) {
-        document.kind = "export".to_owned();
-        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = widest.parts.len()));
-        document.doubt(phrase!("doubt-quaternion-order"));
-        document.ask(phrase!("ask-unit"));
-        let lines = export_lines(file, widest, &times, &columns);
-        document.toml = with_remarks(&document, &lines);
-        return Ok(document);
+    let (mut table, mut found) = interpreted(&arrays, widest, contents, format)?;
+    if let Some(correct) = correct {
+        let remarks = correct(&mut table, &mut found);
+        (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+        remarks.reasons.into_iter().for_each(|reason| document.because(reason));
+        remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
     }
-    if let [x, y, z] = &widest.parts[..] {
-        // three columns: coordinates rather than joints
-        document.kind = "export".to_owned();
-        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = 3));
-        document.ask(phrase!("ask-unit"));
-        document.ask(phrase!("ask-order-of-columns"));
-        let columns = format!("x = {}, y = {}, z = {}", quoted(x), quoted(y), quoted(z));
-        let lines = export_lines(file, widest, &times, &columns);
-        document.toml = with_remarks(&document, &lines);
-        return Ok(document);
-    }
-    let mut columns: Vec<String> = Vec::new();
-    if let Some(time) = time {
-        columns.push(format!("time_s = {}", quoted(&time.name)));
-        if format.column_unit(&time.name).is_none() {
-            document.ask(phrase!("ask-seconds", name = time.name));
+    found.doubts.iter().for_each(|doubt| document.doubt(doubt.text.clone()));
+    found.questions.iter().for_each(|question| document.ask(question.text.clone()));
+    document.columns = columns(&table, &found);
+    let lines = match found.points.first() {
+        Some(points) => {
+            document.kind = "export".to_owned();
+            let unit = points.columns[0].and_then(|at| table.columns[at].heading.unit);
+            if unit.is_none() {
+                document.ask(phrase!("ask-unit"));
+            }
+            export_lines(file, widest, (&table, &found), unit)
         }
-    }
-    let joints: Vec<&String> = match widest.parts.len() {
-        1 => {
-            let others = arrays.iter().filter(beside).filter(|array| Some(&array.name) != time.map(|t| &t.name));
-            others.flat_map(|array| &array.parts).collect()
+        None => {
+            let joints = found.joint_columns();
+            if !found.by_kinematics && joints.iter().any(|at| table.columns[*at].heading.unit.is_none()) {
+                document.ask(phrase!("ask-joints"));
+            } else if !found.by_kinematics {
+                document.ask(phrase!("ask-joints-of-format"));
+            }
+            log_lines(file, about.name, &table, &found)
         }
-        _ => widest.parts.iter().collect(),
     };
-    let unit = |part: &str| format.column_unit(part).unwrap_or("UNIT");
-    columns.extend((1..).zip(joints).map(|(number, part)| format!("q{number}_{} = {}", unit(part), quoted(part))));
-    let parts = widest.parts.len();
-    if !(4..=8).contains(&parts) && parts > 1 {
-        document.doubt(phrase!("doubt-array-columns", array = widest.name, count = parts));
-    }
-    document.ask(phrase!("ask-joints"));
-    let mut lines = String::new();
-    let _ = write!(
-        lines,
-        "[log]\nfile = {}\nformat = \"{}\"\ncolumns = {{ {} }}\n",
-        quoted(file),
-        about.name,
-        columns.join(", ")
-    );
     document.toml = with_remarks(&document, &lines);
     Ok(document)
 }
 
-/// Lines of an export of an array, with its column of times and those of its points.
-fn export_lines(file: &str, array: &ArrayParts, times: &str, columns: &str) -> String {
+/// Names of arrays of times, in lower case.
+const TIMES: [&str; 7] = ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"];
+
+/// Table of the widest array with its time, and its interpretation: points if it has three columns,
+/// or seven of which four are a quaternion; otherwise joints.
+fn interpreted(
+    arrays: &[ArrayParts],
+    widest: &ArrayParts,
+    contents: &ArrayFile,
+    format: LogKind,
+) -> Result<(Table, Interpretation), Message> {
+    let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
+    let is_time = |array: &&ArrayParts| {
+        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
+        TIMES.contains(&name.as_str())
+    };
+    let time = arrays.iter().filter(beside).find(is_time);
+    let others = || arrays.iter().filter(beside).filter(|array| Some(&array.name) != time.map(|time| &time.name));
+    let values: Vec<&str> = match widest.parts.len() {
+        1 => others().flat_map(|array| &array.parts).map(String::as_str).collect(),
+        _ => widest.parts.iter().map(String::as_str).collect(),
+    };
+    let parts: Vec<&str> = time.iter().map(|time| time.name.as_str()).chain(values.iter().copied()).collect();
+    let first = parts.len() - values.len();
+    let table = read_columns(contents, format, &parts)?;
+    let mut found = Interpretation::unknown(&table);
+    let count = values.len();
+    let of_poses = poses_by_values(&table, first);
+    let is_of_points = widest.parts.len() == 3;
+    if time.is_some() {
+        found.take(0, Meaning::Time, phrase!("why-heading"));
+        found.clock_unit(&table);
+    }
+    if of_poses.is_some() || is_of_points {
+        let meanings = of_poses.unwrap_or_else(|| (0..3).map(|axis| Meaning::Point(0, axis)).collect());
+        let mut set = PointSet { tag: String::new(), columns: [None; 3] };
+        for (at, meaning) in (first..).zip(meanings) {
+            if let Meaning::Point(_, axis) = meaning {
+                set.columns[axis] = Some(at);
+            }
+            found.take(at, meaning, phrase!("why-place"));
+        }
+        found.points.push(set);
+        found.doubt(phrase!("doubt-array-columns", array = widest.name, count));
+        match is_of_points {
+            true => found.ask(phrase!("ask-order-of-columns")),
+            false => found.doubt_until(Evidence::Orientations, phrase!("doubt-quaternion-order")),
+        }
+        return Ok((table, found));
+    }
+    for k in 0..count {
+        found.take(first + k, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
+    }
+    let is_named = values.iter().all(|part| format.column_unit(part).is_some());
+    if !is_named && widest.parts.len() > 1 {
+        match (4..=8).contains(&count) {
+            true => found.doubt_until(Evidence::JointOrder, phrase!("doubt-joints-without-headings", count)),
+            false => found.doubt(phrase!("doubt-array-columns", array = widest.name, count)),
+        }
+    }
+    Ok((table, found))
+}
+
+/// Table of parts of arrays, each a column under its name.
+fn read_columns(contents: &ArrayFile, format: LogKind, parts: &[&str]) -> Result<Table, Message> {
+    let text = format.table(contents, parts).unwrap_or_else(|| Err(error!("no-rows-of-numbers", file = "arrays")))?;
+    let column = |part: &&str| Column {
+        name: Some((*part).to_owned()),
+        heading: Heading { unit: format.column_unit(part), ..Heading::default() },
+        ..Column::default()
+    };
+    let mut columns: Vec<Column> = parts.iter().map(column).collect();
+    let mut lines = text.lines().skip(1);
+    for line in lines.by_ref().take(MOST_ROWS) {
+        for (cell, column) in line.split('\t').zip(&mut columns) {
+            column.values.push(cell.trim().parse().unwrap_or(f64::NAN));
+        }
+    }
+    let rows = columns.first().map_or(0, |column| column.values.len());
+    Ok(Table { rows, width: columns.len(), columns, sampled: lines.next().is_some(), ..Table::default() })
+}
+
+/// Meanings of the columns from the index `first` on, if their values are positions and
+/// quaternions: four of seven have the norm 1 in all rows.
+fn poses_by_values(table: &Table, first: usize) -> Option<Vec<Meaning>> {
+    let unnamed = |column: &Column| Column { values: column.values.clone(), ..Column::default() };
+    let columns: Vec<Column> = table.columns[first..].iter().map(unnamed).collect();
+    let found = Interpretation::new(&Table { width: columns.len(), columns, rows: table.rows, ..Table::default() });
+    let is_pose = found.taken.len() == 7 && found.quaternion_columns().len() == 4 && !found.points.is_empty();
+    is_pose.then(|| found.taken.iter().map(|taken| taken.meaning).collect())
+}
+
+/// Lines of an export of an array, with its column of times.
+fn export_lines(
+    file: &str,
+    array: &ArrayParts,
+    (table, found): (&Table, &Interpretation),
+    unit: Option<&'static str>,
+) -> String {
+    let roles = roles(found, 0);
+    let named = roles.iter().zip(&table.columns).filter(|(role, _)| **role != ColumnRole::Skip);
+    let columns: Vec<String> = named
+        .map(|(role, column)| {
+            let is_open = *role == ColumnRole::TimeS && found.time_unit_open;
+            let name = if is_open { "time_UNIT" } else { role.name() };
+            format!("{name} = {}", quoted(column.name.as_deref().unwrap_or_default()))
+        })
+        .collect();
+    let is_timed = found.first(Meaning::Time).is_some();
     format!(
-        "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {times}{columns} }} }}\n\
-         unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n{TARGET_LINE}{}",
+        "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {} }} }}\n{}{TARGET_LINE}{}",
         quoted(file),
         quoted(&array.name),
-        if times.is_empty() { POSE_LINE } else { "" }
+        columns.join(", "),
+        if unit.is_some() { fitted_unit_line(unit) } else { unit_line(None) },
+        if is_timed { "" } else { POSE_LINE }
     )
 }
 
-/// Columns of positions and quaternions of an array, if its values are such: four of its seven
-/// parts have the norm 1 in all rows.
-fn columns_of_poses(contents: &ArrayFile, format: LogKind, array: &ArrayParts) -> Option<String> {
-    let parts: Vec<&str> = array.parts.iter().map(String::as_str).collect();
-    let text = format.table(contents, &parts)?.ok()?;
-    let mut columns = vec![Column::default(); parts.len()];
-    let rows = text.lines().skip(1).take(MOST_ROWS);
-    for (cells, column) in rows.flat_map(|line| line.split('\t').zip(0..)) {
-        columns.get_mut::<usize>(column)?.values.push(cells.trim().parse().unwrap_or(f64::NAN));
-    }
-    let table = Table { rows: columns.first()?.values.len(), width: columns.len(), columns, sampled: false };
-    let found = Interpretation::new(&table);
-    let quaternion = found.quaternion_columns();
-    let [Some(x), Some(y), Some(z)] = found.points.first()?.columns else { return None };
-    let named = ["x", "y", "z", "qw", "qx", "qy", "qz"].into_iter().zip([x, y, z].into_iter().chain(quaternion));
-    let columns: Vec<String> = named.map(|(name, at)| format!("{name} = {}", quoted(parts[at]))).collect();
-    (columns.len() == 7).then(|| columns.join(", "))
+/// Lines of a log of arrays.
+fn log_lines(file: &str, format: &str, table: &Table, found: &Interpretation) -> String {
+    let name = |at: usize| table.columns[at].name.as_deref();
+    let time = found.first(Meaning::Time).and_then(name).map(|time| {
+        let unit = if found.time_unit_open { "UNIT" } else { found.time_unit.unwrap_or("s") };
+        format!("time_{unit} = {}", quoted(time))
+    });
+    let joint = |(k, at): (usize, usize)| {
+        let key = found.joint_names.get(k).cloned().unwrap_or_else(|| format!("q{}", k + 1));
+        let unit = table.columns[at].heading.unit.unwrap_or("UNIT");
+        joint_entry(&format!("{key}_{unit}"), found.reversed.contains(&at), name(at), at + 1)
+    };
+    let joints = found.joint_columns().into_iter().enumerate().map(joint);
+    let columns: Vec<String> = time.into_iter().chain(joints).collect();
+    format!("[log]\nfile = {}\nformat = {format:?}\ncolumns = {{ {} }}\n", quoted(file), columns.join(", "))
 }
 
 #[cfg(test)]
@@ -147,7 +232,7 @@ mod tests {
         let values: Vec<f64> = (0..20).flat_map(row).collect();
         let proposed = |values: &[f64]| {
             let bytes = npy(values);
-            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap()).unwrap()
+            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap(), None).unwrap()
         };
         let document = proposed(&values);
         assert_eq!(document.kind, "export", "{}", document.toml);

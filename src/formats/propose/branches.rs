@@ -25,7 +25,7 @@ pub enum TargetFit {
 /// # Errors
 /// Fails if a file is missing, or is not a table.
 pub fn fit_targets(paths: &[PathBuf], chains: &[&dyn Robot]) -> Result<BTreeMap<String, Vec<TargetFit>>> {
-    let parts = paths.iter().map(|path| Part::new(path, None)).collect::<Result<Vec<Part>>>()?;
+    let parts = Part::all(paths, None)?;
     let mut rows: BTreeMap<String, Vec<TargetFit>> = BTreeMap::new();
     for export in &parts {
         let Some(targets) = export.targets() else { continue };

@@ -104,34 +104,29 @@ pub(super) fn target_name(tag: &str) -> String {
     tag.split(' ').filter(names).collect::<Vec<&str>>().join("_")
 }
 
-/// Columns of easting, northing and height, if the headings name the first two.
-fn survey_axes(table: &Table) -> [Option<usize>; 3] {
-    const NAMES: [&[&str]; 3] = [
-        &["easting", "east", "ostwert", "rechtswert", "rechts", "este", "est", "e", "东", "东坐标"],
-        &["northing", "north", "nordwert", "hochwert", "hoch", "norte", "nord", "n", "北", "北坐标"],
-        &[
-            "elevation",
-            "elev",
-            "height",
-            "hohe",
-            "altitude",
-            "alt",
-            "cote",
-            "quota",
-            "cota",
-            "h",
-            "z",
-            "up",
-            "高程",
-            "高",
-        ],
-    ];
-    let named = |names: &[&str]| {
-        let is_named = |column: &Column| column.is_numeric() && names.contains(&column.heading.joined().as_str());
-        table.columns.iter().position(is_named)
+/// Axis of each column of a survey, with the other words of its heading: east and north of one
+/// body, and its height, which may also stand beside x and y.
+fn survey_axes(table: &Table) -> Vec<Option<(usize, String)>> {
+    let numeric = |column: &&Column| column.is_numeric();
+    let named: Vec<Option<(usize, String)>> = table
+        .columns
+        .iter()
+        .map(|column| Some(column).filter(numeric).and_then(|column| column.heading.survey_axis()))
+        .collect();
+    let has = |axis: usize, tag: &str| named.iter().flatten().any(|(of, words)| *of == axis && words == tag);
+    // x and y of the same body without a z; words such as "coordinate" may stand beside them
+    let plain: Vec<(usize, String)> = table.columns.iter().filter(numeric).filter_map(heading_axis).collect();
+    let has_plain = |axis: usize, tag: &str| plain.iter().any(|(of, words)| *of == axis && words == tag);
+    let bare = |tag: &str| tag.split(' ').filter(|word| !NEUTRAL.contains(word)).collect::<Vec<&str>>().join(" ");
+    let beside = |tag: &str| {
+        let is_flat = |of: &&String| bare(of) == tag && has_plain(0, of) && has_plain(1, of) && !has_plain(2, of);
+        plain.iter().map(|(_, of)| of).find(is_flat).cloned()
     };
-    let found = NAMES.map(named);
-    if found[0].is_some() && found[1].is_some() { found } else { [None; 3] }
+    let placed = |(axis, tag): (usize, String)| match has(0, &tag) && has(1, &tag) {
+        true => Some((axis, tag)),
+        false => beside(&tag).filter(|_| axis == 2).map(|tag| (axis, tag)),
+    };
+    named.iter().map(|of| of.clone().and_then(placed)).collect()
 }
 
 /// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`),
@@ -204,7 +199,7 @@ impl Interpretation {
         let survey = survey_axes(table);
         for (i, column) in table.columns.iter().enumerate() {
             let free = self.taken[i].meaning == Meaning::Unknown && column.is_numeric();
-            let of_survey = survey.iter().position(|at| *at == Some(i)).map(|axis| (axis, String::new()));
+            let of_survey = survey[i].clone();
             let named = || heading_axis(column).or_else(|| joined_axis(column, table));
             let Some((axis, tag)) = of_survey.or_else(named).filter(|_| free) else { continue };
             match sets.iter_mut().find(|set| set.points.tag == tag && set.points.columns[axis].is_none()) {
@@ -444,6 +439,8 @@ impl Interpretation {
             }
             set(self, i, meaning, why);
         }
+        // a text between the numbers divides them: they are not the joints of one robot
+        let is_divided = numeric.windows(2).any(|pair| pair[1] - pair[0] > 1);
         let mut rest = numeric;
         if table.rows == 1 && rest.len() > MOST_IN_ROW {
             return self.doubt(phrase!("doubt-one-row", count = rest.len()));
@@ -455,7 +452,9 @@ impl Interpretation {
         // a running number or a time in front
         let before = rest.len() % 3 == 1 && rest.len() > 3 || rest.len() == 8 || rest.len() == 5;
         let first = rest.first().map(|i| &table.columns[*i]);
-        if let Some(column) = first.filter(|column| before && column.is_increasing() && !column.is_constant()) {
+        let increases =
+            |column: &&Column| column.is_increasing() || column.is_ordered() && column.epoch_unit().is_some();
+        if let Some(column) = first.filter(|column| before && increases(column) && !column.is_constant()) {
             let quaternion = rest.len() == 7 && table.are_unit([rest[3], rest[4], rest[5], rest[6]]);
             let cloud = self.are_scanned(table, &rest);
             if !quaternion && !cloud {
@@ -468,14 +467,14 @@ impl Interpretation {
                 }
                 rest.remove(0);
             }
-        } else if rest.len() % 3 == 1
+        } else if (rest.len() % 3 == 1 || is_divided && rest.len() > 3)
             && first.is_some_and(Column::is_whole)
             && rest[1..].iter().take(3).all(|i| !table.columns[*i].is_whole())
         {
             set(self, rest[0], Meaning::Count, phrase!("why-whole-before-decimals"));
             rest.remove(0);
         }
-        self.by_count(table, &rest);
+        self.by_count(table, &rest, is_divided);
     }
 
     /// Recognises running numbers and constants in front of many numbers.
@@ -505,8 +504,8 @@ impl Interpretation {
         self.ask(phrase!("ask-points-in-row", count = rest.len() / 3, numbers = rest.len()));
     }
 
-    /// Interprets the numbers of a row by their count and values.
-    fn by_count(&mut self, table: &Table, rest: &[usize]) {
+    /// Interprets the numbers of a row by their count and values; a text may divide them.
+    fn by_count(&mut self, table: &Table, rest: &[usize], is_divided: bool) {
         if self.are_scanned(table, rest) {
             self.point_at(&rest[..3]);
             rest[3..].iter().for_each(|at| self.take(*at, Meaning::Appearance, phrase!("why-colours")));
@@ -534,9 +533,10 @@ impl Interpretation {
                 for (n, at) in [a, b, c].into_iter().enumerate() {
                     set(self, at, Meaning::Rotation(n), phrase!("why-behind-lengths"));
                 }
+                self.ask_until(Evidence::Orientations, phrase!("ask-rotation"));
                 self.doubt_until(Evidence::JointOrder, phrase!("doubt-six-without-headings"));
             }
-            [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() => {
+            [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() && !is_divided => {
                 for (k, at) in rest.iter().enumerate() {
                     set(self, *at, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
                 }
@@ -546,6 +546,7 @@ impl Interpretation {
             [..] if rest.len() >= FEWEST_OF_POINTS && rest.len().is_multiple_of(3) => self.points_in_row(rest),
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
+                self.ask_about_copies(table, &rest[3..]);
                 if rest.len().is_multiple_of(3) {
                     self.doubt_until(
                         Evidence::JointOrder,
@@ -554,6 +555,18 @@ impl Interpretation {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Asks which three numbers were measured, if further ones nearly agree with the point:
+    /// commanded and measured coordinates, or two measurements.
+    fn ask_about_copies(&mut self, table: &Table, others: &[usize]) {
+        let Some(point) = self.points.first().cloned() else { return };
+        let set = |at: &[usize]| PointSet { tag: String::new(), columns: [0, 1, 2].map(|k| at.get(k).copied()) };
+        let copy = others.windows(3).map(set).find(|set| nearly_agree(table, &point, set));
+        if let Some(copy) = copy {
+            let columns = |set: &PointSet| set.columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+            self.ask(phrase!("ask-sets-alike", first = columns(&point), second = columns(&copy)));
         }
     }
 

@@ -52,8 +52,8 @@ const WORDS: [(Word, &str); 20] = [
     (Word::Date, "日付 日期 date datum data fecha"),
     (
         Word::Label,
-        "点名 点号 测点 测点号 名称 名前 要素名 要素 番号 编号 序号名 点 測定点 label name point points pointname id bezeichnung punkt punktname messpunkt nom nome nombre punto etichetta etiqueta \
-         libelle repere ptname pointid tag element feature",
+        "点名 点号 测点 测点号 測点 測点名 測点番号 名称 名前 要素名 要素 番号 编号 序号名 点 測定点 label name point points pointname id bezeichnung punkt pkt punktname \
+         punktnummer punktnr pktnr messpunkt nom nome nombre punto puntos etichetta etiqueta libelle repere matricule ptname pointid tag element feature",
     ),
     (
         Word::Target,
@@ -107,6 +107,48 @@ const WORDS: [(Word, &str); 20] = [
         "关节 関節 轴 軸 joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
          leg legs bein beine strut jambe gamba pata",
     ),
+];
+
+/// Words of the axes of surveys and drawings: east or abscissa, north or ordinate, and height.
+const AXES: [&str; 3] = [
+    "easting eastings east oost ost ostwert rechts rechtswert este est leste e abscisse abscissa abszisse abscisa ascissa 东 東 东坐标 東坐標 東座標",
+    "northing northings north noord nord nordwert hoch hochwert norte n ordonnee ordinate ordenada ordinata 北 北坐标 北坐標 北座標",
+    "elevation elev height hgt hoehe hohe hohenwert altitude alt altitud altezza cote quota cota applikate h up 高程 高 标高 標高 高さ",
+];
+/// Words beside an axis that tell nothing more.
+const BESIDE_AXES: [&str; 32] = [
+    "wert",
+    "koordinate",
+    "koord",
+    "coordinate",
+    "coord",
+    "coordonnee",
+    "coordenada",
+    "coordinata",
+    "value",
+    "valeur",
+    "valor",
+    "valore",
+    "local",
+    "grid",
+    "map",
+    "ground",
+    "utm",
+    "u",
+    "uber",
+    "nn",
+    "nhn",
+    "dhhn",
+    "msl",
+    "ortho",
+    "ellipsoidal",
+    "ellipsoid",
+    "ellipsoidisch",
+    "snm",
+    "slm",
+    "坐标",
+    "座標",
+    "値",
 ];
 
 /// `true` if a word can have this meaning.
@@ -169,6 +211,19 @@ impl Heading {
         self.words.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, word)| word.clone()).collect()
     }
 
+    /// Returns the axis of a survey that the heading names (east, north, height), and its other
+    /// words. A letter names an axis only beside words for measured or commanded.
+    pub fn survey_axis(&self) -> Option<(usize, String)> {
+        let axis = |word: &String| AXES.iter().position(|words| words.split(' ').any(|known| known == word));
+        let at = self.words.iter().position(|word| axis(word).is_some())?;
+        let plain = |word: &String| !BESIDE_AXES.contains(&word.as_str());
+        let rest: Vec<String> = self.without(at).into_iter().filter(plain).collect();
+        let states = [Word::Measured, Word::Commanded, Word::Difference];
+        let is_state = |word: &String| states.iter().any(|state| stands_for(word, *state));
+        let is_sure = self.words[at].chars().count() > 1 || !self.words[at].is_ascii() || rest.iter().all(is_state);
+        is_sure.then(|| (axis(&self.words[at]).unwrap_or(0), rest.join(" ")))
+    }
+
     /// Returns the words, separated by blanks.
     pub fn joined(&self) -> String {
         self.words.join(" ")
@@ -187,7 +242,7 @@ fn has_temperature(text: &str) -> bool {
 fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let mut last = ' ';
-    for c in text.chars() {
+    for c in text.chars().map(half_width) {
         let part = !c.is_alphanumeric()
             || c.is_ascii_digit() != last.is_ascii_digit() && last.is_alphanumeric()
             || is_east_asian(c) != is_east_asian(last) && last.is_alphanumeric()
@@ -209,6 +264,14 @@ fn words(text: &str) -> Vec<String> {
         _ => vec![word],
     };
     words.into_iter().flat_map(parts).collect()
+}
+
+/// Returns the ASCII character of a full-width one, as Japanese and Chinese headings have.
+fn half_width(c: char) -> char {
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
+        other => other,
+    }
 }
 
 /// `true` for a letter of Chinese or Japanese.
@@ -257,7 +320,25 @@ mod tests {
         assert_eq!(of("leg1_mm"), ("leg 1".into(), Some("mm")));
         assert_eq!(of("Leg 1 [mm]"), of("leg1_mm"));
         assert_eq!(of("ux_mm"), ("u x".into(), Some("mm")));
+        assert_eq!(of("Ｘ座標"), ("x 座標".into(), None));
         assert!(Heading::parse("x_m").bare_metre && !Heading::parse("x [m]").bare_metre);
+        let axis = |text: &str| Heading::parse(text).survey_axis();
+        for (text, number, rest) in [
+            ("Ost", 0, ""),
+            ("Rechtswert [m]", 0, ""),
+            ("Höhe ü. NN", 2, ""),
+            ("Ordonnée", 1, ""),
+            ("Local_N", 1, ""),
+            ("Soll Hoch", 1, "soll"),
+            ("东坐标(m)", 0, ""),
+            ("Hgt [m]", 2, ""),
+            ("標高", 2, ""),
+        ] {
+            assert_eq!(axis(text), Some((number, rest.to_owned())), "{text}");
+        }
+        for text in ["X", "joint e", "east wing of hall", "Zenit"] {
+            assert!(axis(text).is_none_or(|(_, rest)| !rest.is_empty()), "{text}: {:?}", axis(text));
+        }
         assert!(Heading::parse("Soll X").has(Word::Commanded) && Heading::parse("mesuré x").has(Word::Measured));
     }
 }

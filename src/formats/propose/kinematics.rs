@@ -34,7 +34,7 @@ const COMPUTED_MM: f64 = 1e-6;
 /// Weight per row of the shortest solution, where base and target are not separable.
 const RIDGE: f64 = 1e-11;
 /// Units of lengths, and their sizes in mm.
-const LENGTHS: [(&str, f64); 4] = [("mm", 1.0), ("m", 1000.0), ("inch", 25.4), ("um", 0.001)];
+const LENGTHS: [(&str, f64); 5] = [("mm", 1.0), ("m", 1000.0), ("cm", 10.0), ("inch", 25.4), ("um", 0.001)];
 
 /// Rows of joint values and points, column by column.
 pub(super) struct Sample {

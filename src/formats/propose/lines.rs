@@ -2,9 +2,9 @@
 
 use super::coordinates;
 use super::meaning::{Interpretation, Meaning, PointSet};
-use super::several::POSE_LINE;
+use super::several::{LABEL_LINE, POSE_LABEL_LINE, POSE_LINE, TARGET_LINE};
 use super::table::Table;
-use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, Unit, coordinate_type, quoted};
+use crate::dialect::{ColumnRole, Columns, CoordinateType, Dialect, ROTATION_VECTOR, Unit, coordinate_type, quoted};
 use crate::exports::delimited::point_rows;
 use crate::logs::LogKind;
 use crate::points::{Point, has_frame_on_points};
@@ -19,6 +19,10 @@ use std::fmt::Write;
 /// Remark to complete the columns of a proposed log.
 pub const JOINTS: &str =
     "# write the joints as robot.toml names them, and for UNIT deg, rad, mm, m or um: the file does not state it\n";
+
+/// Remark on an open order of angles.
+const ROTATION_REMARK: &str = "   # rotation: \"zyx\", \"fixed xyz\" .. for three angles in this order, \"vector\" for a \
+     rotation vector; \"-\" in place of the three columns leaves them out";
 
 /// Maximum number of problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -44,7 +48,7 @@ pub(super) fn unit_line(unit: Option<&str>) -> String {
     match unit {
         Some(unit) => format!("unit = {unit:?}                # the file states it\n"),
         None => {
-            "unit = \"?\"                 # mm, m, um or inch: the file does not state it, and it is never guessed\n"
+            "unit = \"?\"                 # mm, m, cm, um or inch: the file does not state it, and it is never guessed\n"
                 .to_owned()
         }
     }
@@ -55,7 +59,19 @@ pub(super) fn fitted_unit_line(unit: Option<&str>) -> String {
     unit_line(unit).replace("the file states it", "the kinematics of the nominal robot fit with it")
 }
 
-/// Returns the role of each column in an export of the measured point with this number.
+/// Returns the entry of a joint in `columns` of a log or `joints` of an export: its column by its
+/// heading, or by its number.
+pub(super) fn joint_entry(key: &str, is_reversed: bool, heading: Option<&str>, number: usize) -> String {
+    match (is_reversed, heading) {
+        (false, Some(name)) => format!("{key} = {}", quoted(name)),
+        (false, None) => format!("{key} = {number}"),
+        (true, Some(name)) => format!("{key} = {{ name = {}, per_count = -1 }}", quoted(name)),
+        (true, None) => format!("{key} = {{ number = {number}, per_count = -1 }}"),
+    }
+}
+
+/// Returns the role of each column in an export of the measured point with this number; rotations
+/// in an open unit are in degrees.
 pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
     const XYZ: [ColumnRole; 3] = [ColumnRole::X, ColumnRole::Y, ColumnRole::Z];
     const IJK: [ColumnRole; 3] = [ColumnRole::I, ColumnRole::J, ColumnRole::K];
@@ -86,6 +102,10 @@ pub(super) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         Meaning::Uncertainty(axis) if uncertain => U[axis.min(2)],
         Meaning::ExpandedUncertainty(axis) if expanded => U95[axis.min(2)],
         Meaning::Quaternion(k) if set == 0 && has_point => ColumnRole::ORIENTATIONS[0][k.min(3)],
+        Meaning::Rotation(k) if set == 0 && has_point => {
+            let form = if found.rotation.unit == Some("rad") { 2 } else { 1 };
+            ColumnRole::ORIENTATIONS[form][k.min(2)]
+        }
         Meaning::Matrix(i, j) if matrix => ColumnRole::ORIENTATIONS[3][(3 * i + j).min(8)],
         Meaning::Temperature => ColumnRole::TemperatureC,
         Meaning::Deleted => ColumnRole::Deleted,
@@ -189,10 +209,7 @@ impl Proposal<'_> {
         let mut units: Vec<Option<&str>> = set.columns.iter().flatten().map(of).collect();
         units.dedup();
         match units[..] {
-            [Some("mm")] => Some(Unit::Millimetre),
-            [Some("m")] => Some(Unit::Metre),
-            [Some("um")] => Some(Unit::Micrometre),
-            [Some("inch")] => Some(Unit::Inch),
+            [unit] => Unit::named(unit?),
             _ => None,
         }
     }
@@ -202,7 +219,12 @@ impl Proposal<'_> {
         let roles = roles(self.found, set);
         let several = self.found.points.len() > 1;
         let columns = match several || roles.len() > LISTED && !self.best.commented {
-            false => Columns::InOrder(roles.clone()),
+            // fields without a heading that only some rows have
+            false => {
+                let mut all = roles.clone();
+                all.resize(roles.len().max(self.best.widths[1]), ColumnRole::Skip);
+                Columns::InOrder(all)
+            }
             true => {
                 let at = |i: usize| match self.heading(i) {
                     Some(name) => ColumnSource::Heading(name.to_owned()),
@@ -223,14 +245,34 @@ impl Proposal<'_> {
             _ => None,
         });
         let coverage_factor = roles.iter().any(|role| role.is_expanded()).then_some(2.0);
-        Dialect { form: self.best.form.clone(), columns, angle_unit, coverage_factor, ..Dialect::default() }
+        let is_turned = roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad));
+        let rotation = self.found.rotation.order.clone().filter(|_| is_turned);
+        Dialect { form: self.best.form.clone(), columns, angle_unit, coverage_factor, rotation, ..Dialect::default() }
     }
 
-    /// Returns the dialect as TOML; a time whose unit is open has the unit UNIT.
-    fn timed(&self, dialect: &Dialect) -> String {
-        let written = dialect.to_string();
-        match self.found.time_unit_open {
-            true => written.replace("\"time_s\"", "\"time_UNIT\"").replace("time_s = ", "time_UNIT = "),
+    /// Returns the dialect as TOML: a time or a rotation whose unit is open has the unit UNIT, and
+    /// an open order of angles is a question.
+    fn written(&self, dialect: &Dialect) -> String {
+        let roles = dialect.columns.roles();
+        let is_turned = roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad));
+        let is_open = is_turned && dialect.rotation.is_none();
+        let asked =
+            Dialect { rotation: dialect.rotation.clone().or(is_open.then(|| "?".to_owned())), ..dialect.clone() };
+        let mut written = asked.to_string();
+        let mut open = |name: &str, unit: &str| {
+            let (from, to) = (format!("{name}_{unit}"), format!("{name}_UNIT"));
+            for [before, behind] in [["\"", "\""], ["", " = "]] {
+                written = written.replace(&format!("{before}{from}{behind}"), &format!("{before}{to}{behind}"));
+            }
+        };
+        if self.found.time_unit_open {
+            open("time", "s");
+        }
+        if is_turned && self.found.rotation.unit.is_none() {
+            ["rx", "ry", "rz"].iter().for_each(|name| open(name, "deg"));
+        }
+        match is_open {
+            true => written + ROTATION_REMARK,
             false => written,
         }
     }
@@ -256,7 +298,7 @@ impl Proposal<'_> {
         let distance = || Unit::named(self.table.columns[self.found.first(Meaning::Distance)?].heading.unit?);
         let unit = points.map_or_else(distance, |points| self.unit(points));
         let dialect = self.dialect(set);
-        let mut out = format!("[[export]]\nfile = {}\nformat = {}\n", quoted(self.file), self.timed(&dialect));
+        let mut out = format!("[[export]]\nfile = {}\nformat = {}\n", quoted(self.file), self.written(&dialect));
         let fitted = |at: &usize| self.table.columns[*at].heading.fitted;
         out += &match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
             true => fitted_unit_line(unit.map(Unit::name)),
@@ -283,11 +325,13 @@ impl Proposal<'_> {
             }
         }
         let has = |role: ColumnRole| roles.contains(&role);
-        if has(ColumnRole::Label) {
-            out.push_str(
-                "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n",
-            );
-        } else if !has(ColumnRole::Target) {
+        let several_points = self.found.points.len() > 1;
+        if has(ColumnRole::Label) && several_points {
+            out.push_str(POSE_LABEL_LINE);
+        } else if has(ColumnRole::Label) {
+            out.push_str(LABEL_LINE);
+        }
+        if !has(ColumnRole::Target) && (several_points || !has(ColumnRole::Label)) {
             let alike = |name: &str| {
                 self.found.points.iter().filter(|points| coordinates::target_name(&points.tag) == name).count() > 1
             };
@@ -301,7 +345,7 @@ impl Proposal<'_> {
                 Some(tag) if !tag.is_empty() => {
                     let _ = writeln!(out, "target = {}", quoted(&tag));
                 }
-                _ => out.push_str("target = \"?\"               # which target the rows are of\n"),
+                _ => out.push_str(TARGET_LINE),
             }
         }
         // a column or the label may give the pose; the times of several targets tell their poses
@@ -339,13 +383,10 @@ impl Proposal<'_> {
         let named = self.table.columns.iter().any(|column| column.name.is_some());
         let has_point = !self.found.points.is_empty();
         let roles = roles(self.found, 0);
-        // without joints, an orientation is read as a quaternion or a matrix alone
-        let turned = self.found.joint_columns().len() >= 2 && self.found.points.len() == 1;
         let unread = |(i, taken): (usize, &super::meaning::Taken)| {
             let unread = match taken.meaning {
                 Meaning::Unknown => true,
                 Meaning::Count => !named,
-                Meaning::Rotation(_) => has_point && !turned,
                 Meaning::OtherOrientation(_) => !self.found.turned_points.iter().any(|(_, at)| at.contains(&i)),
                 Meaning::Uncertainty(_)
                 | Meaning::ExpandedUncertainty(_)
@@ -431,12 +472,8 @@ impl Proposal<'_> {
 
     /// Returns the entry of a joint in `columns` of a log or `joints` of an export.
     fn joint(&self, k: usize, at: usize, unit: &str) -> String {
-        let key = self.joint_key(k);
-        match (self.found.reversed.contains(&at), self.heading(at)) {
-            (false, _) => format!("{key}_{unit} = {}", self.column(at)),
-            (true, Some(name)) => format!("{key}_{unit} = {{ name = {}, per_count = -1 }}", quoted(name)),
-            (true, None) => format!("{key}_{unit} = {{ number = {}, per_count = -1 }}", at + 1),
-        }
+        let key = format!("{}_{unit}", self.joint_key(k));
+        joint_entry(&key, self.found.reversed.contains(&at), self.heading(at), at + 1)
     }
 
     /// Returns the unit of the column of a joint, as the suffix of its key.
@@ -474,21 +511,21 @@ impl Proposal<'_> {
         for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
             columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
         }
-        let angle =
-            |at: usize| self.table.columns[at].heading.unit.filter(|u| ["deg", "rad"].contains(u)).unwrap_or("UNIT");
+        let angle = self.found.rotation.unit.unwrap_or("UNIT");
+        let order = self.found.rotation.order.as_deref();
+        let names = if order == Some(ROTATION_VECTOR) { ["rx", "ry", "rz"] } else { ["a", "b", "c"] };
         match turned.len() {
             4 => columns
                 .extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
             _ => columns.extend(
-                ["a", "b", "c"]
-                    .into_iter()
-                    .zip(turned)
-                    .map(|(name, at)| format!("{name}_{} = {}", angle(*at), self.column(*at))),
+                names.into_iter().zip(turned).map(|(name, at)| format!("{name}_{angle} = {}", self.column(*at))),
             ),
         }
         let remark = if self.are_open(joints) { JOINTS } else { "" };
         let mut out = format!("{}columns = {{ {} }}\n{remark}", self.table_lines("[observations]"), columns.join(", "));
-        if turned.len() == 3 {
+        if let (3, Some(order)) = (turned.len(), order.filter(|order| *order != ROTATION_VECTOR)) {
+            let _ = writeln!(out, "orientation = {}", quoted(order));
+        } else if turned.len() == 3 && order.is_none() {
             out.push_str(
                 "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\
                  # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",

@@ -118,6 +118,15 @@ pub(super) struct PointSet {
     pub columns: [Option<usize>; 3],
 }
 
+/// Form of three numbers of a rotation, as far as it is known.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RotationForm {
+    /// Value of `rotation`: an order of angles, or a rotation vector.
+    pub order: Option<String>,
+    /// Unit: `deg` or `rad`.
+    pub unit: Option<&'static str>,
+}
+
 /// Interpretation of a table.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Interpretation {
@@ -135,6 +144,8 @@ pub(super) struct Interpretation {
     pub quaternions: Vec<(String, [usize; 4])>,
     /// Quaternions of further measured points: number of the point, and columns.
     pub turned_points: Vec<(usize, [usize; 4])>,
+    /// Form of the columns of a rotation.
+    pub rotation: RotationForm,
     /// Unit of the column of times, if its heading or its values state one.
     pub time_unit: Option<&'static str>,
     /// `true` if the unit of the times is not known.
@@ -143,6 +154,8 @@ pub(super) struct Interpretation {
     pub joint_names: Vec<String>,
     /// Columns of joints that count in the opposite direction.
     pub reversed: Vec<usize>,
+    /// `true` if a log of joints stands beside the file: its points are measured.
+    pub is_beside_log: bool,
     /// `true` if the kinematics of the nominal robot support the units.
     pub by_kinematics: bool,
     pub doubts: Vec<Doubt>,
@@ -162,7 +175,8 @@ pub(super) struct Doubt {
 pub(super) enum Evidence {
     /// Columns and order of the joints.
     JointOrder,
-    /// Orientations of the flange, which fit one order of the components of a quaternion.
+    /// Orientations of the flange, which fit one order of the components of a quaternion, or one
+    /// form of three numbers of a rotation.
     Orientations,
 }
 
@@ -199,11 +213,15 @@ impl Interpretation {
         }
     }
 
+    /// Interpretation of a table whose columns are not yet known.
+    pub fn unknown(table: &Table) -> Self {
+        let nothing = Taken { meaning: Meaning::Unknown, why: None };
+        Self { taken: vec![nothing; table.columns.len()], ..Self::default() }
+    }
+
     /// Interprets a table.
     pub fn new(table: &Table) -> Self {
-        let mut found = Self::default();
-        let nothing = Taken { meaning: Meaning::Unknown, why: None };
-        found.taken = vec![nothing; table.columns.len()];
+        let mut found = Self::unknown(table);
         if table.columns.iter().any(|column| column.name.is_some()) {
             found.texts(table);
             found.matrix(table);
@@ -239,6 +257,33 @@ impl Interpretation {
                 column.heading.unit = Some(first.unit);
             }
         }
+    }
+
+    /// `true` if coordinates or joints stand behind a text that opens a bracket, up to the text
+    /// that closes it: they are numbers of a list.
+    pub fn is_within_lists(&self, table: &Table) -> bool {
+        const OPEN: [char; 3] = ['[', '(', '{'];
+        const CLOSED: [char; 3] = [']', ')', '}'];
+        let bracketed = |column: &Column| {
+            column.cells.iter().find(|cell| cell.contains(OPEN) || cell.contains(CLOSED)).map(ToString::to_string)
+        };
+        let texts = table.columns.iter().enumerate().filter_map(|(at, column)| Some((at, bracketed(column)?)));
+        let mut open: Option<usize> = None;
+        let mut lists: Vec<(usize, usize)> = Vec::new();
+        for (at, text) in texts {
+            let (opened, closed) = (text.matches(OPEN).count(), text.matches(CLOSED).count());
+            if let Some(from) = open.filter(|_| closed > 0) {
+                lists.push((from, at));
+                open = None;
+            }
+            // a number directly behind the bracket: a list that another row closes
+            let is_number = |rest: &str| rest.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '.'));
+            let is_list = text.split(OPEN).skip(1).any(is_number);
+            open = open.or(Some(at).filter(|_| opened > closed && is_list));
+        }
+        lists.extend(open.map(|from| (from, self.taken.len())));
+        let is_used = |at: usize| matches!(self.taken[at].meaning, Meaning::Point(..) | Meaning::Joint(_));
+        (0..self.taken.len()).any(|at| is_used(at) && lists.iter().any(|(from, to)| (*from..*to).contains(&at)))
     }
 
     /// Returns the columns for which `number` gives a number, in the order of the numbers.
@@ -710,7 +755,9 @@ impl Interpretation {
             for (k, at) in all.into_iter().enumerate() {
                 self.take(at, Meaning::Rotation(k), phrase!("why-heading"));
             }
-            self.ask(phrase!("ask-rotation"));
+            let units = all.map(|at| table.columns[at].heading.unit);
+            self.rotation.unit = units[0].filter(|unit| units == [units[0]; 3] && ["deg", "rad"].contains(unit));
+            self.ask_until(Evidence::Orientations, phrase!("ask-rotation"));
         }
         while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
             all.into_iter().for_each(|at| self.take(at, Meaning::Motion, phrase!("why-commanded-rotation")));
@@ -850,7 +897,7 @@ impl Interpretation {
 
     /// Finds the unit of the times: in the heading, or by the size and the step of the values. A
     /// unit that neither shows is a question.
-    fn clock_unit(&mut self, table: &Table) {
+    pub(super) fn clock_unit(&mut self, table: &Table) {
         let Some(at) = self.first(Meaning::Time) else { return };
         let column = &table.columns[at];
         let known = column.heading.unit.filter(|unit| ["s", "ms", "us", "ns"].contains(unit));

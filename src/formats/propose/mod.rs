@@ -20,7 +20,7 @@ mod turned;
 
 pub use branches::{TargetFit, fit_targets};
 pub use lines::JOINTS as JOINTS_REMARK;
-pub use several::{FilesProposal, label_form, propose_files};
+pub use several::{FilesProposal, has_several_tables, label_form, propose_files, world_lines};
 pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
@@ -42,13 +42,18 @@ use etalon_tables::{Decimal, Encoding};
 use headings::Heading;
 use lines::{JOINTS, Proposal};
 use meaning::{Interpretation, Meaning, PointSet, Taken};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use table::{Column, Table};
 
 /// Kind of a text without points, and the certainty of the recognition, from 0 to 1.
 fn without_points(text: &str) -> Option<(&'static str, f64)> {
     let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
     let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
+    // records of total stations, by their first line
+    let station = [("sdr33", "00NMSDR"), ("m5", "For M5|"), ("m5", "For_M5|")];
+    if let Some((kind, _)) = station.into_iter().find(|(_, mark)| text.starts_with(mark)) {
+        return Some((kind, 0.9));
+    }
     match (is_xml(text), roughness) {
         (_, true) => Some(("roughness", 1.0)),
         (true, _) if certificate => Some(("certificate", 0.9)),
@@ -94,8 +99,10 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
     match robot {
-        Some(known) => propose_corrected(path, robot, Some(&mut |table, found| against::correct(known, table, found))),
-        None => propose_corrected(path, None, None),
+        Some(known) => {
+            propose_corrected(path, None, robot, Some(&mut |table, found| against::correct(known, table, found)))
+        }
+        None => propose_corrected(path, None, None, None),
     }
 }
 
@@ -107,7 +114,13 @@ fn reborrowed<'a>(correct: &'a mut Option<Correct<'_>>) -> Option<Correct<'a>> {
     correct.as_mut().map(|correct| &mut **correct as Correct<'a>)
 }
 
-fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Correct>) -> Result<FormatsDocument> {
+/// Proposes readings of a file, or of one sheet of a workbook.
+fn propose_corrected(
+    path: &Path,
+    sheet: Option<&str>,
+    robot: Option<&dyn Robot>,
+    correct: Option<Correct>,
+) -> Result<FormatsDocument> {
     let name = path.display().to_string();
     let (bytes, is_cut) = read_start(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
@@ -119,10 +132,10 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     }
     if let Some(format) = LogKind::from_array_file(&bytes) {
         let file = format.array_file(path, &bytes)?;
-        return arrays::propose_arrays(&name, &file, format).map_err(|message| here(message).into());
+        return arrays::propose_arrays(&name, &file, format, correct).map_err(|message| here(message).into());
     }
     if workbook::is_workbook(&bytes) {
-        return propose_workbook(&name, &bytes, correct).map_err(|message| here(message).into());
+        return propose_workbook(&name, &bytes, sheet, correct).map_err(|message| here(message).into());
     }
     let (text, encoding) = match binary_format(&bytes) {
         Some(_) => (bytes.iter().map(|byte| char::from(*byte)).collect(), None),
@@ -139,9 +152,12 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     if let Some(kind) = other {
         return Err(here(error!("file-without-points", kind)).into());
     }
+    if structure::is_of_matrices(&text) {
+        return Err(here(error!("matrices-in-blocks")).into());
+    }
     let mut document = propose_in(&name, &text, None, correct);
     if document.readings.is_empty() && document.format.is_none() {
-        let message = match structure::is_of_lists(&text) {
+        let message = match structure::has_lists(&text) {
             true => error!("numbers-in-brackets"),
             false => error!("no-rows-of-numbers", file = "text"),
         };
@@ -165,18 +181,37 @@ fn propose_corrected(path: &Path, robot: Option<&dyn Robot>, correct: Option<Cor
     Ok(document)
 }
 
-/// Proposes readings of the first sheet with rows of numbers.
+/// Names of the sheets of a workbook; none for other files.
+fn sheets(path: &Path) -> Vec<String> {
+    let bytes = read_start(path).map(|(bytes, _)| bytes).unwrap_or_default();
+    match workbook::is_workbook(&bytes) {
+        true => Workbook::open(&bytes).map(|book| book.sheets()).unwrap_or_default(),
+        false => Vec::new(),
+    }
+}
+
+/// Files in the folder of a file that contain its numbers, as the traces of a KUKA have.
+pub fn files_beside(path: &Path) -> Vec<PathBuf> {
+    let bytes = read_start(path).map(|(bytes, _)| bytes).unwrap_or_default();
+    let Some(format) = LogKind::from_array_file(&bytes) else { return Vec::new() };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let file = format.array_file(path, &bytes).map(|file| file.beside).unwrap_or_default();
+    file.into_iter().map(|(name, _)| folder.join(name)).collect()
+}
+
+/// Proposes readings of a sheet, or of the first sheet with rows of numbers.
 fn propose_workbook(
     file: &str,
     bytes: &[u8],
+    sheet: Option<&str>,
     mut correct: Option<Correct>,
 ) -> std::result::Result<FormatsDocument, Message> {
     let mut book = Workbook::open(bytes)?;
     let names = book.sheets();
-    for name in &names {
+    for name in names.iter().filter(|name| sheet.is_none_or(|sheet| sheet == *name)) {
         let mut document = propose_in(file, &book.text(name, Decimal::Point)?, Some(name), reborrowed(&mut correct));
         if !document.readings.is_empty() {
-            if let Some(doubt) = workbook::others(&names, name) {
+            if let Some(doubt) = workbook::others(&names, name).filter(|_| sheet.is_none()) {
                 document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
                 document.doubt(doubt);
             }
@@ -272,7 +307,7 @@ fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpr
         found.taken.push(Taken { meaning: Meaning::Label, why: None });
     }
     let width = columns.len();
-    (Table { columns, rows: points.len(), sampled: false, width }, found)
+    (Table { columns, rows: points.len(), width, ..Table::default() }, found)
 }
 
 /// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
@@ -319,6 +354,11 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
         document.toml = with_remarks(&document, &lines);
         return document;
     }
+    if best.is_some_and(|(_, (table, found))| found.is_within_lists(table)) {
+        // the delimiter divides lists in brackets
+        document.readings.clear();
+        return document;
+    }
     let (Some((best, (table, found))), Some(proposal)) = (best, proposal) else {
         document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
         return document;
@@ -326,7 +366,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     let remarks = remarks.unwrap_or_default();
     (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
     reasons(best, table).into_iter().chain(remarks.reasons).for_each(|reason| document.because(reason));
-    let native = native::recognise(&proposal, &found.joint_columns());
+    let is_measured = |kind: &str| found.is_beside_log && ["recording", "poses", "commanded"].contains(&kind);
+    let native = native::recognise(&proposal, &found.joint_columns()).filter(|table| !is_measured(table.kind));
     // rows of fixed points have few numbers
     let rows_may_differ = native.as_ref().is_some_and(|table| table.kind == "observations");
     let of_meaning = found.doubts.iter().map(|doubt| doubt.text.clone());
@@ -568,7 +609,6 @@ mod tests {
             doubts.find(|doubt| doubt.id == "doubt-columns-not-read")
         };
         for (text, columns) in [
-            ("X,Y,Z,Rx,Ry,Rz\n1.5,2.5,3.5,0.1,0.2,0.3\n4.5,5.5,7.5,0.2,0.1,0.4\n", vec!["4 `Rx`", "5 `Ry`", "6 `Rz`"]),
             ("X,Y,Z,sigma x\n1.5,2.5,3.5,0.1\n4.5,5.5,7.5,0.2\n", vec!["4 `sigma x`"]),
             ("X,Y,Z,Distance\n1.5,2.5,3.5,100.5\n4.5,5.5,7.5,101.5\n", vec!["4 `Distance`"]),
             ("X,Y,Z,Laune\n1.5,2.5,3.5,7.25\n4.5,5.5,7.5,6.25\n", vec!["4 `Laune`"]),

@@ -19,7 +19,9 @@ pub(super) enum Meeting {
     Standstills { count: usize, at_least_s: f64 },
     /// One row for each point, at a constant offset of the clocks (s).
     Rows { offset_s: f64, spread_s: f64 },
-    /// Neither.
+    /// Many points of a motion that both recorded, with this time from one row to the next (s).
+    Moving { step_s: f64 },
+    /// None of these.
     Open { standstills: usize },
 }
 
@@ -31,6 +33,11 @@ const WITHIN: f64 = 0.02;
 const LARGEST_RAD: f64 = 6.6;
 /// Minimum number of points whose times state an offset.
 const FEWEST: usize = 5;
+/// Minimum number of points of a target in a recorded motion.
+const RECORDED: usize = 50;
+/// Largest mean time (s) between neighbouring points of a target, and between rows, in a recorded
+/// motion.
+const DENSE_S: f64 = 0.5;
 /// Largest spread of the offset, as a share of the smallest distance of two rows or points in time:
 /// otherwise the next row is as near.
 const SPREAD: f64 = 0.5;
@@ -118,8 +125,15 @@ impl Motion {
         if let Some(at_least_s) = enough {
             return Meeting::Standstills { count: lasting(at_least_s), at_least_s };
         }
+        let mean_step = |times: &[f64]| match times {
+            [first, .., last] => (last - first) / (times.len() - 1) as f64,
+            _ => f64::INFINITY,
+        };
+        let step_s = mean_step(&self.times_s);
+        let is_dense = needed >= RECORDED && mean_step(points_s) * targets.max(1) as f64 <= DENSE_S;
         match offset(points_s, &self.times_s) {
             Some([offset_s, spread_s]) => Meeting::Rows { offset_s, spread_s },
+            None if is_dense && step_s <= DENSE_S => Meeting::Moving { step_s },
             None => Meeting::Open { standstills: lasting(DURATIONS_S[0]) },
         }
     }
@@ -179,5 +193,20 @@ mod tests {
         assert_eq!(motion.meeting(&points[1..], 1), Meeting::Open { standstills: 0 });
         let other: Vec<f64> = (0..12).map(|i| 5.0 * f64::from(i)).collect();
         assert_eq!(motion.meeting(&other, 1), Meeting::Open { standstills: 0 });
+    }
+
+    /// Two targets at 10 Hz and joints at 50 Hz that never stand still, on other clocks; points at
+    /// rest in groups are no motion.
+    #[test]
+    fn many_points_of_a_motion_are_compared_by_speeds() {
+        let rows: Vec<f64> = (0..3000).map(|i| 0.02 * f64::from(i)).collect();
+        let joints = rows.iter().map(|t| vec![40.0 * t.sin(), 10.0 * t]).collect();
+        let motion = Motion::new(rows, joints).unwrap();
+        let points: Vec<f64> = (0..800).map(|i| 512.0 + 0.1 * f64::from(i / 2)).collect();
+        let Meeting::Moving { step_s } = motion.meeting(&points, 2) else { panic!("no motion") };
+        assert!((step_s - 0.02).abs() < 1e-12, "{step_s}");
+        let groups: Vec<f64> = (0..180).map(|i| 512.0 + 20.0 * f64::from(i / 3) + 0.1 * f64::from(i % 3)).collect();
+        assert_eq!(motion.meeting(&groups, 3), Meeting::Open { standstills: 0 });
+        assert_eq!(motion.meeting(&points[..60], 2), Meeting::Open { standstills: 0 });
     }
 }

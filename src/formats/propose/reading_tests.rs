@@ -401,3 +401,126 @@ fn a_row_of_delimiters_below_the_headings_hides_nothing() {
     holds(&document, "target = \"STER1\"");
     holds(&document, "unit = \"mm\"                # the file states it");
 }
+
+/// Three angles of a measured body are columns of the export; their order and a unit that the file
+/// does not contain are questions.
+#[test]
+fn measured_angles_are_read_and_their_order_is_asked() {
+    for (head, columns) in [
+        ("X [mm];Y [mm];Z [mm];A [deg];B [deg];C [deg]", "\"x\", \"y\", \"z\", \"rx_deg\", \"ry_deg\", \"rz_deg\""),
+        ("X [mm];Y [mm];Z [mm];Rx [rad];Ry [rad];Rz [rad]", "\"x\", \"y\", \"z\", \"rx_rad\", \"ry_rad\", \"rz_rad\""),
+        ("X;Y;Z;roll;pitch;yaw", "\"x\", \"y\", \"z\", \"rx_UNIT\", \"ry_UNIT\", \"rz_UNIT\""),
+    ] {
+        let text = table(&format!("{head}\n"), 16, |i| {
+            format!("{};{}", cells(&xyz(i), ";"), cells(&[0.1 * i as f64, 0.5, -0.2], ";"))
+        });
+        let document = propose("p.csv", &text);
+        holds(&document, &format!("columns = [{columns}]"));
+        holds(&document, "rotation = \"?\", ");
+        assert!(!said(&document, "ask-rotation").is_empty(), "{}", document.toml);
+        assert_eq!(said(&document, "doubt-columns-not-read"), [], "{}", document.toml);
+    }
+}
+
+/// East, north and height in the words of several languages, in the order of the file.
+#[test]
+fn axes_of_surveys_are_known_in_several_languages() {
+    for (head, axes) in [
+        ("Punkt;Ost;Nord;Höhe", ["x", "y", "z"]),
+        ("Name;Nordwert;Ostwert;Höhe ü. NN", ["y", "x", "z"]),
+        ("Pkt;Rechtswert [m];Hochwert [m];Höhe [m]", ["x", "y", "z"]),
+        ("Point;Abscisse;Ordonnée;Cote", ["x", "y", "z"]),
+        ("Punto;Este;Norte;Cota", ["x", "y", "z"]),
+        ("PointID;N [m];E [m];Hgt [m]", ["y", "x", "z"]),
+        ("点号;X坐标(m);Y坐标(m);高程(m)", ["x", "y", "z"]),
+        ("測点名;Ｘ座標;Ｙ座標;標高", ["x", "y", "z"]),
+        ("点名;北;东;高", ["y", "x", "z"]),
+    ] {
+        let document = propose("s.csv", &table(&format!("{head}\n"), 16, |i| format!("K{i};{}", cells(&xyz(i), ";"))));
+        let columns: Vec<String> = ["label"].iter().chain(&axes).map(|name| format!("\"{name}\"")).collect();
+        holds(&document, &format!("columns = [{}]", columns.join(", ")));
+    }
+}
+
+/// Lists in brackets that the delimiter divides, and matrices in blocks, are no rows of points.
+#[test]
+fn numbers_within_brackets_are_no_columns() {
+    let rows = [
+        ("Print1=[[100.5,200.25,300.5],[1,0,0,0]]", "robot"),
+        ("LOCAL VAR jointtarget j1 = j:{2.5,29.5,6.25,34.5,-47.5,35.5 ,0 } {EJ 0,0,0,0,0,0}", "controller"),
+        ("[1.5, 2.5, 3.5, 4.5, 5.5, 6.5]", "program"),
+        ("[1.5, 2.5, 3.5, 4.5, 5.5, 6.5;", "MATLAB"),
+    ];
+    for (row, who) in rows {
+        let document = propose("p.txt", &table("", 8, |_| row.to_owned()));
+        assert!(document.readings.is_empty() && !document.toml.contains("[[export]]"), "{who}: {}", document.toml);
+    }
+    // a list behind the coordinates does not hide them
+    let document = propose("p.txt", &table("X;Y;Z;list\n", 8, |i| format!("{};(1.5, 2.5)", cells(&xyz(i), ";"))));
+    holds(&document, "\"x\", \"y\", \"z\", \"-\"");
+}
+
+/// A text between the numbers divides them, a time of 1970 stands in front, and rows with several
+/// targets have labels of poses.
+#[test]
+fn numbers_without_headings_are_no_joints_if_a_text_divides_them() {
+    let row = |i: usize| format!("{},{},{},revolute,0", 1 + i / 8, cells(&xyz(i), ","), 36 * i);
+    let document = propose("l.csv", &table("", 16, row));
+    assert!(!document.toml.contains("[log]"), "{}", document.toml);
+    holds(&document, "columns = [\"-\", \"x\", \"y\", \"z\", \"-\", \"-\", \"-\"]");
+    let row = |i: usize| {
+        let q = cells(&[0.5, 0.5, 0.5, 0.5], ", ");
+        format!("{:.2}, {}, {q}", 1491754390.48 + 0.01 * (i / 2) as f64, cells(&xyz(i), ", "))
+    };
+    let document = propose("v.csv", &table("", 40, row));
+    holds(&document, "columns = [\"time_s\", \"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]");
+    let row = |i: usize| format!("{i}.jpg,{},{}", cells(&xyz(i)[..2], ","), cells(&xyz(i + 9)[..2], ","));
+    let document = propose("m.csv", &table("image,silver_x,silver_y,white_x,white_y\n", 16, row));
+    for target in ["silver", "white"] {
+        holds(&document, &format!("target = \"{target}\""));
+    }
+    assert_eq!(document.toml.matches("label = \"{pose}\"").count(), 2, "{}", document.toml);
+}
+
+/// Numbers without headings that nearly agree with the first three may be the measured ones.
+#[test]
+fn copies_of_a_point_without_headings_are_asked() {
+    let row = |i: usize| {
+        let near = xyz(i).map(|v| v + 0.1 * (3.0 * i as f64).sin());
+        format!("M{i} {} 1.5 -20.5 {} {} 1.5 -20.5 {}", cells(&xyz(i), " "), 3 * i, cells(&near, " "), 3 * i)
+    };
+    let document = propose("l.txt", &table("", 16, row));
+    let asked = phrase!("ask-sets-alike", first = vec![2, 3, 4], second = vec![8, 9, 10]);
+    assert_eq!(said(&document, "ask-sets-alike"), [asked], "{}", document.toml);
+}
+
+/// Centimetres are a unit as others are.
+#[test]
+fn centimetres_are_a_unit() {
+    let document = propose("c.csv", &table("x (cm),y (cm),z (cm)\n", 16, |i| cells(&xyz(i), ",")));
+    holds(&document, "unit = \"cm\"                # the file states it");
+}
+
+/// Records of total stations are named.
+#[test]
+fn records_of_total_stations_are_named() {
+    for (text, kind) in [
+        ("00NMSDR33  V04-04.34    30-11-15 09:47 111121\n10NMtemp            121111\n", "sdr33"),
+        ("For M5|Adr 00001|TI  KN STAT                    |\nFor M5|Adr 00002|PI1           A\n", "m5"),
+    ] {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), text).unwrap();
+        let refused = super::propose_file(file.path()).unwrap_err();
+        assert!(refused.0[0].is("file-without-points", &[("kind", &kind)]), "{refused}");
+    }
+}
+
+/// Poses in four rows each are refused: each row would be a point.
+#[test]
+fn matrices_in_blocks_are_refused() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let matrix = |i: usize| format!("1,0,0,{}\n0,1,0,{}\n0,0,1,{}\n0,0,0,1", xyz(i)[0], xyz(i)[1], xyz(i)[2]);
+    std::fs::write(file.path(), table("", 6, matrix)).unwrap();
+    let refused = super::propose_file(file.path()).unwrap_err();
+    assert!(refused.0[0].is("matrices-in-blocks", &[]), "{refused}");
+}

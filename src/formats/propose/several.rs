@@ -5,7 +5,7 @@ use super::kinematics::{Outcome, Sample, test};
 use super::meaning::{Interpretation, Meaning};
 use super::motion::{Meeting, Motion};
 use super::table::{Column, Table};
-use super::{FormatsDocument, against, propose_corrected, recording, turned};
+use super::{FormatsDocument, against, files_beside, propose_corrected, recording, sheets, turned};
 use crate::dialect::quoted;
 use crate::export::Pattern;
 use crate::exports::stamp_seconds;
@@ -17,6 +17,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_documents::FormatsJoin;
 use etalon_robots::Robot;
+use etalon_tables::{Delimiter, Header};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -44,8 +45,11 @@ const MOST_TARGETS: usize = 12;
 /// the poses of the others.
 const FEWER: usize = 5;
 /// Line of a proposal for labels.
-const LABEL_LINE: &str =
+pub(super) const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
+/// Line of a proposal for labels of rows with several targets.
+pub(super) const POSE_LABEL_LINE: &str =
+    "label = \"{pose}\"              # each row has several targets: its label is the name of a pose\n";
 /// Line of a proposal for the target of all rows.
 pub(super) const TARGET_LINE: &str = "target = \"?\"               # which target the rows are of\n";
 
@@ -67,12 +71,16 @@ pub struct FilesProposal {
 /// A file with its proposal and, of a table, its interpretation.
 pub(super) struct Part {
     path: PathBuf,
+    /// Sheet of a workbook with several tables.
+    sheet: Option<String>,
     pub document: FormatsDocument,
     pub read: Option<(Table, Interpretation)>,
     /// Motion of a recording of messages.
     motion: Option<Motion>,
     /// Unit of the times, if the duration of another file shows it.
     clock: Option<&'static str>,
+    /// `true` if the points are measured because a log of joints stands beside them.
+    is_beside_log: bool,
 }
 
 /// Minimum number of rows of a recorded motion per measured point.
@@ -96,9 +104,10 @@ pub(super) struct Keys {
 
 /// Join of an export with a log.
 pub(super) struct Join {
-    by: &'static str,
-    keys: usize,
-    matching: usize,
+    pub by: &'static str,
+    /// Number of rows of the export with a key, and of those with a row of the log.
+    pub keys: usize,
+    pub matching: usize,
     /// Rows of export and log that belong together.
     pub pairs: Vec<(usize, usize)>,
     /// Form of the labels whose `{pose}` is the label of the log.
@@ -112,11 +121,11 @@ pub(super) struct Join {
 /// # Errors
 /// Fails if a file is missing, or is not a table.
 pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<FilesProposal> {
-    let mut parts = paths.iter().map(|path| Part::new(path, robot)).collect::<Result<Vec<Part>>>()?;
+    let mut parts = Part::all(paths, robot)?;
+    take_as_exports(&mut parts)?;
     compare_clocks(&mut parts);
     let exports: Vec<usize> = (0..parts.len()).filter(|i| parts[*i].document.kind == "export").collect();
     let (log, order) = ordered(robot, &mut parts, &exports);
-    let mut targets: Vec<String> = Vec::new();
     let mut found = Vec::new();
     for &at in &exports {
         let keys = Keys::new(&parts[at]);
@@ -127,27 +136,7 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         found.push((at, keys, join));
     }
     leave_stationary(&mut parts, &mut found)?;
-    let is_joined = found.iter().any(|(.., join)| join.is_some());
-    let mut joined: Vec<(usize, Join)> = Vec::new();
-    let mut stationary: Vec<String> = Vec::new();
-    for (at, keys, join) in found {
-        match (&join, keys.stationary()) {
-            (None, Some(names)) if is_joined => {
-                let toml = &mut parts[at].document.toml;
-                *toml = toml.replace(LABEL_LINE, STATIONARY_LINE);
-                stationary.extend(names.iter().cloned());
-            }
-            _ => {
-                stationary.extend(keys.still.iter().cloned());
-                name_targets(&mut parts[at], &keys, join.as_ref(), &mut targets);
-            }
-        }
-        joined.extend(join.map(|join| (at, join)));
-    }
-    for part in parts.iter_mut().filter(|part| part.document.kind == "export with joints") {
-        let keys = Keys::new(part);
-        name_targets(part, &keys, None, &mut targets);
-    }
+    let Named { targets, stationary, joined } = Named::new(&mut parts, found);
     // a recorded table may have poses that join it; a recording of messages has times alone
     let timed = log.filter(|log| joined.is_empty() || is_recording_of_messages(&parts[*log]));
     let meeting = timed.and_then(|log| meeting(&parts, &exports, log, targets.len()));
@@ -156,20 +145,15 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
         parts.iter_mut().filter(|part| part.document.kind == "log").for_each(Part::leave_clock);
     }
     let tail = match log {
-        Some(log) if !exports.is_empty() => match meeting {
-            Some(Meeting::Standstills { at_least_s, .. }) => {
-                // a point belongs to the standstill at its time: several targets share one pose
-                for at in &exports {
-                    parts[*at].document.toml = parts[*at].document.toml.replace(POSE_LINE, "");
-                }
-                standstills(&mut parts[log], at_least_s, &targets)
-            }
-            Some(Meeting::Rows { offset_s, spread_s }) => rows_in_time([offset_s, spread_s], &targets),
-            open => tail(&mut parts, log, &joined, &targets, open),
-        },
+        Some(log) if !exports.is_empty() => {
+            let by_clock = meeting.as_ref().and_then(|meeting| join_by_clock(meeting, &mut parts, log, &targets));
+            let standstills = if let Some(Meeting::Open { standstills }) = meeting { Some(standstills) } else { None };
+            let join = by_clock.unwrap_or_else(|| join_by_keys(&mut parts, log, &joined, &targets, standstills));
+            join + &world_lines(robot, &stationary)
+        }
         _ => String::new(),
     };
-    let tests = poses(&parts);
+    let tests = poses(&mut parts);
     if let (Some(log), Some((_, Join { names_poses: true, .. }))) = (log, joined.first()) {
         let toml = &mut parts[log].document.toml;
         *toml = toml.replace("columns = { label = ", "columns = { pose = ");
@@ -185,12 +169,68 @@ pub fn propose_files(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Fil
     }
     toml += &tests.unwrap_or_default();
     toml += &tail;
-    if stationary.len() > 2 && !tail.is_empty() {
-        // three points define a frame, and nobody but the user knows in which order
-        let _ = writeln!(toml, "# targets = {stationary:?}   # in place of as_exported: a world from these points");
-    }
     let still = parts.iter().filter_map(Part::motion).flat_map(|motion| motion.still()).collect();
     Ok(FilesProposal { still, documents: parts.into_iter().map(|part| part.document).collect(), toml })
+}
+
+/// `true` for a workbook with several sheets that contain a table.
+pub fn has_several_tables(path: &Path) -> bool {
+    sheets(path).len() > 1 && Part::all(&[path.to_owned()], None).is_ok_and(|parts| parts.len() > 1)
+}
+
+/// `true` for two paths to one file of a folder, whose name may be spelled in capitals.
+fn are_one(path: &Path, other: &Path) -> bool {
+    let names = path.file_name().zip(other.file_name());
+    path.parent() == other.parent() && names.is_some_and(|(name, other)| name.eq_ignore_ascii_case(other))
+}
+
+/// Takes points beside a log for an export: without a log they would be a recorded motion, or poses
+/// of a test.
+fn take_as_exports(parts: &mut [Part]) -> Result<()> {
+    let has = |kind: &str| parts.iter().any(|part| part.document.kind == kind);
+    if !has("log") || has("poses") && has("commanded") {
+        return Ok(());
+    }
+    for part in parts.iter_mut().filter(|part| ["recording", "poses", "commanded"].contains(&&*part.document.kind)) {
+        part.is_beside_log = true;
+        part.again(&mut |_, _| Remarks::default())?;
+    }
+    Ok(())
+}
+
+/// Names of the targets and of the stationary points, and the joins of the exports.
+#[derive(Default)]
+struct Named {
+    targets: Vec<String>,
+    stationary: Vec<String>,
+    joined: Vec<(usize, Join)>,
+}
+
+impl Named {
+    /// Names the targets of all exports, each with its keys and its join with the log.
+    fn new(parts: &mut [Part], found: Vec<(usize, Keys, Option<Join>)>) -> Self {
+        let mut named = Self::default();
+        let is_joined = found.iter().any(|(.., join)| join.is_some());
+        for (at, keys, join) in found {
+            match (&join, keys.stationary()) {
+                (None, Some(names)) if is_joined => {
+                    let toml = &mut parts[at].document.toml;
+                    *toml = toml.replace(LABEL_LINE, STATIONARY_LINE);
+                    named.stationary.extend(names.iter().cloned());
+                }
+                _ => {
+                    named.stationary.extend(keys.still.iter().cloned());
+                    name_targets(&mut parts[at], &keys, join.as_ref(), &mut named.targets);
+                }
+            }
+            named.joined.extend(join.map(|join| (at, join)));
+        }
+        for part in parts.iter_mut().filter(|part| part.document.kind == "export with joints") {
+            let keys = Keys::new(part);
+            name_targets(part, &keys, None, &mut named.targets);
+        }
+        named
+    }
 }
 
 /// Removes the join of exports with a few points whose names look like poses, if another export has
@@ -249,13 +289,98 @@ fn seconds_per(unit: Option<&str>) -> f64 {
 /// Kinds of tables of a test to ISO 9283.
 const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
 
-/// Returns one section for attained and commanded poses and reference targets.
-fn poses(parts: &[Part]) -> Option<String> {
-    let file =
-        |kind: &str| parts.iter().find(|part| part.document.kind == kind).map(|part| quoted(&part.document.file));
-    let (attained, commanded) = (file("poses")?, file("commanded")?);
-    let reference = file("reference").map(|file| format!("reference = {file}\n")).unwrap_or_default();
-    Some(format!("\n[poses]\nattained = {attained}\ncommanded = {commanded}\n{reference}"))
+/// Returns one section for attained and commanded poses and reference targets; other headings than
+/// those of etalon are named in it.
+fn poses(parts: &mut [Part]) -> Option<String> {
+    let of_kind = |parts: &[Part], kind: &str| parts.iter().position(|part| part.document.kind == kind);
+    if let Some([attained, commanded]) = tables_of_poses(parts) {
+        parts[attained].document.kind = "poses".to_owned();
+        parts[commanded].document.kind = "commanded".to_owned();
+        for at in [attained, commanded] {
+            parts[at].document.because(phrase!("because-test-of-poses"));
+        }
+    }
+    let (attained, commanded) = (of_kind(parts, "poses")?, of_kind(parts, "commanded")?);
+    let file = |at: usize| quoted(&parts[at].document.file);
+    let own = |at: usize| parts[at].read.as_ref().filter(|_| parts[at].document.toml.contains("[[export]]"));
+    let form = |at: usize| own(at).map(|(table, found)| table_of_poses(table, found));
+    let (of_attained, of_commanded) = (form(attained), form(commanded));
+    let reference = of_kind(parts, "reference").map(|at| format!("reference = {}\n", file(at))).unwrap_or_default();
+    let stated = |at: usize, form: &Option<Vec<String>>| match form {
+        Some(keys) => format!("{{ file = {}, {} }}", file(at), keys.join(", ")),
+        None => file(at),
+    };
+    let section = format!(
+        "\n[poses]\nattained = {}\ncommanded = {}\n{reference}",
+        stated(attained, &of_attained),
+        stated(commanded, &of_commanded)
+    );
+    let foreign: Vec<usize> = [attained, commanded].into_iter().filter(|at| own(*at).is_some()).collect();
+    for at in foreign {
+        parts[at].document.toml = section.trim_start().to_owned();
+    }
+    Some(section)
+}
+
+/// Two exports without a log that are a test of poses: poses that were attained in several cycles,
+/// and each of these poses once.
+fn tables_of_poses(parts: &[Part]) -> Option<[usize; 2]> {
+    if parts.iter().any(|part| !["export", "reference"].contains(&&*part.document.kind)) {
+        return None;
+    }
+    let poses = |part: &Part| -> Option<(Vec<String>, bool)> {
+        let (table, found) = part.read.as_ref().filter(|(_, found)| found.points.len() == 1)?;
+        let [Some(_), Some(_), _] = found.points[0].columns else { return None };
+        Some((texts(&table.columns[found.first(Meaning::Pose)?]), found.first(Meaning::Cycle).is_some()))
+    };
+    let tables: Vec<(usize, Vec<String>, bool)> = parts
+        .iter()
+        .enumerate()
+        .filter(|(_, part)| part.document.kind == "export")
+        .map(|(at, part)| poses(part).map(|(names, cycles)| (at, names, cycles)))
+        .collect::<Option<_>>()?;
+    let [(a, of_a, in_cycles), (b, of_b, again)] = &tables[..] else { return None };
+    let (attained, commanded, order) = match (in_cycles, again) {
+        (true, false) => (of_a, of_b, [*a, *b]),
+        (false, true) => (of_b, of_a, [*b, *a]),
+        _ => return None,
+    };
+    let once: BTreeSet<&String> = commanded.iter().collect();
+    let all = attained.iter().all(|pose| once.contains(pose));
+    (once.len() == commanded.len() && all && attained.len() > commanded.len()).then_some(order)
+}
+
+/// Keys of a table of poses in other headings than those of etalon: its form and its columns.
+fn table_of_poses(table: &Table, found: &Interpretation) -> Vec<String> {
+    let form = &table.form;
+    let mut keys: Vec<String> = match &form.sheet {
+        Some(sheet) => vec![format!("sheet = {}", quoted(sheet))],
+        None => vec![
+            format!("delimiter = {:?}", form.delimiter.map_or(",", Delimiter::name)),
+            format!("decimal = {:?}", form.decimal().name()),
+        ],
+    };
+    keys.extend(form.thousands.map(|mark| format!("thousands = {:?}", mark.name())));
+    if let Header::Rows(rows @ 2..) = form.header() {
+        keys.push(format!("header = {rows}"));
+    }
+    let mut columns: Vec<String> = Vec::new();
+    let mut column = |name: String, at: usize| {
+        let source = table.columns[at].name.as_deref().map_or_else(|| (at + 1).to_string(), quoted);
+        columns.push(format!("{name} = {source}"));
+    };
+    for (name, meaning) in [("pose", Meaning::Pose), ("cycle", Meaning::Cycle)] {
+        found.first(meaning).into_iter().for_each(|at| column(name.to_owned(), at));
+    }
+    let unit = |at: usize| table.columns[at].heading.unit.unwrap_or("UNIT");
+    for (axis, at) in ["x", "y", "z"].into_iter().zip(found.points[0].columns) {
+        at.into_iter().for_each(|at| column(format!("{axis}_{}", unit(at)), at));
+    }
+    for (name, at) in ["a", "b", "c"].into_iter().zip(found.rotation_columns()) {
+        column(format!("{name}_{}", unit(at)), at);
+    }
+    keys.push(format!("columns = {{ {} }}", columns.join(", ")));
+    keys
 }
 
 /// Returns the log that is joined, and the order of the files in the proposal: of several logs,
@@ -285,18 +410,12 @@ fn name_sections(parts: &mut [Part]) {
             continue;
         }
         for (number, part) in (1..).zip(&mut several) {
-            let mut stem = stem(&part.document.file);
+            let mut stem = part.stem();
             stem.retain(|c| c.is_ascii());
             let name = if kind == "log" { format!("name = \"{stem}_{number}\"\n") } else { String::new() };
             part.document.toml = part.document.toml.replacen(section, &format!("[{}]\n{name}", section.trim_end()), 1);
         }
     }
-}
-
-/// Returns letters, digits and `_` of the name of a file without its ending.
-fn stem(file: &str) -> String {
-    let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    stem.chars().filter(|c| c.is_alphanumeric() || *c == '_').collect()
 }
 
 /// Returns the relation of the times of the points to the recording; `None` without times.
@@ -322,64 +441,6 @@ fn meeting(parts: &[Part], exports: &[usize], log: usize, targets: usize) -> Opt
     }
 }
 
-/// Returns the lines of a join of points with the rows at their times.
-fn rows_in_time([offset_s, spread_s]: [f64; 2], targets: &[String]) -> String {
-    let tolerance_s = (2.0 * spread_s).max(0.01);
-    format!(
-        "\n[join]\nby = \"time\"\nclock_offset_s = {offset_s:.4}   # each point has one row at this offset, within {spread_s:.4} s\n\
-         tolerance_s = {tolerance_s:.3}\ntargets = {targets:?}\n\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
-    )
-}
-
-/// Returns the lines of the join and of the world; `meeting` is the relation of the times, where
-/// the files contain them.
-fn tail(
-    parts: &mut [Part],
-    log: usize,
-    joined: &[(usize, Join)],
-    targets: &[String],
-    meeting: Option<Meeting>,
-) -> String {
-    let log_file = parts[log].document.file.clone();
-    let log_rows = parts[log].document.rows;
-    let mut out = "\n[join]\n".to_owned();
-    let by = joined.first().map(|(_, join)| join.by);
-    for (at, join) in joined {
-        let stated =
-            FormatsJoin { log: log_file.clone(), by: join.by.to_owned(), keys: join.keys, matching: join.matching };
-        let file = parts[*at].document.file.clone();
-        let text =
-            phrase!("files-join", file, log = &*log_file, by = join.by, keys = join.keys, matching = join.matching);
-        let _ = writeln!(out, "# {}", printable(&text.to_string()));
-        parts[*at].document.join = Some(stated);
-    }
-    match by {
-        Some(by) if joined.iter().all(|(_, join)| join.by == by) => {
-            let value = match by {
-                "pose" => "[\"pose\"]".to_owned(),
-                "pose, cycle" => "[\"pose\", \"cycle\"]".to_owned(),
-                other => format!("\"{other}\""),
-            };
-            let _ = writeln!(out, "by = {value}");
-            if by == "time" {
-                out += "clock_offset_s = \"?\"      # time of the measurement minus time of the log, a number without quotes\n\
-                        tolerance_s = \"?\"         # a number without quotes\n";
-            }
-        }
-        _ => {
-            let text = phrase!("files-not-joined", log = &*log_file, rows = log_rows);
-            let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
-            if let Some(Meeting::Open { standstills }) = meeting {
-                let text = phrase!("recording-not-joined", log = &*log_file, standstills);
-                let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
-            }
-            out += "by = \"?\"                 # [\"pose\"], [\"pose\", \"cycle\"], \"label\", \"time\" or \"row\"\n";
-        }
-    }
-    let _ = writeln!(out, "targets = {targets:?}");
-    out + "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
-}
-
 /// `true` if the points have times and the log is a recording of a motion with many more rows.
 fn stands(export: &Part, log: &Part) -> bool {
     let timed = export.read.as_ref().is_some_and(|(_, found)| {
@@ -391,21 +452,6 @@ fn stands(export: &Part, log: &Part) -> bool {
 
 fn is_recording_of_messages(log: &Part) -> bool {
     matches!(log.document.format.as_deref(), Some("mcap" | "db3"))
-}
-
-/// Returns the lines of a join of points with the standstills of a recording, which determine the
-/// offset of the clocks.
-fn standstills(log: &mut Part, at_least_s: f64, targets: &[String]) -> String {
-    let _ = write!(
-        log.document.toml,
-        "# the robot stands still at each point for so long, and no joint moves by more; within_mm for prismatic joints\n\
-         standstill = {{ at_least_s = {at_least_s:?}, within_deg = 0.02 }}\n"
-    );
-    format!(
-        "\n[join]\nby = \"time\"\nclock_offset_s = \"standstills\"   # the offset at which every point falls into a standstill\n\
-         tolerance_s = 0.05          # a point may be so far outside of its standstill\n\
-         targets = {targets:?}\n\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument\n"
-    )
 }
 
 /// Tests joined rows against the robot, and writes the lines of both files again.
@@ -568,7 +614,7 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
             targets.push(name.to_owned());
         }
     };
-    let stem = stem(&part.document.file);
+    let stem = part.stem();
     let stem = if stem.is_empty() || stem == "base" { "reflector".to_owned() } else { stem };
     let toml = &mut part.document.toml;
     // each point of a row is another target
@@ -582,6 +628,10 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
     // a format of its own gives no form of its labels
     if part.document.format.is_some() && keys.labels.is_some() && join.is_some() {
         *toml += LABEL_LINE;
+    }
+    if let Some(form) = join.and_then(|join| join.form.as_deref()) {
+        let line = format!("label = {}   # all {} labels have this form\n", quoted(form), keys.rows);
+        *toml = toml.replace(POSE_LABEL_LINE, &line);
     }
     if toml.contains(LABEL_LINE) {
         let by_row = join.is_some_and(|join| join.by == "row");
@@ -623,10 +673,28 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
 }
 
 impl Part {
-    pub fn new(path: &Path, robot: Option<&dyn Robot>) -> Result<Self> {
+    /// Reads files. Each sheet of a workbook that contains a table is a part; a file of numbers
+    /// that belongs to another file is left out.
+    pub fn all(paths: &[PathBuf], robot: Option<&dyn Robot>) -> Result<Vec<Self>> {
+        let beside: Vec<PathBuf> = paths.iter().flat_map(|path| files_beside(path)).collect();
+        let mut parts = Vec::new();
+        for path in paths.iter().filter(|path| !beside.iter().any(|other| are_one(path, other))) {
+            let sheets = sheets(path);
+            let tables = sheets.iter().filter_map(|sheet| Self::new(path, Some(sheet), robot).ok());
+            let tables: Vec<Self> = tables.filter(|part| part.document.kind != "unknown").collect();
+            match tables.len() {
+                0 | 1 => parts.push(Self::new(path, None, robot)?),
+                _ => parts.extend(tables),
+            }
+        }
+        Ok(parts)
+    }
+
+    fn new(path: &Path, sheet: Option<&str>, robot: Option<&dyn Robot>) -> Result<Self> {
         let mut read = None;
         let document = propose_corrected(
             path,
+            sheet,
             robot,
             Some(&mut |table, found| {
                 // joints and points in different files are tested when they are joined
@@ -640,7 +708,15 @@ impl Part {
         )?;
         let is_recording = matches!(document.format.as_deref(), Some("mcap" | "db3"));
         let motion = is_recording.then(|| read_bytes(path).ok().and_then(|bytes| recording::motion(&bytes))).flatten();
-        Ok(Self { path: path.to_owned(), document, read, motion, clock: None })
+        let sheet = sheet.map(str::to_owned);
+        Ok(Self { path: path.to_owned(), sheet, document, read, motion, clock: None, is_beside_log: false })
+    }
+
+    /// Letters, digits and `_` of the name of the sheet, or of the file without its ending.
+    fn stem(&self) -> String {
+        let file = || Path::new(&self.document.file).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let stem = self.sheet.clone().or_else(file).unwrap_or_default();
+        stem.chars().filter(|c| c.is_alphanumeric() || *c == '_').collect()
     }
 
     /// Returns the motion of a log with times.
@@ -679,11 +755,13 @@ impl Part {
 
     /// Writes the proposal again with another correction.
     fn again(&mut self, correct: super::Correct) -> Result<()> {
-        let mut read = None;
+        let (mut read, is_beside_log) = (None, self.is_beside_log);
         self.document = propose_corrected(
             &self.path,
+            self.sheet.as_deref(),
             None,
             Some(&mut |table, found| {
+                found.is_beside_log = is_beside_log;
                 let remarks = correct(table, found);
                 read = Some((table.clone(), found.clone()));
                 remarks
@@ -744,7 +822,8 @@ impl Part {
         let joints = unit(&|meaning| matches!(meaning, Meaning::Joint(_))).unwrap_or("none".to_owned());
         let times = unit(&|meaning| meaning == Meaning::Time).unwrap_or("none".to_owned());
         let kind = &*self.document.kind;
-        let (file, rows) = (&*self.document.file, self.document.rows);
+        let sheet = self.sheet.as_ref().map(|sheet| format!(": {sheet}")).unwrap_or_default();
+        let (file, rows) = (format!("{}{sheet}", self.document.file), self.document.rows);
         phrase!("file-is", file, kind, rows, coordinates, joints, times).to_string()
     }
 
@@ -916,4 +995,113 @@ fn targets_alone(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String
     let is_name = |name: &&str| name.starts_with(char::is_alphabetic);
     let few = targets.len() <= MOST_TARGETS && targets.len() * 3 <= labels.len();
     (few && targets.iter().all(is_name)).then(|| (ALONE, targets.into_iter().map(str::to_owned).collect()))
+}
+
+/// World frame of a robot whose base is identified.
+const AS_EXPORTED: &str =
+    "as_exported = true          # the base is found in the frame of the instrument; or targets that stay\n";
+/// World frame of a robot whose model has the frame of the base.
+const OWN_FRAME: &str = "as_exported = \"?\"           # true if the instrument measured in the frame of this robot model; \
+     otherwise define that frame from points: plane, origin, x_axis or y_axis\n";
+
+/// Lines of the world frame: a question if the model of the robot has no place of its base.
+/// `stationary` are the names of points that do not move.
+pub fn world_lines(robot: Option<&dyn Robot>, stationary: &[String]) -> String {
+    let is_free = robot.is_none_or(|robot| robot.free_base().is_some() || !robot.branches().is_empty());
+    let mut lines = format!("\n[frame.world]\n{}", if is_free { AS_EXPORTED } else { OWN_FRAME });
+    if stationary.len() > 2 {
+        // three points define a frame, and nobody but the user knows in which order
+        let _ = match is_free {
+            true => {
+                writeln!(lines, "# targets = {stationary:?}   # in place of as_exported: a world from these points")
+            }
+            false => writeln!(lines, "# points for such a frame: {stationary:?}"),
+        };
+    }
+    lines
+}
+
+/// Lines of a join of points and log by the relation of their times; `None` if the times show none.
+fn join_by_clock(meeting: &Meeting, parts: &mut [Part], log: usize, targets: &[String]) -> Option<String> {
+    let clock = match *meeting {
+        Meeting::Open { .. } => return None,
+        Meeting::Rows { offset_s, spread_s } => format!(
+            "clock_offset_s = {offset_s:.4}   # each point has one row at this offset, within {spread_s:.4} s\n\
+             tolerance_s = {:.3}\n",
+            (2.0 * spread_s).max(0.01)
+        ),
+        Meeting::Moving { step_s } => format!(
+            "clock_offset_s = \"motion\"   # the offset at which measured and computed speeds agree; 0 if both have one clock\n\
+             interpolate = true          # the robot does not stand still\n\
+             tolerance_s = {:.3}\n",
+            (2.0 * step_s).max(0.01)
+        ),
+        Meeting::Standstills { at_least_s, .. } => {
+            let _ = write!(
+                parts[log].document.toml,
+                "# the robot stands still at each point for so long, and no joint moves by more; within_mm for prismatic joints\n\
+                 standstill = {{ at_least_s = {at_least_s:?}, within_deg = 0.02 }}\n"
+            );
+            "clock_offset_s = \"standstills\"   # the offset at which every point falls into a standstill\n\
+             tolerance_s = 0.05          # a point may be so far outside of its standstill\n"
+                .to_owned()
+        }
+    };
+    if !matches!(meeting, Meeting::Rows { .. }) {
+        // a point belongs to the row at its time: several targets share one pose
+        for part in parts.iter_mut().filter(|part| part.document.kind == "export") {
+            part.document.toml = part.document.toml.replace(POSE_LINE, "");
+        }
+    }
+    Some(format!("\n[join]\nby = \"time\"\n{clock}targets = {targets:?}\n"))
+}
+
+/// Lines of a join by keys; `standstills` is the number of standstills of a recording whose times
+/// show no relation.
+fn join_by_keys(
+    parts: &mut [Part],
+    log: usize,
+    joined: &[(usize, Join)],
+    targets: &[String],
+    standstills: Option<usize>,
+) -> String {
+    let log_file = parts[log].document.file.clone();
+    let log_rows = parts[log].document.rows;
+    let mut out = "\n[join]\n".to_owned();
+    let by = joined.first().map(|(_, join)| join.by);
+    for (at, join) in joined {
+        let stated =
+            FormatsJoin { log: log_file.clone(), by: join.by.to_owned(), keys: join.keys, matching: join.matching };
+        let file = parts[*at].document.file.clone();
+        let text =
+            phrase!("files-join", file, log = &*log_file, by = join.by, keys = join.keys, matching = join.matching);
+        let _ = writeln!(out, "# {}", printable(&text.to_string()));
+        parts[*at].document.join = Some(stated);
+    }
+    match by {
+        Some(by) if joined.iter().all(|(_, join)| join.by == by) => {
+            let value = match by {
+                "pose" => "[\"pose\"]".to_owned(),
+                "pose, cycle" => "[\"pose\", \"cycle\"]".to_owned(),
+                other => format!("\"{other}\""),
+            };
+            let _ = writeln!(out, "by = {value}");
+            if by == "time" {
+                out += "clock_offset_s = \"?\"      # time of the measurement minus time of the log, a number without quotes; \
+                        or \"motion\", if both recorded one motion\n\
+                        tolerance_s = \"?\"         # a number without quotes\n";
+            }
+        }
+        _ => {
+            let text = phrase!("files-not-joined", log = &*log_file, rows = log_rows);
+            let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            if let Some(standstills) = standstills {
+                let text = phrase!("recording-not-joined", log = &*log_file, standstills);
+                let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            }
+            out += "by = \"?\"                 # [\"pose\"], [\"pose\", \"cycle\"], \"label\", \"time\" or \"row\"\n";
+        }
+    }
+    let _ = writeln!(out, "targets = {targets:?}");
+    out
 }

@@ -39,16 +39,38 @@ pub(super) fn structured(text: &str) -> Option<&'static str> {
 /// `true` if most lines contain a list of numbers in brackets, as Python prints them; lists of YAML
 /// begin with a dash.
 pub(super) fn is_of_lists(text: &str) -> bool {
+    let [lists, lines] = count_lists(text);
+    2 * lists > lines
+}
+
+/// `true` if a line contains a list of numbers in brackets.
+pub(super) fn has_lists(text: &str) -> bool {
+    count_lists(text)[0] > 0
+}
+
+/// Number of lines with a list of numbers in brackets, and of lines.
+fn count_lists(text: &str) -> [usize; 2] {
     let is_list = |line: &str| {
-        line.split(['[', '(']).skip(1).any(|behind| {
-            let end = behind.find([']', ')']).unwrap_or(0);
-            let mut values = behind[..end].split([',', ' ', ';']).filter(|value| !value.is_empty());
+        line.split(['[', '(', '{']).skip(1).any(|behind| {
+            let end = behind.find([']', ')', '}']).unwrap_or(0);
+            let mut values = behind[..end].split([',', ' ', ';', '\t']).filter(|value| !value.is_empty());
             behind[..end].contains([',', ' ', ';']) && values.all(|value| value.parse::<f64>().is_ok())
         })
     };
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(400).collect();
     let lists = lines.iter().filter(|line| !line.trim_start().starts_with("- ") && is_list(line));
-    2 * lists.count() > lines.len()
+    [lists.count(), lines.len()]
+}
+
+/// `true` for matrices of four lines with four numbers each, the last of which is 0 0 0 1.
+pub(super) fn is_of_matrices(text: &str) -> bool {
+    let row = |line: &str| -> Option<[f64; 4]> {
+        let values = line.split([',', ';', '\t', ' ']).map(str::trim).filter(|value| !value.is_empty());
+        values.map(|value| value.parse().ok()).collect::<Option<Vec<f64>>>()?.try_into().ok()
+    };
+    let lines = text.lines().filter(|line| !line.trim().is_empty()).take(400);
+    let Some(rows) = lines.map(row).collect::<Option<Vec<[f64; 4]>>>() else { return false };
+    !rows.is_empty() && rows.len().is_multiple_of(4) && rows.chunks(4).all(|matrix| matrix[3] == [0.0, 0.0, 0.0, 1.0])
 }
 
 #[cfg(test)]
@@ -74,6 +96,10 @@ mod tests {
         ] {
             assert!(is_of_lists(text), "{text}");
         }
+        let matrix = "1,0,0,5.5\n0,1,0,6.5\n0,0,1,7.5\n0,0,0,1\n";
+        assert!(is_of_matrices(matrix) && is_of_matrices(&format!("{matrix}\n{matrix}")));
+        assert!(!is_of_matrices("1,2,3,4\n5,6,7,8\n9,8,7,6\n0,0,0,2\n") && !is_of_matrices(""));
+        assert!(is_of_lists("VAR j1 = j:{2.5,29.5, 6.1\t,0 }{EJ 0,0}\nVAR j2 = j:{1.5,2.5, 3.5\t,0 }{EJ 0,0}\n"));
         for text in ["- [0.1, 0.2]\n- [0.3, 0.4]\n", "X [mm],Y (mm)\n1,2\n", "a (1)\nb (2)\n", "[a, b]\n"] {
             assert!(!is_of_lists(text), "{text}");
         }

@@ -2,6 +2,7 @@
 
 use super::headings::{Heading, Word};
 use etalon_robots::Robot;
+use etalon_tables::Form;
 use etalon_tables::guess::{Guess, is_time, names};
 use etalon_tables::lexer::{Row, each_row, marked};
 
@@ -21,6 +22,8 @@ pub(super) struct Table {
     pub sampled: bool,
     /// Number of columns of the file.
     pub width: usize,
+    /// Form of the text.
+    pub form: Form,
 }
 
 /// Column of a table.
@@ -65,7 +68,10 @@ impl Table {
         let skipped = guess.header;
         let ends = |row: &Row| guess.form.end.as_ref().is_some_and(|end| row.field(0) == end);
         let filled = |row: &Row| row.fields.iter().rposition(|f| !f.is_empty()).map_or(0, |i| i + 1);
-        let fits = |row: &Row| guess.form.sheet.is_some() || filled(row) == width || row.fields.len() == width;
+        let [least, most] = guess.widths;
+        let fits = |row: &Row| {
+            guess.form.sheet.is_some() || (least..=most).contains(&filled(row)) || row.fields.len() == width
+        };
         let data = each_row("", text, &guess.form).flatten().skip(skipped).filter(|row| !ends(row) && fits(row));
         let (mut rows, mut sampled) = (0, false);
         for row in data {
@@ -80,7 +86,7 @@ impl Table {
         }
         columns.iter_mut().for_each(Column::decide_grad);
         name_lettered_bodies(&mut columns);
-        Self { columns, rows, sampled, width }
+        Self { columns, rows, sampled, width, form: guess.form.clone() }
     }
 
     /// Returns the heading of a column in backticks, or its number.

@@ -169,7 +169,12 @@ impl PointColumns {
         let idle = |p: &&Point| p.target.is_none() && !is_used(p) && !has_form(p);
         let idle: Vec<&Point> = self.points.iter().filter(idle).collect();
         let Some(first) = idle.first() else { return (Vec::new(), Vec::new()) };
-        let message = warning!("labels-unused", count = idle.len(), label = &*first.label);
+        // points of an export without targets and poses do not move with the robot
+        let of_first = campaign.file.exports.iter().find(|export| *export.file.get_ref() == *first.export);
+        let moves =
+            of_first.is_none_or(|export| export.label.is_some() || export.target.is_some() || export.pose.is_some());
+        let points = if moves { "moving" } else { "stationary" };
+        let message = warning!("labels-unused", count = idle.len(), label = &*first.label, points);
         let unused = |p: &&Point| Unmatched {
             file: p.export.to_string(),
             line: p.line as usize,

@@ -1,10 +1,12 @@
 //! A whole campaign from files of measurements and logs.
 
-use etalon_base::message::{Problems, Result};
+use etalon_base::message::{Problems, Result, printable};
 use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
 use etalon_documents::FormatsDocument;
-use etalon_formats::{FilesProposal, Format, JOINTS_REMARK, heading_without_unit, propose_files};
+use etalon_formats::{
+    FilesProposal, Format, JOINTS_REMARK, files_beside, heading_without_unit, propose_files, world_lines,
+};
 use etalon_robots::Robot;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -40,6 +42,9 @@ pub(crate) struct Started {
 
 /// Proposes a campaign from files of measurements and logs.
 pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<Started> {
+    let beside: Vec<PathBuf> = paths.iter().flat_map(|path| files_beside(path)).collect();
+    let missing = beside.iter().filter(|path| !paths.iter().any(|other| file_name(other) == file_name(path)));
+    let copies: Vec<&PathBuf> = paths.iter().chain(missing).collect();
     let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
     for (i, name) in names.iter().enumerate() {
         if names[..i].contains(name) {
@@ -54,27 +59,54 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<S
         lines = lines.replacen(&document.toml, &own, 1);
     }
     let quoted = |text: &str| toml::Value::from(text).to_string();
-    for ((path, name), document) in paths.iter().zip(&names).zip(&documents) {
+    for document in &documents {
+        let (path, name) = (&document.file, file_name(Path::new(&document.file)));
         if !toml::from_str::<toml::Table>(&document.toml).is_ok_and(|stated| !stated.is_empty()) {
-            let path = path.display().to_string();
             return Err(Problems::from(error!("nothing-recognised", name, path)).into());
         }
-        lines = lines.replace(&quoted(&document.file), &quoted(name));
-        lines = lines.replace(&format!("`{}`", document.file), &format!("`{name}`"));
+        lines = lines.replace(&quoted(path), &quoted(&name));
+        lines = lines.replace(&format!("`{path}"), &format!("`{name}"));
     }
+    let lines = directions_asked(lines);
     let stated: toml::Table = toml::from_str(&lines)
         .map_err(|e| Problems::from(error!("proposal-not-toml", name = names.join(" "), error = e.to_string())))?;
     let mut text = head(&names, &lines, robot.controllers) + "\n" + &lines;
     let is_one_table = documents.iter().any(|document| document.kind == "export with joints");
-    let has_branches = built.is_some_and(|robot| !robot.branches().is_empty());
+    let has_branches = built.as_ref().is_some_and(|robot| !robot.branches().is_empty());
     if has_branches && is_one_table && !stated.contains_key("join") {
         let _ = writeln!(text, "\n[join]\nby = \"row\"\ntargets = {:?}", robot.targets);
     }
-    text += &identification(&documents, &stated);
+    text += &identification(&documents, &stated, built.as_deref());
     let mut written = vec![("campaign.toml".to_owned(), text.into_bytes())];
     written.extend(robot.files);
-    let copied = paths.iter().zip(names).map(|(path, name)| Ok((name, files::read(path)?)));
+    let copied = copies.into_iter().map(|path| Ok((file_name(path), files::read(path)?)));
     Ok(Started { documents, written, copied: copied.collect::<Result<_>>()? })
+}
+
+/// Asks for the direction of each joint that counts in the opposite direction by the points: the
+/// log or robot.toml may be wrong.
+fn directions_asked(lines: String) -> String {
+    let asked = |line: &str| {
+        if line.trim_start().starts_with('#') {
+            return line.to_owned();
+        }
+        let mut asked = line.replace("per_count = -1 ", "per_count = \"?\" ");
+        if asked != line {
+            return format!("{asked}   # {}", printable(&phrase!("ask-direction").to_string()));
+        }
+        let mut columns: Vec<String> = Vec::new();
+        while let Some((before, behind)) = asked.split_once("= \"-1 * ")
+            && let Some((name, rest)) = behind.split_once('"')
+        {
+            columns.push(format!("\"-1 * {name}\""));
+            asked = format!("{before}= \"?\"{rest}");
+        }
+        match columns.is_empty() {
+            true => asked,
+            false => format!("{asked}   # {}", printable(&phrase!("ask-direction-of-columns", columns).to_string())),
+        }
+    };
+    lines.lines().map(|line| asked(line) + "\n").collect()
 }
 
 fn file_name(path: &Path) -> String {
@@ -88,19 +120,20 @@ impl RobotFiles {
         let parsed = || parse_robot(&self.path, &String::from_utf8_lossy(text)).ok();
         let robot = self.own.clone().or_else(parsed)?;
         let targets = if self.targets.is_empty() { vec!["target".to_owned()] } else { self.targets.clone() };
-        robot.build(&targets).ok()
+        // targets of a platform belong to its model
+        robot.build(&targets).or_else(|_| robot.build(&[])).ok()
     }
 }
 
 /// World and selections, where the files identify a robot.
-fn identification(documents: &[FormatsDocument], stated: &toml::Table) -> String {
+fn identification(documents: &[FormatsDocument], stated: &toml::Table, robot: Option<&dyn Robot>) -> String {
     let is = |kind: &str| documents.iter().any(|document| document.kind == kind);
     if !(is("export with joints") || is("observations") || stated.contains_key("join")) {
         return String::new();
     }
     let mut text = String::new();
     if !is("observations") && !stated.contains_key("frame") {
-        text += "\n[frame.world]\nas_exported = true          # the base is found in the frame of the instrument; or targets that stay\n";
+        text += &world_lines(robot, &[]);
     }
     let rows = documents.iter().filter(|document| document.kind != "log").map(|document| document.rows).sum::<usize>();
     let targets = stated.get("join").and_then(|join| join.get("targets")?.as_array()).map_or(1, Vec::len);

@@ -1,6 +1,6 @@
 //! Open questions of a proposed campaign, and their answers.
 
-use super::trial::{JOINT_UNITS, open};
+use etalon_campaign::{OpenPart, open_parts};
 use std::collections::BTreeMap;
 
 /// A value that a proposal asks for.
@@ -9,7 +9,7 @@ pub(crate) struct Question {
     /// Section, number among the sections of this name from 1, and key: `export.1.unit`.
     pub id: String,
     pub section: String,
-    /// Key; `UNIT` for the unit of all joints of a log.
+    /// Key; `UNIT`, `time_UNIT` and `rx_UNIT` for units of joints, times and rotations.
     pub key: String,
     /// File that the section names.
     pub file: Option<String>,
@@ -17,8 +17,18 @@ pub(crate) struct Question {
     pub remark: Option<String>,
 }
 
+/// Key of an open part.
+fn key(part: OpenPart<'_>) -> &str {
+    match part {
+        OpenPart::Value(key) => key,
+        OpenPart::JointUnit => "UNIT",
+        OpenPart::TimeUnit => "time_UNIT",
+        OpenPart::AngleUnit => "rx_UNIT",
+    }
+}
+
 /// Walks through the lines of a campaign with their questions.
-fn walk(text: &str, mut visit: impl FnMut(&str, Option<Question>)) {
+fn walk(text: &str, mut visit: impl FnMut(&str, Vec<(OpenPart, Question)>)) {
     let (mut section, mut file) = ("campaign".to_owned(), None::<String>);
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     for line in text.lines() {
@@ -39,42 +49,48 @@ fn walk(text: &str, mut visit: impl FnMut(&str, Option<Question>)) {
         }
         let outer = section.split('.').next().unwrap_or_default();
         let number = seen.get(outer).copied().unwrap_or(1);
-        let question = open(line).map(|key| Question {
-            id: if key == JOINT_UNITS {
-                format!("{outer}.{number}.{key}")
-            } else {
-                format!("{section}.{number}.{key}")
+        let question = |part: OpenPart| Question {
+            id: match part {
+                OpenPart::Value(key) => format!("{section}.{number}.{key}"),
+                unit => format!("{outer}.{number}.{}", key(unit)),
             },
             section: section.clone(),
-            key: key.to_owned(),
+            key: key(part).to_owned(),
             file: file.clone(),
             remark: line.split_once(" #").map(|(_, remark)| remark.trim().to_owned()),
-        });
-        visit(line, question);
+        };
+        visit(line, open_parts(line).into_iter().map(|part| (part, question(part))).collect());
     }
 }
 
 /// Questions of a campaign, each once.
 pub(crate) fn open_questions(text: &str) -> Vec<Question> {
     let mut all: Vec<Question> = Vec::new();
-    walk(text, |_, question| {
-        all.extend(question.filter(|question| all.iter().all(|other| other.id != question.id)));
+    walk(text, |_, questions| {
+        for (_, question) in questions {
+            if all.iter().all(|other| other.id != question.id) {
+                all.push(question);
+            }
+        }
     });
     all
 }
 
-/// The campaign with these answers, by the ids of the questions. An answer that is a number is
-/// written as one.
+/// The campaign with these answers, by the ids of the questions. An answer that is a number or a
+/// truth value is written as one.
 pub(crate) fn answered(text: &str, answers: &BTreeMap<String, String>) -> String {
     let mut all = String::with_capacity(text.len());
-    walk(text, |line, question| {
-        let answer = question.as_ref().and_then(|question| answers.get(&question.id)).map(|answer| answer.trim());
-        let key = question.as_ref().map_or("", |question| question.key.as_str());
-        match answer.filter(|answer| !answer.is_empty()) {
-            Some(unit) if key == JOINT_UNITS => all += &line.replace("_UNIT", &format!("_{}", plain(unit))),
-            Some(answer) => all += &line.replacen("\"?\"", &value(answer), 1),
-            None => all += line,
+    walk(text, |line, questions| {
+        let mut line = line.to_owned();
+        for (part, question) in questions {
+            let answer = answers.get(&question.id).map(|answer| answer.trim()).filter(|answer| !answer.is_empty());
+            line = match (answer, part) {
+                (None, _) => line,
+                (Some(answer), OpenPart::Value(_)) => part.answered(&line, &value(answer)),
+                (Some(unit), _) => part.answered(&line, &plain(unit)),
+            };
         }
+        all += &line;
         all.push('\n');
     });
     all
@@ -87,6 +103,9 @@ fn plain(answer: &str) -> String {
 
 /// An answer as a value of TOML.
 fn value(answer: &str) -> String {
+    if ["true", "false"].contains(&answer) {
+        return answer.to_owned();
+    }
     match answer.replace(',', ".").parse::<f64>() {
         Ok(number) if number.is_finite() => number.to_string(),
         _ => toml::Value::from(answer).to_string(),

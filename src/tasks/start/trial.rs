@@ -6,27 +6,34 @@ use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::files::{Stamp, shell_word};
 use etalon_base::message::{Message, Problems, printable};
 use etalon_base::phrase;
-use etalon_campaign::Campaign;
+use etalon_campaign::{Campaign, OpenPart, open_parts};
 use std::path::{Component, Path, PathBuf};
 
 /// Answers of a trial, by key: errors of a proposal do not depend on them.
-const ANSWERS: [(&str, &str); 3] =
-    [("name", "\"instrument\""), ("expanded_uncertainty_um", "20"), ("expanded_rotation_uncertainty_deg", "0.01")];
+const ANSWERS: [(&str, &str); 5] = [
+    ("name", "\"instrument\""),
+    ("expanded_uncertainty_um", "20"),
+    ("expanded_rotation_uncertainty_deg", "0.01"),
+    ("rotation", "\"vector\""),
+    ("per_count", "-1"),
+];
 /// Units to try if the unit is an open question.
-const UNITS: [&str; 4] = ["mm", "m", "inch", "um"];
-/// Stands for the units of joints among the open keys.
-pub(super) const JOINT_UNITS: &str = "UNIT";
+const UNITS: [&str; 5] = ["mm", "m", "cm", "inch", "um"];
 /// Maximum number of errors that are repeated.
 const SHOWN: usize = 3;
 
 /// Returns the next step for a folder with this campaign.toml and robot.toml.
 pub(crate) fn next(folder: &Path, text: &str, robot: &str) -> Phrase {
-    let mut keys: Vec<&str> = text.lines().filter_map(open).collect();
-    keys.extend(robot.lines().filter_map(open));
-    let is_robot_open = robot.lines().any(|line| open(line).is_some());
-    keys.dedup();
-    let named = |key: &str| if key == JOINT_UNITS { phrase!("units-of-joints").argument() } else { key.argument() };
-    let keys: Vec<Argument> = keys.into_iter().map(named).collect();
+    let mut parts: Vec<OpenPart> = text.lines().chain(robot.lines()).flat_map(open_parts).collect();
+    let is_robot_open = robot.lines().any(|line| !open_parts(line).is_empty());
+    parts.dedup();
+    let named = |part: OpenPart| match part {
+        OpenPart::Value(key) => key.argument(),
+        OpenPart::JointUnit => phrase!("units-of-joints").argument(),
+        OpenPart::TimeUnit => phrase!("unit-of-times").argument(),
+        OpenPart::AngleUnit => phrase!("unit-of-rotations").argument(),
+    };
+    let keys: Vec<Argument> = parts.into_iter().map(named).collect();
     let command = format!("`etalon check {}`", shell_word(folder));
     let next = match keys.is_empty() {
         true => phrase!("next-command", command),
@@ -61,23 +68,11 @@ fn refusal(folder: &Path, text: &str) -> Option<String> {
     (!shown.is_empty()).then(|| printable(&shown.join("; ")))
 }
 
-/// Key of a line that is an open question.
-pub(super) fn open(line: &str) -> Option<&str> {
-    let stated = line.split(" #").next().unwrap_or(line);
-    let is_open = !stated.trim_start().starts_with('#') && stated.contains("= \"?\"");
-    let is_unit = !stated.trim_start().starts_with('#') && stated.contains("_UNIT =");
-    match (is_open, is_unit) {
-        (_, true) => Some(JOINT_UNITS),
-        (true, _) => stated.split('=').next().map(str::trim),
-        _ => None,
-    }
-}
-
 /// Errors of the campaign with its questions answered, an open unit by every unit; none if a
 /// question cannot be answered by a trial.
 fn errors(folder: &Path, text: &str) -> Vec<Message> {
     let mut first: Option<Vec<Message>> = None;
-    let asks = text.lines().any(|line| open(line) == Some("unit"));
+    let asks = text.lines().flat_map(open_parts).any(|part| part == OpenPart::Value("unit"));
     for unit in UNITS.into_iter().take(if asks { UNITS.len() } else { 1 }) {
         let Some(text) = answered(text, unit) else { return Vec::new() };
         let stamp = Stamp::new(text.as_bytes());
@@ -93,16 +88,21 @@ fn errors(folder: &Path, text: &str) -> Vec<Message> {
     first.unwrap_or_default()
 }
 
-/// Returns the text with its questions answered.
+/// Returns the text with its questions answered; `None` if a question has no answer for a trial.
 fn answered(text: &str, unit: &str) -> Option<String> {
+    let unit = format!("\"{unit}\"");
     let answer = |line: &str| {
-        let Some(key) = open(line) else { return Some(format!("{line}\n")) };
-        let unit = format!("\"{unit}\"");
-        let value = match key {
-            "unit" => unit.as_str(),
-            key => ANSWERS.iter().find(|(of, _)| *of == key)?.1,
-        };
-        Some(format!("{}\n", line.replacen("\"?\"", value, 1)))
+        let mut line = line.to_owned();
+        for part in open_parts(&line.clone()) {
+            let value = match part {
+                OpenPart::Value("unit") => unit.as_str(),
+                OpenPart::Value(key) => ANSWERS.iter().find(|(of, _)| *of == key)?.1,
+                OpenPart::AngleUnit => "deg",
+                OpenPart::JointUnit | OpenPart::TimeUnit => return None,
+            };
+            line = part.answered(&line, value);
+        }
+        Some(line + "\n")
     };
     text.lines().map(answer).collect()
 }

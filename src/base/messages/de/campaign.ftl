@@ -283,6 +283,9 @@ key-open = `{ $key }` ist noch offen
 joint-unit-open = die Einheit der Gelenke ist noch offen
     .hint = deg, rad, mm oder m für UNIT einsetzen
 
+angle-unit-open = die Einheit der gemessenen Drehungen ist noch offen
+    .hint = in `rx_UNIT`, `ry_UNIT` und `rz_UNIT` deg oder rad für UNIT einsetzen
+
 time-unit-open = die Einheit der Zeiten ist noch offen
     .hint = `time_s`, `time_ms`, `time_us` oder `time_ns` für `time_UNIT` einsetzen
 

@@ -392,6 +392,8 @@ file-without-points = das ist { $kind ->
         [yaml] ein YAML-Dokument
         [toml] ein TOML- oder INI-Dokument
         [certificate] ein digitaler Kalibrierschein: Ergebnisse einer Kalibrierung ohne Messpunkte
+        [sdr33] eine Datei mit Beobachtungen einer Totalstation von Sokkia (SDR33)
+        [m5] eine Datei mit Beobachtungen einer Totalstation von Zeiss oder Trimble (M5)
         [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
        *[xml] ein XML-Dokument unbekannter Art
     }
@@ -399,8 +401,17 @@ file-without-points = das ist { $kind ->
     .hint = { $kind ->
         [certificate] die Datei der Messpunkte angeben
         [roughness] die Datei der Messpunkte angeben
+        [sdr33] die Koordinaten der Punkte als Text exportieren, eine Zeile je Punkt
+        [m5] die Koordinaten der Punkte als Text exportieren, eine Zeile je Punkt
        *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
     }
+
+stations-several = in Zeile { $line } wurde das Messgerät neu aufgestellt: Richtungen und Strecken zweier Aufstellungen haben kein gemeinsames Koordinatensystem
+    .hint = die Koordinaten der Punkte (Wörter 81, 82, 83) exportieren, oder eine Datei je Aufstellung
+
+matrices-in-blocks = die Zeilen sind 4×4-Matrizen, eine unter der anderen
+    .expected = eine Zeile je Punkt oder Pose
+    .hint = jede Matrix in eine Zeile mit 16 Zahlen schreiben, Zeile für Zeile
 
 numbers-in-brackets = die Zahlen stehen in Listen mit Klammern
     .expected = eine Zahl je Spalte
@@ -436,6 +447,10 @@ robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der 
 robot-orders = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }
 
 robot-reproduces = der nominale Roboter reproduziert { $points } in { $unit } mit einem Residuum von { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert aus { $rows } Zeilen, Basis und Zielmarke frei)
+robot-orders-angles = die Orientierungen des nominalen Roboters passen auf { FIXED($misfit_deg, 2) }° zu { $kind ->
+        [vector] einem Rotationsvektor
+       *[angles] drei Winkeln in der Reihenfolge { $order }
+    } in { $unit }; keine andere Form passt
 robot-orders-quaternion = die Orientierungen des nominalen Roboters passen zum Quaternion mit dem Skalar { $scalar ->
         [first] an erster Stelle
        *[last] an letzter Stelle

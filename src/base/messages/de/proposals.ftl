@@ -2,6 +2,8 @@
 
 ask-anchor = der Punkt, von dem aus der Abstand gemessen ist: `other` in `constants`
 ask-angle-unit = die Einheit der Winkel: `angle_unit` in `format`
+ask-direction = per_count: -1, wenn entgegen dem Gelenk gezählt wird, wie die Punkte zeigen; 1, wenn robot.toml zu berichtigen ist
+ask-direction-of-columns = { $columns }, wie die Punkte zeigen; ohne `-1 *`, wenn robot.toml zu berichtigen ist
 ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointState enthält rad für Drehgelenke und m für Schubgelenke: für ein Schubgelenk `q1_m` schreiben
 ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
@@ -12,7 +14,6 @@ ask-points-in-row = ob die { $numbers } Zahlen einer Zeile wie vorgeschlagen { $
 ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die erste
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
-ask-seconds = ob `{ $name }` in Sekunden ist (sonst `time_ms`, `time_ns`)
 ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind (ihre Überschriften sind gleich oder ihre Werte fast gleich): zwei Zielmarken oder Sollkoordinaten und gemessene Koordinaten
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
@@ -48,6 +49,7 @@ because-recording = es ist eine Aufzeichnung von ROS 2: { $storage ->
 because-sampled = die Werte der ersten { $rows } Zeilen wurden geprüft; die Datei enthält mehr
 because-columns-sampled = die ersten { $columns } von { $width } Spalten wurden geprüft
 because-several-points = die Überschriften nennen { $count } gemessene Punkte je Zeile: jeder ist ein [[export]] der Datei
+because-test-of-poses = eine Prüfung nach ISO 9283: in mehreren Zyklen angefahrene Posen, und jede dieser Posen einmal
 because-topic = das Topic `{ $topic }` hat { $count ->
         [one] 1 Nachricht
        *[other] { $count } Nachrichten

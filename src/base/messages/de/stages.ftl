@@ -94,7 +94,10 @@ labels-unused = { $count ->
         [one] 1 Bezeichnung nennt keine Zielmarke und wird
        *[other] { $count } Bezeichnungen nennen keine Zielmarke und werden
     } von keinem Geometrieelement oder Koordinatensystem verwendet; die erste ist `{ $label }`
-    .hint = die Bezeichnung oder `label` dieses Exports berichtigen
+    .hint = { $points ->
+            [stationary] Punkte, die sich nicht mit dem Roboter bewegen, so lassen; `targets` von [frame.world] macht sie zum Weltkoordinatensystem
+           *[moving] die Bezeichnung oder `label` dieses Exports berichtigen
+        }
 
 column-step = { $column } auf { $step } { $unit }
 

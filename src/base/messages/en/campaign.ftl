@@ -593,6 +593,13 @@ key-open = `{ $key }` is incomplete
 joint-unit-open = the unit of the joints is not given
     .hint = replace UNIT with deg, rad, mm or m
 
+# Means: A proposed campaign does not give the unit of measured rotations.
+# Matters: Orientations read in a wrong unit give wrong tools and wrong angles.
+# Do: Replace `rx_UNIT` with `rx_deg` or `rx_rad`, and the other two names as well.
+# Example: `columns = ["x", "y", "z", "rx_UNIT", "ry_UNIT", "rz_UNIT"]`
+angle-unit-open = the unit of the measured rotations is not given
+    .hint = replace UNIT in `rx_UNIT`, `ry_UNIT` and `rz_UNIT` with deg or rad
+
 # Means: A proposed campaign does not give the unit of the times of an export or a log.
 # Matters: Points would be joined with joint values of another moment.
 # Do: Replace `time_UNIT` with `time_s`, `time_ms`, `time_us` or `time_ns`.

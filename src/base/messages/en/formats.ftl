@@ -789,6 +789,8 @@ file-without-points = this is { $kind ->
         [yaml] a YAML document
         [toml] a TOML or INI document
         [certificate] a digital calibration certificate: it contains results, but no measured points
+        [sdr33] a file of observations of a Sokkia total station (SDR33)
+        [m5] a file of observations of a Zeiss or Trimble total station (M5)
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
        *[xml] an XML document of an unknown kind
     }
@@ -796,8 +798,27 @@ file-without-points = this is { $kind ->
     .hint = { $kind ->
         [certificate] give the file with the measured points
         [roughness] give the file with the measured points
+        [sdr33] export the coordinates of the points as text, one row for each point
+        [m5] export the coordinates of the points as text, one row for each point
        *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
+
+# Means: A file of a total station contains directions and distances from two set-ups.
+# Matters: Each set-up has its own origin and its own zero direction, so that the points would not
+# belong together.
+# Do: Export the coordinates of the points, or one file for each set-up.
+# Example: Leica GSI with a second line of words 84, 85, 86 before words 21, 22, 31
+stations-several = the instrument was set up again at line { $line }: directions and distances of two set-ups have no common frame
+    .hint = export the coordinates of the points (words 81, 82, 83), or one file for each set-up
+
+# Means: The file contains 4×4 matrices, each in four rows of four numbers.
+# Matters: Each row would be read as a point, and the poses would be lost.
+# Do: Write each matrix in one row of 16 numbers, row by row, for example by
+# `numpy.savetxt(file, poses.reshape(-1, 16))`.
+# Example: four rows of a matrix, the last of which is `0 0 0 1`
+matrices-in-blocks = the rows are 4×4 matrices, one below the other
+    .expected = a row for each point or pose
+    .hint = write each matrix in one row of 16 numbers, row by row
 
 # Means: The numbers are in lists with brackets, as Python prints them.
 # Matters: A list is one text, so that its numbers cannot be given a meaning.
@@ -842,6 +863,10 @@ robot-reverses = { $column } has the opposite direction of `{ $joint }`: the nom
 robot-orders = the nominal robot agrees with the joints in the order { $columns }
 
 robot-reproduces = the nominal robot reproduces { $points } in { $unit } with a residual of { FIXED($rms_mm, 4) } mm (root mean square of { $rows } rows, base and target fitted)
+robot-orders-angles = the orientations of the nominal robot fit { $kind ->
+        [vector] a rotation vector
+       *[angles] three angles in the order { $order }
+    } in { $unit }, within { FIXED($misfit_deg, 2) }°; no other form fits
 robot-orders-quaternion = the orientations of the nominal robot fit the quaternion with the scalar { $scalar ->
         [first] first
        *[last] last

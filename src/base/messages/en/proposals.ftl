@@ -2,6 +2,8 @@
 
 ask-anchor = the point from which the distance is measured: `other` in `constants`
 ask-angle-unit = the unit of the angles: `angle_unit` in `format`
+ask-direction = per_count: -1 if the log counts against the joint, as the points show; 1 if robot.toml has to be corrected
+ask-direction-of-columns = { $columns }, as the points show; without `-1 *` if robot.toml has to be corrected
 ask-joint-states = which joint of the robot each column is; JointState contains rad for revolute joints and m for prismatic joints: write `q1_m` for a prismatic joint
 ask-joints = which joint each column is, and its unit
 ask-joints-of-format = which joint each column is, and its unit if it is unknown
@@ -12,7 +14,6 @@ ask-points-in-row = whether the { $numbers } numbers of a row are { $count } poi
 ask-quaternion-order = which of { $columns } is the scalar of the quaternion; the proposal uses the first
 ask-recorded-motion = whether it is a recorded motion, as proposed, or points with times (then [[export]])
 ask-rotation = whether the three numbers are a rotation vector or angles, and the order of the rotations
-ask-seconds = whether `{ $name }` is in seconds (`time_ms`, `time_ns` otherwise)
 ask-sets-alike = what columns { $first } and columns { $second } are: their headings or values are nearly equal. They may be two targets, or commanded and measured coordinates
 ask-sign-of-difference = whether the difference is commanded minus measured, as proposed, or measured minus commanded (then `+`)
 ask-targets-of-topics = which target each topic of poses or points is
@@ -48,6 +49,7 @@ because-recording = it is a recording of ROS 2: { $storage ->
 because-sampled = the values of the first { $rows } rows were examined; the file has more
 because-columns-sampled = the first { $columns } of { $width } columns were examined
 because-several-points = the headings describe { $count } measured points in each row: each is an [[export]] of the file
+because-test-of-poses = a test to ISO 9283: poses that were attained in several cycles, and each of these poses once
 because-topic = topic `{ $topic }` has { $count ->
         [one] 1 message
        *[other] { $count } messages

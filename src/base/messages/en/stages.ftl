@@ -203,7 +203,8 @@ target-twice = target `{ $target }` occurs twice at pose { $pose }, cycle { $cyc
 
 # Means: Some labels belong to no target of the robot, and no feature, frame or step uses them.
 # Matters: These points have no effect. A label with a spelling mistake loses its point in this way.
-# Do: Correct the spelling of the label, or `label` of this export.
+# Do: Correct the spelling of the label, or `label` of this export. Points that do not move with the
+# robot need no change: `targets` of `[frame.world]` defines the world by them.
 # Example: `SMR1_3` with `label = "{target}_{pose}"` and a target `SMR_1`
 labels-unused = { $count ->
         [one] 1 label belongs
@@ -212,7 +213,10 @@ labels-unused = { $count ->
         [one] is
        *[other] are
     } not used by a feature or frame; the first is `{ $label }`
-    .hint = correct the label, or the pattern `label` of this export
+    .hint = { $points ->
+            [stationary] points that do not move with the robot need no change; `targets` of [frame.world] makes them a world
+           *[moving] correct the label, or the pattern `label` of this export
+        }
 
 column-step = { $column } to { $step } { $unit }
 

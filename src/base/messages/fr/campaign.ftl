@@ -283,6 +283,9 @@ key-open = `{ $key }` reste à compléter
 joint-unit-open = l’unité des articulations reste à indiquer
     .hint = écrire deg, rad, mm ou m au lieu de UNIT
 
+angle-unit-open = l’unité des rotations mesurées reste à indiquer
+    .hint = écrire deg ou rad au lieu de UNIT dans `rx_UNIT`, `ry_UNIT` et `rz_UNIT`
+
 time-unit-open = l’unité des temps reste à indiquer
     .hint = écrire `time_s`, `time_ms`, `time_us` ou `time_ns` au lieu de `time_UNIT`
 

@@ -392,6 +392,8 @@ file-without-points = c’est { $kind ->
         [yaml] un document YAML
         [toml] un document TOML ou INI
         [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
+        [sdr33] un fichier d’observations d’une station totale Sokkia (SDR33)
+        [m5] un fichier d’observations d’une station totale Zeiss ou Trimble (M5)
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
        *[xml] un document XML de type inconnu
     }
@@ -399,8 +401,17 @@ file-without-points = c’est { $kind ->
     .hint = { $kind ->
         [certificate] indiquer le fichier des points mesurés
         [roughness] indiquer le fichier des points mesurés
+        [sdr33] exporter les coordonnées des points en texte, une ligne par point
+        [m5] exporter les coordonnées des points en texte, une ligne par point
        *[other] écrire les nombres en CSV : une ligne par point ou par pose, sous une ligne avec les noms des colonnes
     }
+
+stations-several = l’instrument a été remis en station à la ligne { $line } : directions et distances de deux stations n’ont pas de référentiel commun
+    .hint = exporter les coordonnées des points (mots 81, 82, 83), ou un fichier par station
+
+matrices-in-blocks = les lignes sont des matrices 4×4, l’une sous l’autre
+    .expected = une ligne par point ou par pose
+    .hint = écrire chaque matrice sur une ligne de 16 nombres, ligne par ligne
 
 numbers-in-brackets = les nombres sont dans des listes entre crochets
     .expected = un nombre par colonne
@@ -436,6 +447,10 @@ robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le r
 robot-orders = le robot nominal concorde avec les données si les articulations sont dans l’ordre { $columns }
 
 robot-reproduces = le robot nominal reproduit { $points } en { $unit } avec un résidu de { FIXED($rms_mm, 4) } mm (moyenne quadratique de { $rows } lignes, base et cible ajustées)
+robot-orders-angles = les orientations du robot nominal s’accordent, à { FIXED($misfit_deg, 2) }° près, à { $kind ->
+        [vector] un vecteur rotation
+       *[angles] trois angles dans l’ordre { $order }
+    } en { $unit } ; aucune autre forme ne convient
 robot-orders-quaternion = les orientations du robot nominal s’accordent au quaternion dont le scalaire est { $scalar ->
         [first] en premier
        *[last] en dernier

@@ -2,6 +2,8 @@
 
 ask-anchor = le point depuis lequel la distance est mesurée : `other` dans `constants`
 ask-angle-unit = l’unité des angles : `angle_unit` dans `format`
+ask-direction = per_count : -1 si le comptage est en sens inverse de l’articulation, comme le montrent les points ; 1 si robot.toml est à corriger
+ask-direction-of-columns = { $columns }, comme le montrent les points ; sans `-1 *` si robot.toml est à corriger
 ask-joint-states = à quelle articulation du robot correspond chaque colonne ; JointState est en rad pour les articulations rotoïdes, en m pour les prismatiques : écrire `q1_m` pour une articulation prismatique
 ask-joints = à quelle articulation correspond chaque colonne, et son unité
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
@@ -12,7 +14,6 @@ ask-points-in-row = si les { $numbers } nombres d’une ligne sont { $count } po
 ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première colonne est supposée l’être
 ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
 ask-rotation = si les trois nombres sont un vecteur de rotation, ou des angles, et dans quel ordre ceux-ci tournent
-ask-seconds = si `{ $name }` est en secondes (sinon `time_ms`, `time_ns`)
 ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second }, dont les en-têtes sont égaux ou les valeurs presque égales : deux cibles, ou des coordonnées commandées et mesurées
 ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
@@ -48,6 +49,7 @@ because-recording = c’est un enregistrement de ROS 2 : { $storage ->
 because-sampled = les valeurs des { $rows } premières lignes ont été examinées ; le fichier en a davantage
 because-columns-sampled = les { $columns } premières des { $width } colonnes ont été examinées
 because-several-points = les en-têtes mentionnent { $count } points mesurés par ligne : chacun est un [[export]] du fichier
+because-test-of-poses = un essai selon ISO 9283 : des poses atteintes en plusieurs cycles, et chacune de ces poses une fois
 because-topic = le topic `{ $topic }` a { $count ->
         [one] 1 message
        *[other] { $count } messages

@@ -94,7 +94,10 @@ labels-unused = { $count ->
         [one] { $count } étiquette ne désigne aucune cible et n’est utilisée
        *[other] { $count } étiquettes ne désignent aucune cible et ne sont utilisées
     } par aucun élément ni repère ; la première est `{ $label }`
-    .hint = corriger l’étiquette, ou le motif `label` de cet export
+    .hint = { $points ->
+            [stationary] laisser tels quels les points qui ne bougent pas avec le robot ; `targets` de [frame.world] en fait le référentiel atelier
+           *[moving] corriger l’étiquette, ou le motif `label` de cet export
+        }
 
 column-step = { $column } à { $step } { $unit } près
 

@@ -101,7 +101,6 @@ fn factor(unit: Node, si: &str) -> Result<f64, Message> {
 
 /// Name of a unit of length by its millimetres; another unit is shown with its factor.
 pub(super) fn name(mm: f64) -> String {
-    let known = [Unit::Millimetre, Unit::Metre, Unit::Micrometre, Unit::Inch];
-    let unit = known.into_iter().find(|unit| (unit.in_mm() / mm - 1.0).abs() < 1e-9);
+    let unit = Unit::ALL.into_iter().find(|unit| (unit.in_mm() / mm - 1.0).abs() < 1e-9);
     unit.map_or_else(|| format!("{mm} mm"), |unit| unit.name().to_owned())
 }
