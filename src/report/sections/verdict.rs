@@ -491,7 +491,7 @@ mod tests {
             "largest position error at 51 validation poses (255 readings): 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
             "largest orientation error at 51 validation poses (255 readings): 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
             "Position residuals: RMS 26.0 µm; expected from the stated uncertainties: 21.8 µm. Residuals are 1.19 × the \
-             instrument's standard uncertainty: the model is incomplete.",
+             value expected from the instrument's standard uncertainty: the model is incomplete.",
             "Both limits of the campaign are met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).",
         ];
         assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
