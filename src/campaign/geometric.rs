@@ -7,10 +7,11 @@ use serde::Deserialize;
 use toml::Spanned;
 
 /// Steps of the geometric calibration. Leads, scale bars, single balls and the workspace can be
-/// used alone. `arc` (origin O of the base) and `turn` (centre C of the platform) need the world
-/// frame. `shaft` (s) needs the world frame and `arc`. `offsets` (d1, d3) needs `arc`, `turn`,
-/// `shaft` and `mid_travel_mm`. The world frame determines the xy plane of the base frame, the
-/// position of ball R and the side of actuator 3.
+/// used alone. Four steps determine parameters: `arc` (origin O of the base), `turn` (centre C of
+/// the platform), `shaft` (length s) and `offsets` (lengths d1 and d3). `arc` and `turn` need the
+/// world frame; `shaft` also needs `arc`. `offsets` needs `arc`, `turn`, `shaft` and
+/// `mid_travel_mm`. The world frame determines the xy plane of the base frame, the position of ball
+/// R and the side of actuator 3.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GeometricDefinition {
@@ -116,7 +117,7 @@ pub struct TableDefinition {
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct WorkspaceDefinition {
-    /// Largest orientation to either side.
+    /// Largest angle of rotation of the platform in both directions.
     pub theta_deg: f64,
 }
 

@@ -107,14 +107,14 @@ pub struct StreamDefinition {
     pub encoding: Option<Encoding>,
     /// Sampling rate, which replaces time stamps.
     pub rate_hz: Option<f64>,
-    /// Largest distance of positions from their mean during a standstill.
+    /// Upper limit for the distance of positions from their mean during a standstill.
     #[serde(default = "still_mm")]
     pub still_mm: f64,
     /// Minimum duration of a standstill.
     #[serde(default = "still_s")]
     pub still_s: f64,
-    /// Largest distance of a standstill from its pose, and of an attained path from the commanded
-    /// path.
+    /// Upper limit for the distance of a standstill from its pose, and of an attained path from the
+    /// commanded path.
     #[serde(default = "near_mm")]
     pub near_mm: f64,
     /// Limit band for stabilisation time, overshoot and posing time.

@@ -23,7 +23,7 @@ pub struct Join {
     /// With the word of `clock_offset_s`, the rate of the clocks is determined with the offset,
     /// within 100 ppm, for clocks that drift apart.
     pub clock_rate: Option<ClockRate>,
-    /// Largest difference of the times, for a join by time.
+    /// Upper limit for the difference of the times, for a join by time.
     pub tolerance_s: Option<f64>,
     /// Interpolates joint values between the previous and the next row, for a join by time.
     #[serde(default)]

@@ -46,10 +46,10 @@ pub struct CampaignFile {
     /// Number of months for which the calibration is valid, from the `date` of the measurements; in
     /// place of `valid_until`.
     pub valid_for_months: Option<u32>,
-    /// Largest expanded uncertainty (k = 2) with which parameters may be loaded: a length, an
-    /// angle, or both ("0.5 mm, 0.1 deg"). It applies to base and targets, and to parameters
-    /// without tolerance. By default ten times the uncertainty of a coordinate, at least 2 % and at
-    /// most 5 % of the measured extent. For angles it is this share in radians, at least 0.5 %.
+    /// Upper limit for the expanded uncertainty (k = 2) of parameters to load: a length, an angle,
+    /// or both ("0.5 mm, 0.1 deg"). It applies to base and targets, and to parameters without
+    /// tolerance. By default ten times the uncertainty of a coordinate, at least 2 % and at most
+    /// 5 % of the measured extent. For angles it is this share in radians, at least 0.5 %.
     #[schemars(with = "Option<String>")]
     pub uncertainty_bound: Option<Spanned<String>>,
     /// Name of the operator.
@@ -94,8 +94,8 @@ pub struct CampaignFile {
     pub features: BTreeMap<String, FeatureDefinition>,
     /// Frames; without this section, the coordinates of the exports are world coordinates.
     pub frame: Option<Frames>,
-    /// Point that programs move; its expected error is reported in addition to the errors of the
-    /// targets.
+    /// Tool point, which programs move to their targets; its expected error is reported in addition
+    /// to the errors of the measured targets.
     pub tool: Option<ToolDefinition>,
     /// Identification; absent in a test to ISO 9283 alone.
     pub identify: Option<Identify>,
@@ -372,8 +372,8 @@ pub struct Rigid {
     /// Names of the targets.
     #[schemars(with = "Vec<String>")]
     pub targets: Vec<Spanned<String>>,
-    /// Largest deviation of a distance from its median; rows beyond it are rejected. A shape that
-    /// deviates as much from `places_mm` is an error.
+    /// Upper limit for the deviation of a distance from its median. Rows with a larger deviation
+    /// are rejected; a shape with a larger deviation from `places_mm` causes an error.
     pub tolerance_mm: f64,
     /// Positions of all targets of the part in any frame of the part, from a certificate or a
     /// previous measurement. For planar robots, z is across the plane of motion. The identification
@@ -402,7 +402,7 @@ impl Rigid {
     }
 }
 
-/// Point that programs move.
+/// Tool point, which programs move to their targets.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ToolDefinition {
@@ -517,7 +517,8 @@ pub struct WorldDefinition {
     /// Two labels (from, to), or one feature with a direction.
     #[schemars(with = "Option<Vec<String>>")]
     pub y_axis: Option<Vec<Spanned<String>>>,
-    /// Label of a point on the positive side of the other axis; it decides the direction of z.
+    /// Label of a point whose coordinate along the other axis is positive: x with `y_axis`, y with
+    /// `x_axis`. It determines the direction of z.
     #[schemars(with = "Option<String>")]
     pub towards: Option<Spanned<String>>,
     /// Targets that define the frame: origin at the first, x axis to the second, third in the xy
@@ -530,11 +531,11 @@ pub struct WorldDefinition {
     #[serde(default)]
     pub as_exported: bool,
     /// Nominal positions of at least three labels or targets of the frame, or of the plate that
-    /// carries them, in any common frame. A point whose deviation exceeds `tolerance_mm` and its
-    /// expanded uncertainty is an error.
+    /// carries them, in any common frame. If the deviation of a point exceeds `tolerance_mm` and
+    /// the expanded uncertainty of the point, an error is reported.
     #[serde(default)]
     pub nominal_mm: BTreeMap<String, [f64; 3]>,
-    /// Largest permissible deviation of a point from its position in `nominal_mm`.
+    /// Upper limit for the deviation of a point from its position in `nominal_mm`.
     pub tolerance_mm: Option<f64>,
 }
 
@@ -566,13 +567,13 @@ pub struct Identify {
     /// the measured poses, from 0).
     #[schemars(with = "StatedPoses")]
     pub calibration: Spanned<StatedPoses>,
-    /// Poses for validation, in the same notation; `rest` selects all poses that the calibration
-    /// does not use.
+    /// Poses for validation, in the notation of `calibration`; `rest` selects all poses that the
+    /// calibration does not use.
     #[schemars(with = "Option<StatedPoses>")]
     pub validation: Option<Spanned<StatedPoses>>,
-    /// Series of the campaign: the poses of each set-up, day or file, in the same notation; `rest`
-    /// selects all poses of no earlier series. The scatter of the parameters between series is then
-    /// in their uncertainties.
+    /// Series of the campaign: the poses of each set-up, day or file, in the notation of
+    /// `calibration`. `rest` selects all poses that earlier series do not contain. The
+    /// uncertainties of the parameters then include their scatter between series.
     #[serde(default)]
     #[schemars(with = "Vec<StatedPoses>")]
     pub series: Vec<Spanned<StatedPoses>>,
@@ -699,21 +700,21 @@ pub struct Exclude {
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limits {
-    /// Largest position error.
+    /// Upper limit for the largest position error.
     pub position_max_mm: Option<f64>,
-    /// Mean position error.
+    /// Upper limit for the mean position error.
     pub position_mean_mm: Option<f64>,
-    /// Root mean square position error.
+    /// Upper limit for the root-mean-square position error.
     pub position_rms_mm: Option<f64>,
-    /// Largest orientation error.
+    /// Upper limit for the largest orientation error.
     pub orientation_max_deg: Option<f64>,
-    /// Largest error of a distance between a target and a fixed point.
+    /// Upper limit for the error of a distance between a target and a fixed point.
     pub distance_max_mm: Option<f64>,
-    /// Largest distance of a target from the plane, line or sphere that it touches.
+    /// Upper limit for the distance of a target from the plane, line or sphere that it touches.
     pub surface_max_mm: Option<f64>,
-    /// Largest distance of a target from the socket that it touches.
+    /// Upper limit for the distance of a target from the socket that it touches.
     pub contact_max_mm: Option<f64>,
-    /// Largest error of a coordinate that was measured singly.
+    /// Upper limit for the error of a coordinate in rows that contain only some of x, y and z.
     pub coordinate_max_mm: Option<f64>,
     /// Upper limit of pose repeatability RP, for every pose.
     pub repeatability_max_mm: Option<f64>,

@@ -83,9 +83,9 @@ pub struct Log {
 pub struct StandstillCriterion {
     /// Minimum duration of a standstill (s).
     pub at_least_s: f64,
-    /// Largest difference of two values of a revolute joint in a standstill (deg).
+    /// Upper limit for the difference of two values of a revolute joint in a standstill (deg).
     pub within_deg: Option<f64>,
-    /// Largest difference of two values of a prismatic joint in a standstill (mm).
+    /// Upper limit for the difference of two values of a prismatic joint in a standstill (mm).
     pub within_mm: Option<f64>,
 }
 
