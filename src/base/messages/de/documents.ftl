@@ -48,10 +48,10 @@ positions-in-other-unit = { $axes } der { $table ->
     } sie mit der anderen Tabelle überein
     .hint = die Spalten nach ihrer Einheit benennen (`x_m`) oder in mm umrechnen
 
-poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, weil die Tabellen in verschiedenen Koordinatensystemen sind: nach einer Verschiebung der Mitte um ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}und einer Drehung um { FIXED($turn_deg, 1) } deg
-       *[shifted] {""}
-    } bleiben { FIXED($left_mm, 3) } mm
+poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, weil die Tabellen in verschiedenen Koordinatensystemen sind: werden die Istpositionen um ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}verschoben und um { FIXED($turn_deg, 1) } deg um ihre Mitte gedreht
+       *[shifted] {" "}verschoben
+    }, bleibt eine Abweichung von { FIXED($left_mm, 3) } mm
     .hint = beide Tabellen in einem Koordinatensystem angeben; AP und AT enthalten den Abstand der Koordinatensysteme, RP und RT nicht
 
 deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }

@@ -440,8 +440,8 @@ recording-unreadable = die Aufzeichnung kann nicht gelesen werden: { $fault ->
     }
     .hint = sie mit `mcap recover DATEI -o REPARIERT` reparieren oder neu kopieren
 
-recording-missing = die Datei ist keine MCAP-Aufzeichnung und enthält daher kein Topic `{ $topic }`
-    .hint = die .mcap-Datei im Ordner der Aufzeichnung angeben oder `topic` weglassen
+recording-missing = die Datei ist keine Aufzeichnung von ROS 2 und enthält daher kein Topic `{ $topic }`
+    .hint = die .mcap- oder .db3-Datei im Ordner der Aufzeichnung angeben oder `topic` weglassen
 
 topic-not-stated = die Datei ist eine Aufzeichnung (MCAP), und `topic` fehlt
 

@@ -242,7 +242,7 @@ standstill-limit-missing = [log.standstill] hat keine Grenze für `{ $column }`
 changes-at-standstill = `{ $column }` wechselt während eines Stillstands von { $from } zu { $to }
     .hint = die Spalte weglassen oder die Grenzen von [log.standstill] senken
 
-simulated-column-clash = die Spalte von `{ $key }` kann nicht simuliert werden
+simulated-column-clash = die Spalte von `{ $key }` kann nicht geschrieben werden
     .expected = eine eigene Spalte je Schlüssel, höchstens { $most } Spalten
 
 simulated-column-unknown = `{ $key }` kann nicht simuliert werden

@@ -76,7 +76,7 @@ frame-axis-without-direction = die Achse des Weltkoordinatensystems hat keine Ri
     .expected = zwei Bezeichnungen (von, nach) oder ein Geometrieelement mit einer Richtung
 
 plane-frame-incomplete = ein durch eine Ebene definiertes Weltkoordinatensystem braucht `origin`, entweder `x_axis` oder `y_axis`, und `towards`
-    .hint = in `towards` eine Bezeichnung auf der positiven Seite der anderen Achse nennen: sie bestimmt die Richtung von z
+    .hint = in `towards` einen Punkt nennen, dessen Koordinate entlang der anderen Achse positiv ist: er bestimmt die Richtung von z
 
 file-name-empty = der Name der Datei ist leer
     .hint = die Datei im Ordner der Kampagne angeben

@@ -224,7 +224,8 @@ urdf-two-parents = link `{ $link }` has two parents: `{ $first }` and `{ $second
 
 # Means: Joints of a URDF form a loop.
 # Matters: A URDF is a tree; loops are closed by `mimic`.
-# Do: Remove one joint of the loop, and describe its motion with `mimic`.
+# Do: Remove one joint from the loop. If its motion follows another joint, describe this motion with
+# `mimic`.
 # Example: a joint whose child is the base link
 urdf-loop = the joints beyond link `{ $link }` form a loop
     .hint = a URDF is a tree: describe loops with `mimic`

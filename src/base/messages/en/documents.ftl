@@ -54,9 +54,9 @@ positions-drift = the position of pose { $pose } changes by { FIXED($change_mm, 
     .hint = set `drift_set` in [poses] (`--drift-set`), or warm the robot up before the test
 
 # Means: Some poses were approached from several directions.
-# Matters: ISO 9283 defines AP and RP for one approach (7.2). Values of all visits together also
-# include vAP.
-# Do: Use the values of each approach: the report lists them separately.
+# Matters: ISO 9283 defines AP and RP for one approach (7.2). If values are computed from all visits
+# together, they also include vAP.
+# Do: Use the values of each approach: the report gives them separately.
 # Example: pose 1 attained from +x and from −x
 several-approaches = several approaches at { $count ->
         [one] pose { $poses }
@@ -87,10 +87,10 @@ positions-in-other-unit = { $axes } of the { $table ->
 # Matters: AP and AT contain the distance between the frames; RP, AD and RT do not.
 # Do: Express both tables in one frame, for example the base frame of the robot.
 # Example: commanded poses in a work object, attained poses in the tracker's frame
-poses-in-other-frame = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones, because the tables are in different frames: after a shift of the centre by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}and a rotation by { FIXED($turn_deg, 1) } deg
+poses-in-other-frame = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones, because the tables are in different frames: if the attained positions are shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}and rotated by { FIXED($turn_deg, 1) } deg about their centre
        *[shifted] {""}
-    }, { FIXED($left_mm, 3) } mm remain
+    }, a deviation of { FIXED($left_mm, 3) } mm remains
     .hint = express both tables in one frame; AP and AT contain the distance between the frames, RP and RT do not
 
 # Means: The distances between attained and commanded positions are as large as the whole test.

@@ -734,18 +734,19 @@ recording-unreadable = the recording cannot be read: { $fault ->
     }
     .hint = repair it with `mcap recover FILE -o REPAIRED`, or copy it again
 
-# Means: `topic` is given for a file that is not an MCAP recording.
-# Matters: Only MCAP recordings have topics.
-# Do: Give the `.mcap` file in the folder of the recording. For a file without topics, omit `topic`.
+# Means: `topic` is given for a file that is not a recording of ROS 2.
+# Matters: Only recordings of ROS 2 (`.mcap` or `.db3`) have topics.
+# Do: Give the `.mcap` or `.db3` file in the folder of the recording. For a file without topics,
+# omit `topic`.
 # Example: `topic = "/joint_states"` for a CSV file
-recording-missing = the file is not an MCAP recording, so it has no topic `{ $topic }`
-    .hint = give the .mcap file in the folder of the recording, or omit `topic`
+recording-missing = the file is not a recording of ROS 2, so it has no topic `{ $topic }`
+    .hint = give the .mcap or .db3 file in the folder of the recording, or omit `topic`
 
-# Means: The file is a recording (MCAP) with several topics, and `topic` is missing.
+# Means: The file is a recording of ROS 2 with several topics, and `topic` is missing.
 # Matters: It is unknown which messages contain the measurements or the joint values.
 # Do: Run `etalon formats FILE` to list the topics, and set `topic`.
 # Example: a log with `file = "run_0.mcap"` without `topic`
-topic-not-stated = the file is a recording (MCAP), and `topic` is missing
+topic-not-stated = the file is a recording of ROS 2, and `topic` is missing
 
 # Means: The recording contains no message of this topic.
 # Matters: There is nothing to read.

@@ -452,11 +452,12 @@ standstill-limit-missing = [log.standstill] contains no limit for `{ $column }`
 changes-at-standstill = `{ $column }` changes from { $from } to { $to } during a standstill
     .hint = omit the column, or reduce the limits of [log.standstill]
 
-# Means: In a log to simulate, two keys of `columns` use the same column.
+# Means: In the log to simulate, two keys of `columns` use the same column, or a column number is
+# too large.
 # Matters: A column contains a single quantity.
 # Do: Use a different column for each key.
 # Example: `columns = { q1_deg = 1, q2_deg = 1 }`
-simulated-column-clash = the column of `{ $key }` cannot be simulated
+simulated-column-clash = the column of `{ $key }` cannot be written
     .expected = one column for each key, at most { $most } columns
 
 # Means: `columns` contains a quantity that the simulation does not produce.

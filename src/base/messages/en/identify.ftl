@@ -370,18 +370,18 @@ untested-change = { $change } (standard deviation of a coordinate { FIXED($chang
 pair-of-poses = { $first } and { $second }
 
 # Means: The poses separate a group of parameters poorly.
-# Matters: The standard uncertainties of these parameters are large. Near the measured poses, their
-# errors cancel.
-# Do: Measure poses in which the effects of these parameters differ, over a wider range of their
+# Matters: The standard uncertainties of these parameters are large. At poses near the measured
+# poses, the errors of the parameters cancel.
+# Do: Measure poses in which the effects of these parameters differ, over a wider range of the
 # joints. If you hold a parameter instead, its error remains and its uncertainty is not reported.
 # Example: a ball in four sockets whose distances were not measured
 parameters-weakly-identifiable = { $groups } are weakly identifiable from these poses: standard uncertainties { $uncertainties } (correlation { FIXED($correlation, 6) })
 
 # Means: The poses separate several groups of parameters poorly.
-# Matters: The standard uncertainties of these parameters are large. Near the measured poses, their
-# errors cancel.
+# Matters: The standard uncertainties of these parameters are large. At poses near the measured
+# poses, the errors of the parameters cancel.
 # Do: Measure poses in which the effects of the parameters of a group differ, over a wider range of
-# their joints. If you hold a parameter instead, its error remains and its uncertainty is not
+# the joints. If you hold a parameter instead, its error remains and its uncertainty is not
 # reported.
 # Example: all poses measured in a small region
 parameter-groups-weakly-identifiable = { $count } groups of parameters are weakly identifiable from these poses (largest standard uncertainties: { $uncertainties }; errors within a group cancel near these poses): { $groups }

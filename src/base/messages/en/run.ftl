@@ -171,7 +171,7 @@ frame-axis-without-direction = the axis of the world frame has no direction
 # Do: Set `origin`, one of `x_axis` and `y_axis`, and `towards`.
 # Example: `plane = "table"` without `towards`
 plane-frame-incomplete = a world frame from a plane needs `origin`, one of `x_axis` and `y_axis`, and `towards`
-    .hint = set `towards` to a label on the positive side of the other axis; it determines the direction of z
+    .hint = set `towards` to a point whose coordinate along the other axis is positive; it determines the direction of z
 
 # Means: A key for a file contains an empty text.
 # Matters: No file can be read.

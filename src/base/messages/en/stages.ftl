@@ -300,7 +300,7 @@ not-of-this-robot = `{ $name }` is not a { $kind ->
 
 # Means: `reason` of an exclusion is empty.
 # Matters: A reader of the report must be able to judge why measurements are excluded.
-# Do: Write the reason of the exclusion, for example `reason = "ball loose"`.
+# Do: Enter the reason for the exclusion, for example `reason = "ball loose"`.
 # Example: `reason = ""`
 exclusion-without-reason = an exclusion needs a reason
     .hint = write into `reason` why the measurements are excluded
@@ -1408,10 +1408,10 @@ direction-uncertain = its direction has a standard uncertainty of { FIXED($direc
     .hint = measure points that are farther apart
 
 # Means: `towards` of [frame.world] is a point on the axis.
-# Matters: A point on the axis does not determine the side of the other axis.
+# Matters: A point on the axis does not determine the direction of the other axis.
 # Do: Use a point away from the axis in `towards`.
 # Example: `towards` equal to the end of `x_axis`
-world-side-undetermined = `towards` lies on the axis, so the side of the other axis is unknown
+world-side-undetermined = `towards` lies on the axis, so the direction of the other axis is unknown
     .hint = use a point away from the axis
 
 # Means: `targets` of [frame.world] contains fewer than three targets.
@@ -1927,7 +1927,8 @@ undescribed-unchecked = the calibration poses have no redundant coordinate, so o
 undescribed-other-poses = the calibration poses agree, but no motion of the frame explains the other poses: check that log and exports of the validation poses belong together (possible causes: a log of another campaign, or another numbering of poses)
 
 # Means: `--frames prior` is given for nominal parameters.
-# Matters: In this mode, base and targets are fitted with the covariance of the identified parameters as weights.
+# Matters: In this mode, base and targets are fitted with weights from the covariance of the
+# identified parameters. Nominal parameters have no covariance.
 # Do: Add `--parameters` with identified parameters, or use `--frames refit`.
 # Example: `etalon validate --frames prior` without `--parameters`
 prior-of-nominal = nominal parameters have no covariance for `--frames prior`

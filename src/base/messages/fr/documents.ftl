@@ -45,10 +45,10 @@ positions-in-other-unit = { $axes } des positions { $table ->
     } en { $unit }, et non en mm : après multiplication par { $length_mm }, l’accord avec l’autre tableau est obtenu
     .hint = nommer les colonnes par leur unité (`x_m`), ou les convertir en mm
 
-poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des repères différents : après un décalage du centre de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}et une rotation de { FIXED($turn_deg, 1) } deg
+poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des repères différents : si les positions atteintes sont décalées de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}et tournées de { FIXED($turn_deg, 1) } deg autour de leur centre
        *[shifted] {""}
-    }, il reste { FIXED($left_mm, 3) } mm
+    }, il reste un écart de { FIXED($left_mm, 3) } mm
     .hint = exprimer les deux tableaux dans un même repère ; AP et AT contiennent l’écart entre les repères, RP et RT ne le contiennent pas
 
 deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, soit l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }

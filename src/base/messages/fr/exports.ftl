@@ -440,8 +440,8 @@ recording-unreadable = l’enregistrement ne peut pas être lu : { $fault ->
     }
     .hint = le réparer avec `mcap recover FICHIER -o REPARE`, ou le copier de nouveau
 
-recording-missing = le fichier n’est pas un enregistrement MCAP : il n’a pas de topic `{ $topic }`
-    .hint = indiquer le fichier .mcap du dossier de l’enregistrement, ou omettre `topic`
+recording-missing = le fichier n’est pas un enregistrement de ROS 2 : il n’a pas de topic `{ $topic }`
+    .hint = indiquer le fichier .mcap ou .db3 du dossier de l’enregistrement, ou omettre `topic`
 
 topic-not-stated = le fichier est un enregistrement (MCAP), et `topic` manque
 

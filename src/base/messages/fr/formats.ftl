@@ -242,7 +242,7 @@ standstill-limit-missing = [log.standstill] n’a pas de limite pour `{ $column 
 changes-at-standstill = `{ $column }` passe de { $from } à { $to } pendant un arrêt
     .hint = omettre la colonne, ou abaisser les limites de [log.standstill]
 
-simulated-column-clash = la colonne de `{ $key }` ne peut pas être simulée
+simulated-column-clash = la colonne de `{ $key }` ne peut pas être écrite
     .expected = une colonne distincte pour chaque clé, au plus { $most } colonnes
 
 simulated-column-unknown = `{ $key }` ne peut pas être simulé

@@ -76,7 +76,7 @@ frame-axis-without-direction = l’axe du repère atelier n’a pas de direction
     .expected = deux étiquettes (de, à), ou un élément qui a une direction
 
 plane-frame-incomplete = un repère atelier défini par un plan exige `origin`, soit `x_axis` soit `y_axis`, et `towards`
-    .hint = indiquer dans `towards` une étiquette du côté positif de l’autre axe : elle détermine le sens de z
+    .hint = indiquer dans `towards` un point dont la coordonnée le long de l’autre axe est positive : il détermine le sens de z
 
 file-name-empty = le nom du fichier est vide
     .hint = indiquer le fichier dans le dossier de la campagne
