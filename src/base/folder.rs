@@ -136,7 +136,7 @@ fn fill(
 }
 
 /// Moves an entry of the earlier folder to the new one: a folder is created again with its mode and
-/// owner, a file or symbolic link gets a second name. Nothing is followed.
+/// owner, a file or symbolic link gets a second name. Symbolic links are not followed.
 fn carry(from: &Path, to: &Path, earlier: &Metadata) -> io::Result<()> {
     let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", from.display()));
     let found = fs::symlink_metadata(from).map_err(named)?;

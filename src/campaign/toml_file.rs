@@ -1,5 +1,5 @@
-//! Reading of a TOML file with all its problems at once, by JSON Schema: an entry that does not fit
-//! is reported and removed, a missing entry is reported and replaced, and the rest is read.
+//! Reads a TOML file with all its problems at once, by JSON Schema: an entry that does not fit is
+//! reported and removed, a missing entry is reported and replaced, and the rest is read.
 
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};

@@ -17,7 +17,7 @@ pub struct Iso230 {
     /// Table of measured positions (CSV).
     #[arg(value_name = "TABLE")]
     table: PathBuf,
-    /// Reading of the table.
+    /// Options for reading the table.
     #[command(flatten)]
     format: TableFormat,
     /// Print this compensation table instead.

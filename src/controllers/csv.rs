@@ -1,5 +1,5 @@
-//! Parameters as a CSV table for spreadsheets and small scripts. Readers of tables allow no
-//! comments, so that the header lines of other formats are additional columns.
+//! Writes parameters as a CSV table for spreadsheets and small scripts. Programs that read tables
+//! do not accept comments, so additional columns replace the header lines of other formats.
 
 use super::{ExportInput, Exporter, status_word};
 use etalon_base::cell::without_formula as text;

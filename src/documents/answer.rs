@@ -272,7 +272,7 @@ worded! {
     text FormatsColumnWhy: why, why_phrase
 }
 
-/// One reading of a delimited text, without the unit of lengths.
+/// Interpretation of a delimited text, without the unit of lengths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reading {

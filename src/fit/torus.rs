@@ -41,9 +41,9 @@ pub(super) fn fit_torus(points: Source, settings: &FitSettings) -> Result<Fit> {
     fit.finished(settings)
 }
 
-/// Trial distances of the centre from the mean of the points, in all four directions, relative to
-/// the length of the piece (root mean square). Seen along the axis, a short piece of a thick tube
-/// is not an arc.
+/// Trial distances of the centre from the mean of the points along the two principal directions,
+/// positive and negative, relative to the length of the piece (root mean square). They are needed
+/// because a short piece of a thick tube, seen along the axis, is not an arc.
 const REACHES: [f64; 10] = [0.7, -0.7, 1.2, -1.2, 2.0, -2.0, 4.0, -4.0, 8.0, -8.0];
 
 /// Elements about an axis. The centre is the centre of a circle through the points projected along

@@ -126,9 +126,9 @@ impl Pattern {
 
     /// Returns target, pose and cycle of `label`; `None` if it does not have this form.
     ///
-    /// If several readings are possible, the first `known` one with a numeric pose counts, then
-    /// the `known` one of the longest target with a named pose. A named pose is read only if it
-    /// is `known`.
+    /// If several interpretations are possible, the first `known` one with a numeric pose counts,
+    /// then the `known` one of the longest target with a named pose. A named pose is read only if
+    /// it is `known`.
     pub fn read(&self, label: &str, known: impl Fn(&LabelNames) -> bool) -> Option<LabelNames> {
         let mut first = None;
         let mut by_number = None;
@@ -181,8 +181,8 @@ impl Texts<'_> {
     }
 }
 
-/// Passes the readings of a label to `found`, in the order of the lengths of their parts, until
-/// `found` returns `true`.
+/// Passes the interpretations of a label to `found`, in the order of the lengths of their parts,
+/// until `found` returns `true`.
 fn each_reading<'l>(parts: &[Part], label: &'l str, read: Texts<'l>, found: &mut dyn FnMut(Texts<'l>) -> bool) -> bool {
     let Some((first, rest)) = parts.split_first() else { return label.is_empty() && found(read) };
     let mut up_to = |end: usize, with: &dyn Fn(&'l str) -> Texts<'l>| {

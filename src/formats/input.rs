@@ -317,8 +317,8 @@ fn not_utf8(bytes: &[u8], at: usize) -> Message {
     with_guess(not_in_encoding(bytes, at, 0, Encoding::Utf8), bytes, at, Encoding::Utf8)
 }
 
-/// Adds the hint of the encoding that the bytes seem to have, with its reading of the text at the
-/// byte `at`.
+/// Adds the hint of the encoding that the bytes seem to have, with the text at the byte `at` in
+/// this encoding.
 fn with_guess(message: Message, bytes: &[u8], at: usize, refused: Encoding) -> Message {
     let Some(guessed) = guessed_encoding(bytes).filter(|guessed| *guessed != refused) else { return message };
     let wide = matches!(guessed, Encoding::Utf16Le | Encoding::Utf16Be);

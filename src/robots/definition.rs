@@ -100,18 +100,18 @@ impl Effect {
         matches!(self, Self::Zeros | Self::Geometry | Self::Gains)
     }
 
-    /// `true` for effects that the data have to prove: they are not identified unless this is asked
-    /// for.
+    /// `true` for effects that are identified only on request, because the data must support them.
     pub fn needs_proof(self) -> bool {
         matches!(self, Self::Lateral | Self::Pedestal) || self.follows_readings()
     }
 
-    /// `true` for effects that follow from what each reading gives in addition to joint values.
+    /// `true` for effects that depend on values of a reading other than the joint values: load,
+    /// torques, temperature.
     pub fn follows_readings(self) -> bool {
         matches!(self, Self::Payload | Self::Torque) || self.is_thermal()
     }
 
-    /// `true` for effects of the temperature that each reading gives.
+    /// `true` for effects that depend on the temperature of a reading.
     pub fn is_thermal(self) -> bool {
         matches!(self, Self::Expansion | Self::Drift)
     }

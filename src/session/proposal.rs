@@ -188,7 +188,7 @@ pub(super) fn accept(folder: &Path, dropped: &files::Dropped, asked: &Asked) -> 
     Ok(())
 }
 
-/// Reading of each file with its first rows, and doubts about it.
+/// Interpretation of each file with its first rows, and doubts about the interpretation.
 fn read_as(documents: &[FormatsDocument], language: &str) -> (Vec<FileProposal>, Vec<ShownMessage>) {
     let (mut files, mut messages) = (Vec::new(), Vec::new());
     for document in documents {

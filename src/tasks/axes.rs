@@ -39,7 +39,7 @@ pub struct AxesOptions {
     /// bound.
     #[arg(long)]
     pub force: bool,
-    /// Reading of the table.
+    /// Options for reading the table.
     #[command(flatten)]
     #[serde(flatten)]
     pub format: TableFormat,

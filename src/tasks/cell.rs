@@ -37,7 +37,7 @@ pub struct CellOptions {
     #[command(flatten)]
     #[serde(flatten)]
     pub bound: BoundOption,
-    /// Reading of the table.
+    /// Options for reading the table.
     #[command(flatten)]
     #[serde(flatten)]
     pub format: TableFormat,

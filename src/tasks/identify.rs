@@ -59,7 +59,7 @@ pub struct IdentifyOptions {
     /// Omit data rows, counted from 1, with a reason: "17-19: beam broken"; may be repeated.
     #[arg(long, value_name = "ROWS: REASON")]
     pub exclude_rows: Vec<String>,
-    /// Reading of the table.
+    /// Options for reading the table.
     #[command(flatten)]
     #[serde(flatten)]
     pub format: TableFormat,

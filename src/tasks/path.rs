@@ -21,7 +21,7 @@ pub struct StreamOptions {
     /// --unit if the file does not contain its unit.
     #[arg(long, value_name = "NAME", requires_all = ["stream", "rate_hz"], conflicts_with = "columns")]
     pub format: Option<String>,
-    /// Reading of the tables.
+    /// Options for reading the tables.
     #[command(flatten)]
     #[serde(flatten)]
     pub text: TextFormat,

@@ -70,7 +70,7 @@ impl<'de> Deserialize<'de> for Index {
 #[derive(Clone, Debug, Default, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct PlanOptions {
-    /// Reading of the candidates.
+    /// Options for reading the table of candidates.
     #[command(flatten)]
     #[serde(flatten)]
     pub format: TableFormat,

@@ -44,7 +44,7 @@ pub struct VerifyOptions {
     #[command(flatten)]
     #[serde(flatten)]
     pub bound: BoundOption,
-    /// Reading of the table.
+    /// Options for reading the table.
     #[command(flatten)]
     #[serde(flatten)]
     pub format: TableFormat,

@@ -620,7 +620,7 @@ pub struct Proposal {
     /// Changes of campaign.toml by the answers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference: Option<String>,
-    /// Reading of each file.
+    /// Interpretation of each file.
     pub files: Vec<FileProposal>,
     /// Questions to which the files have no answer.
     pub questions: Vec<Question>,
@@ -628,7 +628,7 @@ pub struct Proposal {
     pub messages: Vec<ShownMessage>,
 }
 
-/// Reading of a file.
+/// Interpretation of a file.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct FileProposal {
     /// Name.
@@ -642,7 +642,7 @@ pub struct FileProposal {
     pub lines: Vec<String>,
 }
 
-/// Reading of a column.
+/// Interpretation of a column.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ColumnRead {
     /// Heading in the file.

@@ -1,5 +1,5 @@
-//! Measuring programs: a controller moves the joints to each pose of a plan and waits. One language
-//! a file.
+//! Measuring programs: a controller moves the joints to each pose of a plan and waits. Each file
+//! contains one language.
 
 mod fanuc;
 mod gcode;
@@ -16,7 +16,7 @@ use etalon_robots::{Joint, Quantity};
 
 /// Number of decimals of joint values in mm, deg or rad.
 const DECIMALS: usize = 6;
-/// Number of revolute joints of the arms that the languages move.
+/// Number of revolute joints of an arm: all languages here move arms with six joints.
 const ARM: usize = 6;
 
 /// A pose at which the program waits.

@@ -204,15 +204,14 @@ fn begin<'a>(
     Ok(Begun { reader, lines, first, least })
 }
 
-/// The cells of a numbered line, at least this many.
+/// Splits a numbered line into cells, and adds empty cells up to the number `least`.
 fn split_line<'t>(file: &str, (number, line): (usize, &'t str), form: &Form, least: usize) -> Result<Row<'t>, Message> {
     let mut row = lexer::row(file, number, line, form)?;
     row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
     Ok(row)
 }
 
-/// Reads the points of the data rows between header and end; an error of the header stops the
-/// reading.
+/// Reads the points of the data rows between header and end. Stops at an error of the header.
 fn points(
     file: &str,
     text: &SharedText,

@@ -32,8 +32,8 @@ struct Trial {
     target: Option<usize>,
 }
 
-/// Tests the interpretation against the nominal robot and corrects it where the kinematics of the
-/// robot support one reading.
+/// Tests the interpretation against the nominal robot. Corrects it if the kinematics of the robot
+/// support another interpretation.
 pub(super) fn correct(robot: &dyn Robot, table: &mut Table, found: &mut Interpretation) -> Remarks {
     if !robot.branches().is_empty() {
         return name_by_headings(robot, table, found);
@@ -227,7 +227,7 @@ fn sample(table: &Table, trial: &Trial) -> Option<Sample> {
     Some(sample.finite())
 }
 
-/// Corrects the interpretation by a reading that the robot supports.
+/// Corrects the interpretation to one that the robot supports.
 fn apply(
     robot: &dyn Robot,
     trial: &Trial,
@@ -288,7 +288,7 @@ fn apply(
     remarks
 }
 
-/// Names the joints by the reading.
+/// Names the joints according to the interpretation.
 pub(super) fn name_joints(
     robot: &dyn Robot,
     tried: &[usize],

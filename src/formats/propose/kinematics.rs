@@ -14,13 +14,14 @@ const RANKED: usize = 24;
 const MOST: usize = 2000;
 /// Maximum number of targets, those with the most rows: few show where the base is.
 const MOST_TARGETS: usize = 12;
-/// Largest residual, relative to the spread of the coordinates, of an accepted reading.
+/// Upper limit for the residual of an accepted interpretation, relative to the spread of the
+/// coordinates.
 const ACCEPTED: f64 = 0.03;
-/// Factor by which the residual of the next reading has to be larger.
+/// Factor by which the residual of the next interpretation must be larger.
 const DISTINCT: f64 = 3.0;
 /// Residuals (mm) that count as equal.
 const SAME_MM: f64 = 1e-3;
-/// Maximum number of readings that are compared with all rows.
+/// Maximum number of interpretations that are compared with all rows.
 const NEAR: usize = 64;
 /// Largest step (mm) of rounded coordinates that tells computed from measured ones.
 const FINE_MM: f64 = 0.1;
@@ -48,7 +49,7 @@ pub(super) struct Sample {
     pub targets: Vec<usize>,
 }
 
-/// A reading of the joints and its residual.
+/// Interpretation of the joint columns, with its residual.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Reading {
     /// For each joint of the robot the index of its column.
@@ -82,11 +83,12 @@ pub(super) enum Origin {
 /// Result of the test.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
-    /// One reading reproduces the coordinates.
+    /// One interpretation reproduces the coordinates.
     Reproduced(Reading),
-    /// Several readings reproduce the coordinates about equally well.
+    /// Several interpretations reproduce the coordinates about equally well.
     Ambiguous(Reading, Reading),
-    /// No reading reproduces the coordinates; the residual (mm) of the best if there is one.
+    /// No interpretation reproduces the coordinates; contains the residual (mm) of the best one, if
+    /// there is one.
     Contradicted(Option<f64>),
     /// Too few rows, or points in one plane.
     Untested,
@@ -216,7 +218,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     }
     let near = (DISTINCT * best.rms_mm).max(SAME_MM);
     found.retain(|(residual, _)| residual.rms_mm <= near);
-    // of readings that fit alike the first is the one that changes least
+    // of equally good interpretations, the first changes least
     found.sort_by_key(|(_, i)| *i);
     let mut readings = found.into_iter().map(|(residual, i)| Reading {
         origin: origin(robot, &many, &residual),
@@ -235,7 +237,7 @@ pub(super) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     }
 }
 
-/// Returns the residual of a reading with other points, if these are reproduced as well.
+/// Returns an interpretation with its residual at other points, if it reproduces these too.
 pub(super) fn confirmed(robot: &dyn Robot, sample: &Sample, reading: &Reading) -> Option<Reading> {
     if sample.rows() < FEWEST || !sample.spans_space() {
         return None;

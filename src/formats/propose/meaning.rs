@@ -485,8 +485,8 @@ impl Interpretation {
         false
     }
 
-    /// Takes four neighbouring columns of length 1 in all rows under headings of any spelling;
-    /// `true` if there are such columns.
+    /// Takes four neighbouring columns as a quaternion if the sum of their squares is 1 in all
+    /// rows, whatever their headings are. Returns `true` if there are such columns.
     fn quaternion_by_values(&mut self, table: &Table) -> bool {
         let normal = ["nx", "ny", "nz", "n x", "n y", "n z", "normal x", "normal y", "normal z"];
         let without_unit = |(i, column): (usize, &Column)| {

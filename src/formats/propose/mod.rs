@@ -85,7 +85,7 @@ const SURE: f64 = 0.5;
 /// Maximum number of columns that are explained in the comments of a proposal.
 const SHOWN_COLUMNS: usize = 60;
 
-/// Proposes readings of a file, and lines for campaign.toml for the first reading.
+/// Proposes interpretations of a file, and lines for campaign.toml for the first interpretation.
 ///
 /// # Errors
 /// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
@@ -93,7 +93,8 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
     propose_file_for(path, None)
 }
 
-/// Proposes readings of a file as [`propose_file`], and tests them against a nominal robot.
+/// Proposes interpretations of a file as [`propose_file`] does, and tests them against a nominal
+/// robot.
 ///
 /// # Errors
 /// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
@@ -199,7 +200,7 @@ pub fn files_beside(path: &Path) -> Vec<PathBuf> {
     file.into_iter().map(|(name, _)| folder.join(name)).collect()
 }
 
-/// Proposes readings of a sheet, or of the first sheet with rows of numbers.
+/// Proposes interpretations of a sheet, or of the first sheet with rows of numbers.
 fn propose_workbook(
     file: &str,
     bytes: &[u8],
@@ -234,8 +235,8 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
     }
 }
 
-/// Proposes readings of a text, and lines for campaign.toml for the first reading. Statements that
-/// the file does not contain become questions.
+/// Proposes interpretations of a text, and lines for campaign.toml for the first interpretation.
+/// Statements that the file does not contain become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
     propose_in(file, text, None, None)
 }
@@ -310,7 +311,7 @@ fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpr
     (Table { columns, rows: points.len(), width, ..Table::default() }, found)
 }
 
-/// Proposes readings of a text, or of a sheet whose cells are separated by tabs.
+/// Proposes interpretations of a text, or of a sheet whose cells are separated by tabs.
 fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<Correct>) -> FormatsDocument {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
@@ -415,7 +416,7 @@ fn columns(table: &Table, found: &Interpretation) -> Vec<FormatsColumn> {
     found.taken.iter().enumerate().map(column).collect()
 }
 
-/// Returns the reasons for the first reading.
+/// Returns the reasons for the first interpretation.
 fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     let (read, rows) = (best.read, best.rows);
     let fields = match best.form.delimiter {
@@ -448,7 +449,7 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
     reasons
 }
 
-/// Returns the doubts about the first reading.
+/// Returns the doubts about the first interpretation.
 fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
     let [best, others @ ..] = guesses else { return Vec::new() };
     let mut doubts: Vec<Phrase> = others

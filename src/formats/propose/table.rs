@@ -1,4 +1,4 @@
-//! Table of one reading of a file: its columns with all values.
+//! Table of one interpretation of a file: columns with all values.
 
 use super::headings::{Heading, Word};
 use etalon_robots::Robot;
@@ -12,7 +12,7 @@ pub(super) const MOST_ROWS: usize = 200_000;
 /// Maximum number of columns that are interpreted; the proposal shows if the file has more.
 const MOST_COLUMNS: usize = 4096;
 
-/// Table of one reading.
+/// Table of one interpretation.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Table {
     pub columns: Vec<Column>,

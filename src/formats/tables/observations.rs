@@ -30,7 +30,7 @@ pub struct TableReading {
 }
 
 impl TableReading {
-    /// Reading of a table of poses, loads or joints, whose columns may have any name.
+    /// Rules for reading a table of poses, loads or joints, whose columns may have any name.
     pub fn any(layout: TableLayout) -> Self {
         Self { layout, any_columns: true, ..Self::default() }
     }

@@ -8,14 +8,16 @@ use etalon_standards::iso9283::motion::stream::{Recording, Stream, Unusable};
 use etalon_standards::iso9283::path::commanded::CommandedPath;
 use etalon_standards::iso9283::pose::test::CommandedPose;
 
-/// Largest share of implausible samples; above it the rate, the unit or the time stamps are wrong.
+/// Upper limit for the share of implausible samples; a larger share means that rate, unit or time
+/// stamps are wrong.
 const MOST_LEFT_OUT: f64 = 0.01;
 
-/// Largest difference between the durations by the rate and by the time stamps, as a share.
+/// Upper limit for the difference between the durations from the rate and from the time stamps, as
+/// a share.
 const RATE: f64 = 0.05;
 
-/// Error if time stamps span another time than the samples take at the given rate. The resolution
-/// of the stamps is their smallest step.
+/// Returns an error if the duration from the time stamps differs from the number of samples divided
+/// by the given rate. The resolution of the stamps is their smallest step.
 fn rate_contradicts(table: &Table, rate_hz: f64) -> Option<Message> {
     let stamps: Vec<f64> = table.numbers(TIME).ok()?.into_iter().filter(|time| time.is_finite()).collect();
     let samples = stamps.len();

@@ -543,8 +543,8 @@ fn a_ratio_counts_with_its_uncertainty() {
     assert!(differs > 5, "{differs}");
 }
 
-/// Joint values that a controller wraps are those of one motion; a joint at rest at half a turn
-/// does not move.
+/// Unwraps joint values that a controller wraps at half a turn, so that the motion is continuous. A
+/// joint at rest near half a turn does not move.
 #[test]
 fn wrapped_joint_values_are_unwound() {
     let mut noise = Noise::new(464, 0);

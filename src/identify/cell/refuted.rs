@@ -21,13 +21,13 @@ pub struct Size {
 }
 
 impl Size {
-    /// Size of points.
+    /// Root mean square distance of points from their centroid, without rotation.
     pub fn from_points(points: &[Vector]) -> Self {
         let from = centroid(points).unwrap_or_default();
         Self { position_mm: root_mean_square(points.iter().map(|p| norm(minus(*p, from)))), rotation_rad: 0.0 }
     }
 
-    /// Size of poses with a tool.
+    /// Size of the motion of a tool through poses.
     pub fn from_poses(poses: &[Pose], tool_mm: Vector) -> Self {
         let positions: Vec<Vector> = poses.iter().map(|p| p.translation_mm).collect();
         let turns = poses.windows(2).map(|pair| pair[0].inverse().then(&pair[1]).angle_rad());

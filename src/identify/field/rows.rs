@@ -134,8 +134,8 @@ impl Rows {
         DMatrix::from_fn(some.len(), functions.ncols(), of)
     }
 
-    /// Linear fit of the parameters to some rows, with nominal values weighted relative to
-    /// residuals of this standard deviation (mm); `None` if it is singular.
+    /// Fits the parameters linearly to some rows. Nominal values are weighted relative to residuals
+    /// with the standard deviation `deviation_mm`. `None` if the equations are singular.
     pub fn fit(&self, some: &[usize], deviation_mm: f64) -> Option<Fit> {
         let count = some.len();
         let x = DMatrix::from_fn(count, self.free.len(), |i, k| self.by_parameter[(some[i], k)]);

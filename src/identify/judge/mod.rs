@@ -42,10 +42,10 @@ use rayon::prelude::*;
 
 /// Number of poses on which the nominal robot is compared.
 const SUBSET: usize = 32;
-/// Minimum number of poses: fewer are explained by many changes.
+/// Minimum number of poses: many changes explain fewer poses.
 const FEWEST: usize = 4;
-/// Number of changes that are fitted with all parameters: those that bring the nominal robot
-/// nearest.
+/// Number of changes that are fitted with all parameters: the changes with which the nominal robot
+/// is nearest to the measurements.
 const FITS: usize = 24;
 /// Maximum number of changes that are fitted if more of them bring the nominal robot as near to the
 /// measurements.
@@ -53,8 +53,8 @@ const MOST_FITS: usize = 40;
 /// Ratio of standard deviations by which a change must explain the data better than the set-up as
 /// given.
 const CLEAR: f64 = 2.0;
-/// Ratio of standard deviations by which a change explains the data worse than the set-up as
-/// given, so that they exclude it.
+/// Ratio of standard deviations by which a change explains the data worse than the given set-up, so
+/// that the data exclude the change.
 const WORSE: f64 = 1.5;
 /// Ratio of the standard deviation that a change leaves near its start to the one that the nominal
 /// robot leaves of the set-up as given, beyond which the change is not fitted to its end. It is

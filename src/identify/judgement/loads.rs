@@ -23,9 +23,10 @@ const EXPLAINED: f64 = 2.5;
 /// Sum of squares, in variances of a reading, by which a further change may be worse than the best
 /// one.
 const WORSE: f64 = 9.0;
-/// Smallest influence of a change, in standard deviations of a reading, that can reject anything.
+/// Minimum influence of a change on the readings, in standard deviations of a reading; a smaller
+/// influence rejects no given load.
 const LEAST: f64 = 3.0;
-/// Largest residual that a change may leave, in standard deviations of the residuals.
+/// Upper limit for a residual after a change, in standard deviations of the residuals.
 const OUTLIER: f64 = 5.0;
 /// Factors from other units to millimetres.
 const UNITS: [f64; 2] = [1000.0, 25.4];

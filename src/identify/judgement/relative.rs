@@ -210,7 +210,7 @@ fn by_step(pairs: &[Pair], step_mm: f64) -> (Vec<Pair>, Vec<[usize; 2]>) {
 struct Group<'a> {
     pairs: &'a [Pair],
     propagation: Option<&'a Propagation>,
-    /// Sums of the sizes (mm) before and after.
+    /// Sums of the sizes (mm) of the errors before and after calibration.
     sums: [SizeSums; 2],
     /// Derivatives of half the sum of the squared errors after with respect to the residuals;
     /// empty if no uncertainty is given.

@@ -79,27 +79,28 @@ impl RobustComparison {
     /// The constant c of the Cauchy loss.
     pub const CONSTANT: f64 = CAUCHY;
 
-    /// The parameter with the largest difference, if it exceeds chance.
+    /// The parameter with the largest difference, if the difference is significant.
     pub fn significant(&self) -> Option<&RobustChange> {
         let largest = self.changes.iter().max_by(|a, b| a.over_u().total_cmp(&b.over_u()))?;
         (largest.over_u() > self.critical).then_some(largest)
     }
 
-    /// Poses that disagree with the others, the worst first.
+    /// Poses that disagree with the other poses, the worst first.
     pub fn disagreeing(&self) -> &[PoseWeight] {
         let beyond = self.poses.iter().take_while(|p| p.residual_over_sigma > self.critical_residual);
         &self.poses[..beyond.count()]
     }
 }
 
-/// A fit with the Cauchy loss (M-estimator) from the plain optimum, whose residuals are those of
-/// `found`, weighted alike and divided by their scale. `None` where readings have errors in common,
-/// are poses instead of positions, unknown points are many, nothing is left over, or the fit has no
-/// result.
+/// Compares the least-squares fit `found` with a robust fit: the Cauchy loss (M-estimator), started
+/// at `found`. The residuals have equal weights and are divided by their scale. `None` if readings
+/// have common errors or are poses, if many points are unknown, without degrees of freedom, or
+/// without a robust result.
 ///
-/// Of normal residuals the plain fit is efficient, so that the difference has the variance (1 /
-/// 0.95 − 1) u² (Hausman 1978), u that of the plain fit by σ. Where the scatter of the poses shows
-/// a larger one (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), it is that.
+/// For normal residuals, the least-squares fit is efficient. The difference then has the variance
+/// (1 / 0.95 − 1) u² (Hausman 1978), with the standard uncertainty u of the least-squares fit from
+/// σ. If the scatter of the poses gives a larger variance (A⁻¹ Σ hₚ hₚᵀ A⁻¹ with
+/// hₚ = Jₚᵀ (ψ(r)/ψ̄' − r)ₚ), that variance is used.
 ///
 /// # Errors
 /// Fails if settings and observations do not match.

@@ -153,7 +153,7 @@ impl Root {
     }
 }
 
-/// The remaining choice if every candidate is decided.
+/// Returns the only remaining choice; `None` if several remain.
 fn decided(fixed: &[Fixed], count: usize) -> Option<Vec<usize>> {
     let with = |what: Fixed| fixed.iter().enumerate().filter(move |(_, f)| **f == what).map(|(i, _)| i);
     let taken = with(Fixed::In).count();
@@ -164,9 +164,9 @@ fn decided(fixed: &[Fixed], count: usize) -> Option<Vec<usize>> {
     }
 }
 
-/// A node worth examining, after all decisions by its bound: a candidate is excluded if even the
-/// best choice with it is below the best known one, and included if even the best choice without it
-/// is.
+/// Returns a node if its bound exceeds the best known choice, and decides candidates by this bound.
+/// A candidate is excluded if no choice with it exceeds the best known choice. It is included if no
+/// choice without it does.
 fn node(relaxed: Relaxed, mut fixed: Vec<Fixed>, count: usize, best: f64, number: usize) -> Option<Node> {
     let Relaxed { bound, weights, above, below } = relaxed;
     let lambda = best * BETTER;

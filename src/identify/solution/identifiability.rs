@@ -76,9 +76,9 @@ impl Redundant {
 }
 
 impl Redundant {
-    /// `true` if the direction moves targets that are observed relative to another branch: both
-    /// branches alike. With one parameter held, the others would take up its deviation, and be
-    /// beyond their own tolerances.
+    /// `true` if the direction moves the targets of two branches by the same amount, and these
+    /// targets are observed relative to each other. If one parameter were held, its deviation would
+    /// move the other parameters beyond their tolerances.
     fn moves_branches(&self, problem: &Residuals, values: &[f64]) -> bool {
         let (robot, targets) = (problem.robot, problem.related_targets());
         let (n, dimension) = (robot.parameters().len(), robot.dimension());

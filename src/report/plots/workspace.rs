@@ -99,8 +99,8 @@ impl Workspace {
         Self { svg, scale, projection: Projection::Plane(axes, frame) }
     }
 
-    /// Draws the box around all positions, in a square around a sphere, so that it fits in any
-    /// rotation.
+    /// Draws the box around all positions. The drawing area encloses the sphere around this box, so
+    /// that the box fits at any rotation.
     fn space(places: &[Vector], words: &Words) -> Self {
         let ends = [0, 1, 2].map(|i| range(places.iter().map(|p| p[i])).unwrap_or_default());
         let (middle, half) = (ends.map(|[a, b]| 0.5 * (a + b)), ends.map(|[a, b]| (0.5 * (b - a)).max(0.5)));

@@ -235,7 +235,7 @@ fn point_entry(name: &str, reference: &str, point: &CellPoint) -> CellPointEntry
     }
 }
 
-/// Table and statements.
+/// A task: the table of readings, and the values that the user gives.
 struct Task<'a> {
     file: &'a TableFile,
     stated: &'a CellStated,

@@ -15,7 +15,7 @@ use etalon_robots::Robot;
 /// Columns of uncertainties of all coordinates and of all rotations.
 const UNCERTAINTIES_OF_ROW: [&str; 2] = ["u_mm", "urot_deg"];
 
-/// Columns of numbers of single kinds, in the order in which they are written.
+/// Numeric columns that only some kinds need, in the order in which they are written.
 pub fn numbers() -> Vec<&'static str> {
     let mut all = Vec::new();
     for name in KINDS.iter().flat_map(|kind| kind.facts().numbers) {
@@ -25,7 +25,7 @@ pub fn numbers() -> Vec<&'static str> {
     all
 }
 
-/// Columns of all kinds in addition to the columns of positions (the target is one).
+/// Columns of all kinds, except the columns of positions. The target is one of these columns.
 pub fn columns<'a>() -> Vec<&'a str> {
     ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES_OF_ROW).collect()
 }

@@ -182,7 +182,8 @@ pub fn misplaced_poses(test: &PoseTest) -> Option<Misplacement> {
     None
 }
 
-/// A unit in which all coordinates, or some of them, agree with the commanded ones.
+/// Returns the unit in which all or some coordinates agree with the commanded coordinates, if there
+/// is one.
 fn other_unit(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<Misplacement> {
     let all = rms(pairs.iter().flat_map(|(_, p)| p.attained_mm.into_iter().chain(p.commanded_mm)));
     for (unit, length_mm) in UNITS {
@@ -205,7 +206,8 @@ fn other_unit(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<Misplac
     scaled_elsewhere(pairs, attained)
 }
 
-/// A unit in which the distances between all positions agree, wherever the frame is.
+/// Returns the unit in which the distances between all positions agree, if there is one. The
+/// positions may be in different frames.
 fn scaled_elsewhere(pairs: &[(PoseName, Pair)], attained: TestTable) -> Option<Misplacement> {
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();
     if pairs.len() < 3 {
@@ -229,7 +231,8 @@ fn extent(points: &[Vector]) -> f64 {
     rms(points.iter().map(|p| norm(minus(*p, middle))))
 }
 
-/// A deviation as large as the extent, and the motion of the frame that explains it.
+/// Returns a deviation as large as the extent, and the motion of the frame that explains this
+/// deviation.
 fn elsewhere(pairs: &[(PoseName, Pair)]) -> Option<Misplacement> {
     let off: Vec<Vector> = pairs.iter().map(|(_, p)| minus(p.attained_mm, p.commanded_mm)).collect();
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();

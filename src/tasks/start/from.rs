@@ -32,7 +32,7 @@ const ENOUGH: usize = 30;
 
 /// A campaign that is proposed from files.
 pub(crate) struct Started {
-    /// Reading of each file.
+    /// Interpretation of each file.
     pub documents: Vec<FormatsDocument>,
     /// campaign.toml, and the files of the robot.
     pub written: Vec<(String, Vec<u8>)>,
