@@ -5,7 +5,7 @@ use super::message::Result;
 use crate::{error, phrase};
 use serde::{Deserialize, Deserializer, de};
 
-/// Largest number of poses, repeats or draws in a file.
+/// Maximum number of poses, repeats or draws in a file.
 pub const MOST: u64 = 1_000_000;
 
 /// Reads a count of a TOML file, at most `M`.

@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use unicode_normalization::{IsNormalized, UnicodeNormalization, is_nfc_quick};
 
-/// Largest input that is read as a whole (bytes).
+/// Maximum size of an input that is read as a whole (bytes).
 pub const LARGEST: u64 = 2 << 30;
-/// Largest file of a lock: the number of a process (bytes).
+/// Maximum size of a lock file, which contains the number of a process (bytes).
 const LARGEST_LOCK: u64 = 20;
-/// Largest text of a campaign, robot or page (bytes).
+/// Maximum size of the text of a campaign, robot or page (bytes).
 const LARGEST_STATEMENT: u64 = 16 << 20;
 
 /// Opens a regular file for reading. Pipes and devices are rejected, because they might block or

@@ -18,7 +18,7 @@ pub struct Pose<T = f64> {
     pub translation_mm: Vector<T>,
 }
 
-/// Largest difference of a rotation matrix with three digits from an orthonormal one.
+/// Maximum difference of a rotation matrix with three digits from an orthonormal one.
 const ORTHONORMAL: f64 = 4e-3;
 
 impl<T: Scalar> Pose<T> {

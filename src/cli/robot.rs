@@ -153,7 +153,7 @@ const COMPARED: usize = 50;
 const SEED: u64 = 59;
 /// Travel (mm) of a prismatic joint without limits in the comparison.
 const TRAVEL_MM: f64 = 500.0;
-/// Largest difference of positions (mm) and of orientations (rad) by rounding of the text.
+/// Maximum difference of positions (mm) and of orientations (rad) by rounding of the text.
 const LARGEST_MM: f64 = 1e-5;
 const LARGEST_RAD: f64 = 1e-8;
 

@@ -18,9 +18,9 @@ pub(super) struct Galil;
 
 /// Steps of a variable per unit.
 const STEPS: f64 = 65_536.0;
-/// Largest variable.
+/// Maximum value of a variable.
 const LARGEST: f64 = 2_147_483_647.0;
-/// Largest rounding of a value relative to its standard uncertainty.
+/// Maximum rounding of a value relative to its standard uncertainty.
 const SHARE: f64 = 0.1;
 /// Maximum length of a variable's name.
 const LONGEST: usize = 8;
@@ -92,7 +92,7 @@ KWR3=KWR3-(KWR3/1000*KWTILT/1000)
 KWR3=KWR3/1000*KWE3/1000+KWR3
 EN
 ";
-/// Largest tilt of a rail, deviation of a ratio from one, and length, in units of the program;
+/// Maximum tilt of a rail, deviation of a ratio from one, and length, in units of the program;
 /// products stay within the range of a variable.
 const MOST_TILT: f64 = 1e5;
 const MOST_RATIO: f64 = 5e5;

@@ -77,7 +77,7 @@ impl Exporter for LinuxCnc {
 /// Length of a link offset, relative to the other lengths of an arm, that only a distant common
 /// normal of near-parallel axes has.
 const DISTANT: f64 = 2.0;
-/// Smallest joint offset (rad) that is not rounding.
+/// Minimum joint offset (rad) that is not rounding.
 const OFFSET_RAD: f64 = 1e-12;
 
 /// Warning about near-parallel axes, whose common normal is far from the arm.

@@ -8,7 +8,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
 
-/// Largest relative difference of a value that counts as rounding.
+/// Maximum relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Statement of a controller file.

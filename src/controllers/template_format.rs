@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 
 /// Extension of the file name of a template.
 const ENDING: &str = ".j2";
-/// Largest number of instructions of a template.
+/// Maximum number of instructions of a template.
 const FUEL: u64 = 10_000_000;
 
 /// A format that a template describes.

@@ -12,13 +12,13 @@ use minijinja::value::Serde;
 use minijinja::{Value, context};
 use std::f64::consts::PI;
 
-/// Largest shift (mm) and rotation (cells of the rotation matrix) of a flange that is attributed to
+/// Maximum shift (mm) and rotation (cells of the rotation matrix) of a flange that is attributed to
 /// rounding.
 const ROUNDING: f64 = 1e-9;
-/// Largest deviation (deg) of neighbouring axes from parallel or perpendicular: production
+/// Maximum deviation (deg) of neighbouring axes from parallel or perpendicular: production
 /// tolerances of arms are far below.
 const LARGEST_TILT_DEG: f64 = 5.0;
-/// Largest distance of axes that meet, and smallest length of a link, relative to the length of
+/// Maximum distance of axes that meet, and smallest length of a link, relative to the length of
 /// upper arm and forearm together. Links and offsets of UR3 to UR20 have at least 0.09 of it.
 const NONE: f64 = 0.03;
 
@@ -115,7 +115,7 @@ const ARMS: [[f64; 6]; 8] = [
     [180.7, 478.4, 360.0, 174.15, 119.85, 116.55],
     [236.3, 862.0, 728.7, 201.0, 159.3, 154.3],
 ];
-/// Largest difference (mm) of a nominal length from the maker's.
+/// Maximum difference (mm) of a nominal length from the maker's.
 const SAME_MM: f64 = 2.0;
 
 /// An arm in the frames of the maker's description: each joint turns about z of its frame, and the

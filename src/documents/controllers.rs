@@ -120,7 +120,7 @@ impl ControllerFiles {
     }
 }
 
-/// Smallest relative decrease of the root mean square that counts as an improvement.
+/// Minimum relative decrease of the root mean square that counts as an improvement.
 const HARDLY: f64 = 0.05;
 
 impl From<&Statistics> for PositionErrors {

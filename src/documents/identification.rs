@@ -11,8 +11,8 @@ use etalon_identify::{
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest group whose members list all other members; listing larger groups would grow with the
-/// square of their size.
+/// Maximum size of a group whose members list all other members. The lists of larger groups would
+/// grow with the square of the size.
 const LISTED: usize = 100;
 
 /// Lists for each parameter the other members of its groups. In a large group only the held

@@ -187,7 +187,7 @@ pub struct LimitVerdict {
     pub conformity_probability: Option<f64>,
 }
 
-/// Largest difference of the two sides of an interval that counts as symmetric, over its width.
+/// Maximum difference of the two sides of an interval that counts as symmetric, over its width.
 const SYMMETRIC: f64 = 0.05;
 
 impl LimitVerdict {

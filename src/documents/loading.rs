@@ -10,7 +10,7 @@ use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Largest permissible ratio: the error of a set of parameters at held-out poses over the smallest
+/// Maximum permissible ratio: the error of a set of parameters at held-out poses over the smallest
 /// such error of any set.
 pub const LOADING_RATIO: f64 = 1.05;
 

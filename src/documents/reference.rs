@@ -93,5 +93,5 @@ impl ParametersDocument {
     }
 }
 
-/// Largest relative difference of a value that counts as rounding.
+/// Maximum relative difference of a value that counts as rounding.
 const ROUNDING: f64 = 1e-9;

@@ -23,7 +23,7 @@ use std::borrow::Cow;
 /// Number of points of the sample from which starts are found. Clouds with more than four times as
 /// many points are thinned for the start.
 pub(super) const SAMPLE: usize = 1024;
-/// Largest coordinate: squares of larger values overflow (mm).
+/// Maximum coordinate: squares of larger values overflow (mm).
 const LARGEST_MM: f64 = 1e100;
 
 /// Number of points per block; constant, so that sums do not depend on the number of threads.

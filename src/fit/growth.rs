@@ -22,7 +22,7 @@ use statrs::function::{beta::checked_beta_reg, gamma::ln_gamma};
 
 /// Starts that are tried.
 const STARTS: u64 = 60;
-/// Largest number of points by which starts are compared.
+/// Maximum number of points by which starts are compared.
 const COMPARED: usize = 500;
 /// Points of a start beyond the minimum.
 const MORE: usize = 1;
@@ -40,7 +40,7 @@ const LEVERAGE: f64 = 0.5;
 const BRANCHES: usize = 6;
 /// Least redundancy (1 − H) of a point that others control.
 const REDUNDANCY: f64 = 1e-9;
-/// Largest step of coordinates, as a share of their extent, that is the resolution of an
+/// Maximum step of coordinates, as a share of their extent, that is the resolution of an
 /// instrument.
 const COARSEST: f64 = 1e-3;
 

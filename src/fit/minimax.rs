@@ -147,7 +147,7 @@ pub(super) struct Certificate {
 
 /// Maximum number of contacts for which multipliers are computed.
 const TOGETHER: usize = 200;
-/// Smallest multiplier that counts as positive.
+/// Minimum multiplier that counts as positive.
 const POSITIVE: f64 = 1e-9;
 
 /// Minimum-norm λ with Aᵀ λ = c, which treats equal rows equally, and smallest singular value of A;

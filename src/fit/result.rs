@@ -222,7 +222,7 @@ pub(super) fn principal_uncertainty(larger: f64, smaller: f64, degrees_of_freedo
 /// Standard uncertainty (rad) of a principal direction from which the ratio of both spreads is not
 /// distinguishable from one (k = 2).
 const ALIKE: f64 = 0.25;
-/// Largest expanded uncertainty (k = 2) of a radius, relative to the radius, and of a direction
+/// Maximum expanded uncertainty (k = 2) of a radius, relative to the radius, and of a direction
 /// (rad) without a warning.
 const UNRELIABLE: f64 = 0.1;
 

@@ -14,9 +14,9 @@ use etalon_base::{error, warning};
 const FEWEST: usize = 3;
 /// Residuals below this share of the size of the element are rounding.
 const ROUNDING: f64 = 1e-13;
-/// Largest number of points of a fit that is checked for outliers without a request.
+/// Maximum number of points of a fit that is checked for outliers without a request.
 const CHECKED: usize = 20_000;
-/// Largest share of outliers that is reported without a request.
+/// Maximum share of outliers that is reported without a request.
 const FEW: f64 = 0.15;
 /// Change of the element, in its standard uncertainties, beyond which outliers are reported.
 const SHIFTED: f64 = 3.0;
@@ -54,7 +54,7 @@ fn listed(indices: &[usize]) -> String {
     shown.join(", ") + if indices.len() > MOST_LISTED { ", ..." } else { "" }
 }
 
-/// Largest number of points that a message lists.
+/// Maximum number of points that a message lists.
 const MOST_LISTED: usize = 20;
 
 /// All warnings about an element and its points, whichever fit is asked for: of the least-squares
@@ -129,7 +129,7 @@ fn plausible(fit: &Fit, points: &[Vector], weights: Option<&[f64]>) -> bool {
     most <= (CLEAN * deviation).max(ROUNDING * size)
 }
 
-/// Largest residual, in standard deviations, of points that are not looked at further.
+/// Maximum residual, in standard deviations, of points that are not looked at further.
 const CLEAN: f64 = 3.5;
 
 /// Largest difference of two fits in standard uncertainties of the second.

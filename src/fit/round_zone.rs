@@ -117,7 +117,7 @@ impl Round<5> for Funnel {
 
 /// Maximum number of steps; about ten suffice in practice.
 const STEPS: usize = 300;
-/// Largest initial step, relative to the size of the points.
+/// Maximum initial step, relative to the size of the points.
 const REACH: f64 = 0.25;
 
 fn spread<const N: usize>(rows: &[Row<N>]) -> f64 {

@@ -22,7 +22,7 @@ const SEARCHED: usize = 120;
 const GLANCE: usize = 6;
 /// Residuals, relative to the residuals of the best start, beyond which a start is abandoned.
 const HOPELESS: f64 = 100.0;
-/// Largest axis position or radius, relative to the size of the cloud; beyond it distances lose
+/// Maximum axis position or radius, relative to the size of the cloud; beyond it distances lose
 /// eight digits.
 const FARTHEST: f64 = 1e8;
 /// Number of iterations for starts that are not abandoned.

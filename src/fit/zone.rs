@@ -46,12 +46,12 @@ pub struct Multipliers {
     pub lower: Vec<f64>,
 }
 
-/// Largest distance of a contact point from a side of the zone, relative to the size of the points
+/// Maximum distance of a contact point from a side of the zone, relative to the size of the points
 /// or the radius: rounding.
 const CONTACT: f64 = 1e-14;
 /// Tolerance of a proof, relative to the size of the points: rounding of the bounds.
 pub(super) const SLACK: f64 = 1e-13;
-/// Largest distance of a centre, relative to the size of the points. Beyond it an arc is straight
+/// Maximum distance of a centre, relative to the size of the points. Beyond it an arc is straight
 /// to 1e-4, and the rounding of its radius affects its form.
 pub(super) const FARTHEST: f64 = 1e4;
 

@@ -196,7 +196,7 @@ fn damped<P: Problem>(run: &mut Run<'_, P>, near: f64) -> Termination {
 const CURVED: usize = 20;
 /// Share of a step at which the second derivative along the step is evaluated.
 const AHEAD: f64 = 0.1;
-/// Largest ratio of correction to step; beyond it the second order adds no information.
+/// Maximum ratio of correction to step; beyond it the second order adds no information.
 const MOST_BEND: f64 = 0.75;
 
 /// Correction of a step in a curved valley: half the geodesic acceleration along the step

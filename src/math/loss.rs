@@ -16,7 +16,7 @@ pub enum Loss {
     Cauchy(f64),
 }
 
-/// Smallest curvature relative to the weight; smaller values would make the weighted residuals of
+/// Minimum curvature relative to the weight; smaller values would make the weighted residuals of
 /// outliers dominate the others.
 const CURVATURE_KEPT: f64 = 0.01;
 

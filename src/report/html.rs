@@ -29,7 +29,7 @@ pub(super) const BUILT_IN: [(&str, &str); 7] = [
     ("picture.css", include_str!("html/picture.css")),
 ];
 
-/// Largest number of instructions of a page with templates of a laboratory.
+/// Maximum number of instructions of a page with templates of a laboratory.
 const INSTRUCTIONS: u64 = 200_000_000;
 
 /// Script for interactive marks; the policy of the page allows no other script.

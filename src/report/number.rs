@@ -69,7 +69,7 @@ pub(super) fn distinct_from_limit(value: f64, limit: f64, decimals: usize) -> St
     fixed(value, (decimals..9).find(|n| !alike(n)).unwrap_or(9))
 }
 
-/// Smallest probability that is shown; smaller ones are shown as an upper bound, because their
+/// Minimum probability that is shown; smaller ones are shown as an upper bound, because their
 /// digits are meaningless.
 const LEAST_PROBABILITY: f64 = 1e-3;
 
@@ -78,7 +78,7 @@ pub(crate) fn probability(p: f64) -> String {
     if p < LEAST_PROBABILITY { format!("< {LEAST_PROBABILITY}") } else { significant(p, 2) }
 }
 
-/// Smallest percentage that is shown.
+/// Minimum percentage that is shown.
 const LEAST_PERCENTAGE: f64 = 0.1;
 
 /// Percentage of a risk; small ones are shown as a bound, because their digits are meaningless.

@@ -40,13 +40,13 @@ pub struct Compensated {
     pub command: Pose,
 }
 
-/// Largest change of a joint by compensation within the same configuration (rad).
+/// Maximum change of a joint by compensation within the same configuration (rad).
 const SAME_RAD: f64 = 0.5;
 /// Number of points between two configurations at which a singularity is looked for.
 const BETWEEN: i32 = 16;
 /// Measures of singularity below this are zero.
 const SINGULAR: f64 = 1e-9;
-/// Largest distance (mm) and angle (rad) of the pose at given joint values from its target if the
+/// Maximum distance (mm) and angle (rad) of the pose at given joint values from its target if the
 /// joint values belong to the target, and do not only select a configuration.
 const STATED: [f64; 2] = [1.0, 1e-3];
 
@@ -55,7 +55,7 @@ const STATED: [f64; 2] = [1.0, 1e-3];
 /// previous one.
 const LAST_CORRECTION: f64 = 1e-12;
 const MOST_CORRECTIONS: usize = 50;
-/// Largest remaining position error after the corrections (mm).
+/// Maximum remaining position error after the corrections (mm).
 const LARGEST_LEFT_MM: f64 = 1e-6;
 
 impl Calibrated<'_> {

@@ -85,12 +85,12 @@ impl Description for Keys {
 
 /// Platform motion per leg motion (mm/mm or rad/mm) beyond which a configuration is singular.
 const SINGULAR: f64 = 1e6;
-/// Smallest part of the way from home to the joint values, and Newton steps in each part.
+/// Minimum part of the way from home to the joint values, and Newton steps in each part.
 const SHORTEST: f64 = 1e-3;
 const STEPS: usize = 12;
-/// Largest ratio of successive Newton steps; ensures that the iteration stays on its branch.
+/// Maximum ratio of successive Newton steps; ensures that the iteration stays on its branch.
 const CONTRACTION: f64 = 0.5;
-/// Largest rotation of a first step (rad).
+/// Maximum rotation of a first step (rad).
 const TURN: f64 = 0.5;
 /// Convergence tolerance: largest motion of a platform joint in a step (mm).
 const FOUND_MM: f64 = 1e-10;

@@ -15,7 +15,7 @@ use etalon_base::pose::{Pose, minus, norm};
 use etalon_math::{Factor, svd};
 use nalgebra::{DMatrix, DVector};
 
-/// Largest error of an attained pose: 1e-9 mm and 1e-12 rad.
+/// Maximum error of an attained pose: 1e-9 mm and 1e-12 rad.
 const ATTAINED: f64 = 1e-12;
 /// Error, and step (rad or m), that rounding leaves.
 const ROUNDING: f64 = 1e-15;
@@ -29,7 +29,7 @@ const STEPS: usize = 80;
 const LONGEST: f64 = 0.7;
 /// Damping at the start, in squared errors.
 const DAMPING: f64 = 0.05;
-/// Smallest damping, which keeps the steps of redundant arms finite.
+/// Minimum damping, which keeps the steps of redundant arms finite.
 const LEAST_DAMPING: f64 = 1e-13;
 /// Number of steps with little progress that end a search.
 const STALLED: usize = 8;
@@ -43,13 +43,13 @@ const CHOICE: usize = 12;
 const SEARCH_SEED: u64 = 19;
 /// Distance from the start within which a solution may be the nearest without a search (rad or m).
 const NEAR: f64 = 0.5;
-/// Smallest singular value of the Jacobian, per distance from the start, for which no other
+/// Minimum singular value of the Jacobian, per distance from the start, for which no other
 /// solution is as near: the second derivatives of an arm of some metres are below it.
 const ALONE: f64 = 4.0;
 /// Number of starts about the start where several solutions may be near.
 const AROUND: usize = 6;
 
-/// Largest difference between joint values of the same solution (rad or m).
+/// Maximum difference between joint values of the same solution (rad or m).
 const SAME: f64 = 1e-6;
 /// Singular values below this share of the largest are zero.
 const DEPENDENT: f64 = 1e-9;

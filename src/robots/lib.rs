@@ -578,7 +578,7 @@ fn wrong_targets(targets: &[String]) -> Faults {
 /// Meaning of the table of limits, common to several models.
 const REACH: &str = "Limits of the joints, and of the links of a five-bar. A limit that is not stated does not apply.";
 
-/// Largest deviation of a pose from the plane (mm or dimensionless).
+/// Maximum deviation of a pose from the plane (mm or dimensionless).
 const PLANAR: f64 = 1e-6;
 
 /// Converts a pose to the plane; `None` if it is out of the plane.

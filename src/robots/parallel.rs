@@ -400,9 +400,9 @@ impl<L: Legs> Robot for Parallel<L> {
     }
 }
 
-/// Largest rotation of a platform on three legs, which does not rotate (rad).
+/// Maximum rotation of a platform on three legs, which does not rotate (rad).
 const TURNED: f64 = 1e-6;
-/// Largest deviation of the platform from a pose when its joint values are converted back (mm or
+/// Maximum deviation of the platform from a pose when its joint values are converted back (mm or
 /// dimensionless).
 const BACK: f64 = 1e-6;
 /// Share of a rod's length by which rounding of the joint values moves a platform at a singularity

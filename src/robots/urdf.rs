@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Robot described by a tree of links and joints.
 pub(super) const MODEL: Model = Model::new::<Keys>("urdf");
 
-/// Largest plausible distance of origins; larger distances indicate a unit other than metres (mm).
+/// Maximum plausible distance of origins; larger distances indicate a unit other than metres (mm).
 const FURTHEST_MM: f64 = 20_000.0;
 
 /// Sine of the angle below which two axes are nominally parallel.

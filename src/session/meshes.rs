@@ -9,7 +9,7 @@ use etalon_robots::Robot;
 use etalon_view::Mesh;
 use std::path::{Component, Path, PathBuf};
 
-/// Largest file of a mesh (bytes).
+/// Maximum size of a mesh file (bytes).
 const LARGEST: u64 = 32 << 20;
 /// Triangles that are drawn of a robot, and at least of a part: meshes with more are drawn
 /// coarsely.

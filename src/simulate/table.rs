@@ -27,7 +27,7 @@ const TOUCHED: u64 = 1 << 37;
 /// Maximum number of Newton steps, and their convergence tolerance (mm).
 const STEPS: usize = 60;
 const TOUCHES_MM: f64 = 1e-10;
-/// Largest rotation of a joint in a step (rad); for sliding joints one metre counts as one radian.
+/// Maximum rotation of a joint in a step (rad); for sliding joints one metre counts as one radian.
 const STEP_RAD: f64 = 0.3;
 const RADIAN_MM: f64 = 1000.0;
 /// Maximum number of draws for joints that do not reach a contact.

@@ -22,14 +22,14 @@ const TRIPLES: [([&str; 3], f64, bool); 4] = [
     (["a_rad", "b_rad", "c_rad"], 1.0, true),
 ];
 const DEG: f64 = std::f64::consts::PI / 180.0;
-/// Largest deviation of the length of a measured quaternion from one: quaternions in files have a
+/// Maximum deviation of the length of a measured quaternion from one: quaternions in files have a
 /// few decimals.
 const LENGTH_ONE: f64 = 1e-3;
 /// Maximum number of orders in a message.
 const NAMED: usize = 4;
 /// Orders whose misfit is at most this multiple of the smallest are named beside it.
 const AS_GOOD: f64 = 3.0;
-/// Largest misfit (deg) of an order of angles that fits the robot.
+/// Maximum misfit (deg) of an order of angles that fits the robot.
 const MISFIT_DEG: f64 = 10.0;
 
 /// An orientation in the form of the row of a table.

@@ -503,7 +503,7 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     }
 }
 
-/// Smallest prior standard uncertainty of a parameter, in standard uncertainties by the sweeps:
+/// Minimum prior standard uncertainty of a parameter, in standard uncertainties from the sweeps:
 /// error alone exceeds a tolerance of 4.3 of them once in 50 000 parameters.
 const LEAST_PRIOR: f64 = 2.5;
 

@@ -62,7 +62,7 @@ pub enum Acceptance {
     Fail,
 }
 
-/// Largest ratio of expanded uncertainty to limit for shared risk.
+/// Maximum ratio of expanded uncertainty to limit for shared risk.
 const SHARED: f64 = 0.25;
 
 impl DecisionRule {

@@ -4,7 +4,7 @@ use std::io::{ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
 
-/// Largest head of a request (bytes), and its largest number of fields.
+/// Maximum size of the head of a request (bytes), and maximum number of its fields.
 const HEAD: usize = 16 << 10;
 const FIELDS: usize = 64;
 

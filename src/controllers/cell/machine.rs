@@ -7,9 +7,9 @@ use etalon_base::pose::{Pose, Vector, dot, minus, norm, unit};
 use etalon_base::{error, warning};
 use etalon_documents::CellDocument;
 
-/// Largest angle (deg) between a rotary axis and the axis of the machine about which it turns.
+/// Maximum angle (deg) between a rotary axis and the axis of the machine about which it turns.
 const LARGEST_DEG: f64 = 5.0;
-/// Smallest tilt (deg) with a warning: 9 µm at 100 mm.
+/// Minimum tilt (deg) with a warning: 9 µm at 100 mm.
 const SMALLEST_DEG: f64 = 0.005;
 /// Tilt in standard uncertainties beyond which it is significant.
 const SIGNIFICANT: f64 = 3.0;

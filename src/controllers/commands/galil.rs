@@ -12,7 +12,7 @@ pub struct Galil {
     pub counts_per_unit: Vec<f64>,
 }
 
-/// Largest position of an axis (DMC-21x3 command reference, PA).
+/// Maximum position of an axis (DMC-21x3 command reference, PA).
 const LARGEST: f64 = 2_147_483_647.0;
 
 impl Galil {

@@ -10,7 +10,7 @@ pub(super) struct Fanuc;
 
 /// Number of decimals of an angle (deg).
 const DECIMALS: usize = 3;
-/// Largest number of characters of a remark, and of a message on the pendant.
+/// Maximum number of characters of a remark, and of a message on the pendant.
 const REMARK: usize = 32;
 const MESSAGE: usize = 24;
 

@@ -6,7 +6,7 @@ use crate::decimals::fixed;
 
 pub(super) struct Inform;
 
-/// Largest number of characters of a comment or a message.
+/// Maximum number of characters of a comment or a message.
 const TEXT: usize = 32;
 /// Date of every job: the controller writes its own when a job is edited.
 const DATE: &str = "2000/01/01 00:00";

@@ -9,7 +9,7 @@ pub(super) struct Karel;
 
 /// Number of decimals of an angle (deg). A REAL of Karel has 24 bits, 1e-5 deg of 180 deg.
 const DECIMALS: usize = 4;
-/// Largest number of characters of a program's name.
+/// Maximum number of characters of a program's name.
 const NAME: usize = 12;
 
 /// Moves to joint values, or ends where they cannot be a position.

@@ -18,7 +18,7 @@ use std::fmt::Write as _;
 
 /// Deepest brackets: an array of targets.
 const DEEPEST: usize = 4;
-/// Largest difference of the length of a quaternion from 1: four digits are usual.
+/// Maximum difference of the length of a quaternion from 1: four digits are usual.
 const UNIT_LENGTH: f64 = 2e-3;
 
 /// Robtargets of a RAPID module.

@@ -121,7 +121,7 @@ pub(super) const TRACKER: NamedDialect = NamedDialect::simple("tracker-semicolon
     columns_in(Delimiter::Semicolon, &[ColumnRole::Label, ColumnRole::X, ColumnRole::Y, ColumnRole::Z])
 });
 
-/// Largest difference from 1 of the length of a direction.
+/// Maximum difference from 1 of the length of a direction.
 const DIRECTION: f64 = 0.01;
 
 /// Points of a text (mm), with its problems.
@@ -717,7 +717,7 @@ fn orientation(numbers: &mut [(ColumnRole, f64)], order: Option<AngleOrder>) -> 
     Ok(Some(pose.quaternion()))
 }
 
-/// Largest difference from 1 of the length of a quaternion with three digits.
+/// Maximum difference from 1 of the length of a quaternion with three digits.
 const QUATERNION: f64 = 2e-3;
 
 /// Position of a point (mm) from coordinates (mm and rad) in the order of their columns, and its

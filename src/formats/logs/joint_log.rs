@@ -30,7 +30,7 @@ fn turn(column: &str) -> Option<Turn> {
     (is_joint && column.ends_with("_deg")).then_some(Turn::DEGREES)
 }
 
-/// Largest step (deg) between rows that follow a motion.
+/// Maximum step (deg) between rows that follow a motion.
 const DENSE_DEG: f64 = 45.0;
 
 /// `true` if nine of ten steps are small: the rows follow the motion.

@@ -9,10 +9,10 @@ use etalon_base::pose::Vector;
 use indexmap::IndexSet;
 use std::collections::BTreeSet;
 
-/// Largest number of triangles of a file.
+/// Maximum number of triangles of a file.
 const MOST: usize = 1_000_000;
 
-/// Largest coordinate of a packed point.
+/// Maximum coordinate of a packed point.
 const FINEST: f64 = 65_535.0;
 
 /// Numbers of cells along the longest side into which points are packed, until the triangles are

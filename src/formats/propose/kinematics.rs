@@ -23,7 +23,7 @@ const DISTINCT: f64 = 3.0;
 const SAME_MM: f64 = 1e-3;
 /// Maximum number of interpretations that are compared with all rows.
 const NEAR: usize = 64;
-/// Largest step (mm) of rounded coordinates that tells computed from measured ones.
+/// Maximum step (mm) of rounded coordinates that tells computed from measured ones.
 const FINE_MM: f64 = 0.1;
 /// Allowance for base and target, which are fitted to rounded coordinates.
 const ALLOWANCE: f64 = 1.2;

@@ -539,7 +539,7 @@ fn component_last(words: &[String]) -> String {
 /// Minimum number of rows for a quaternion: in fewer rows, four numbers can have length 1 by
 /// chance.
 const FEWEST_ROWS: usize = 3;
-/// Largest magnitude of a column that holds no component: three others of length 1 are a direction.
+/// Maximum magnitude of a column that holds no component: three others of length 1 are a direction.
 const UNUSED: f64 = 1e-3;
 
 /// Returns the component (w, x, y, z) that each of four headings names.

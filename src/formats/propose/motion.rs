@@ -27,9 +27,9 @@ pub(super) enum Meeting {
 
 /// Durations of standstills that are tried (s).
 const DURATIONS_S: [f64; 3] = [1.0, 0.5, 0.2];
-/// Largest difference of joint values in a standstill (deg, or mm).
+/// Maximum difference of joint values in a standstill (deg, or mm).
 const WITHIN: f64 = 0.02;
-/// Largest value of a joint in rad: a turn, as for the units of columns.
+/// Maximum value of a joint in rad: a turn, as for the units of columns.
 const LARGEST_RAD: f64 = 6.6;
 /// Minimum number of points whose times state an offset.
 const FEWEST: usize = 5;

@@ -187,7 +187,7 @@ pub fn heading_without_unit(heading: &str) -> &str {
     units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
 }
 
-/// Largest deviation from 1 of the length of a unit vector that is rounded to three digits.
+/// Maximum deviation from 1 of the length of a unit vector that is rounded to three digits.
 const UNIT: f64 = 2e-3;
 
 impl Column {

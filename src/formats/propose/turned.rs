@@ -15,9 +15,9 @@ use etalon_robots::Robot;
 const MOST: usize = 40;
 /// Minimum number of rows.
 const FEWEST: usize = 6;
-/// Largest misfit (rad, root mean square) of an order that fits: errors of a nominal robot.
+/// Maximum misfit (rad, root mean square) of an order that fits: errors of a nominal robot.
 const FITS_RAD: f64 = 0.1;
-/// Smallest misfit (rad) of an order that does not fit.
+/// Minimum misfit (rad) of an order that does not fit.
 const FITS_NOT_RAD: f64 = 0.5;
 
 /// Returns the pose of the flange for joint values in the columns of the robot's joints.

@@ -28,7 +28,7 @@ const OF_NEAREST: f64 = 0.733;
 /// Ratio of the differences of neighbours to those of independent readings below which deviations
 /// are smooth.
 const SMOOTH: f64 = 0.6;
-/// Largest step of a smooth deviation, in medians of all: of waves with several harmonics.
+/// Maximum step of a smooth deviation, in medians of all: of waves with several harmonics.
 const USUAL_STEPS: f64 = 5.0;
 /// Residuals below this share of the size are rounding.
 const ROUNDING: f64 = 1e-12;
@@ -550,7 +550,7 @@ fn scaled(normal: &DMatrix<f64>, scale: &DVector<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(normal.nrows(), normal.ncols(), |i, j| normal[(i, j)] * scale[i] * scale[j])
 }
 
-/// Smallest share of its length by which a column must differ from the span of the others.
+/// Minimum share of its length by which a column must differ from the span of the others.
 const LEAST_PIVOT: f64 = 1e-6;
 
 fn cholesky(normal: &DMatrix<f64>) -> Option<(nalgebra::Cholesky<f64, nalgebra::Dyn>, DVector<f64>)> {
@@ -570,7 +570,7 @@ pub(super) fn invert_scaled(normal: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     Some(scaled(&factor.inverse(), &scale))
 }
 
-/// Largest radius (mm) of a path that counts as a circle.
+/// Maximum radius (mm) of a path that counts as a circle.
 const LARGEST_RADIUS_MM: f64 = 50_000.0;
 
 /// Fits circles or lines: lines if circles do not leave smaller residuals, or leave smaller ones

@@ -18,15 +18,15 @@ const ROUNDS: usize = 60;
 const SETTLED: f64 = 1e-9;
 /// Convergence tolerance: length of a step relative to the norm of the residuals.
 const SHORT: f64 = 1e-11;
-/// Largest damping relative to the unit columns.
+/// Maximum damping relative to the unit columns.
 const MOST_DAMPING: f64 = 1e6;
-/// Smallest standard deviations (mm, rad): residuals of exact data are rounding errors.
+/// Minimum standard deviations (mm, rad): residuals of exact data are rounding errors.
 const ROUNDING: [f64; 2] = [1e-9, 1e-12];
 /// Starting values of standard deviations (mm, rad) that are not given.
 const FIRST: [f64; 2] = [0.1, 1e-3];
 /// Standard deviations (mm, rad) that are assumed where nothing shows them.
 const ASSUMED: [f64; 2] = [ASSUMED_MM, ASSUMED_RAD];
-/// Smallest eigenvalue of the share of a residual that its reading controls, for a test.
+/// Minimum eigenvalue of the share of a residual that its reading controls, for a test.
 const CONTROLLED: f64 = 1e-6;
 /// Relative singular value below which a combination of parameters is not determined.
 const SINGULAR: f64 = 1e-10;

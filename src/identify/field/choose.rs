@@ -54,7 +54,7 @@ pub(super) fn choose(rows: &Rows, fit: &Fit, some: &[usize]) -> Result<Chosen, (
     chosen.ok_or((most, threshold))
 }
 
-/// Smallest mean variance of a component, relative to the variance of a white residual.
+/// Minimum mean variance of a component, relative to the variance of a white residual.
 const NEGLIGIBLE: f64 = 0.01;
 
 /// Weights, with nominal values weighted relative to the residuals of the field, and without

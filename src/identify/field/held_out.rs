@@ -19,7 +19,7 @@ const SEED: u64 = 45;
 const PROVEN: f64 = 2.326;
 /// Error of a pose, relative to the median, beyond which its readings are suspect.
 const FAR: f64 = 8.0;
-/// Smallest and largest factor of the field's standard uncertainty.
+/// Minimum and maximum factor of the field's standard uncertainty.
 const FACTORS: [f64; 2] = [0.25, 10.0];
 /// Number of bisections between these factors.
 const BISECTIONS: usize = 30;

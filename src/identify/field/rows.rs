@@ -8,7 +8,7 @@ use etalon_robots::{Quantity, Robot};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// Smallest diagonal of R, relative to the largest, of a regular fit.
+/// Minimum diagonal of R, relative to the largest, of a regular fit.
 const REGULAR: f64 = 1e-10;
 
 /// Residuals of all positions.

@@ -4,7 +4,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Number of steps in which variances are estimated.
 const STEPS: usize = 40;
-/// Smallest variance of a component relative to its start.
+/// Minimum variance of a component relative to its start.
 const VANISHED: f64 = 1e-9;
 
 /// Weights of components.

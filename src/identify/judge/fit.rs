@@ -19,7 +19,7 @@ use etalon_robots::{Parameter, Quantity, Robot, Role};
 use nalgebra::{Cholesky, DMatrix, DVector};
 use std::collections::BTreeSet;
 
-/// Smallest standard deviations (mm, rad) of a residual: no instrument measures robots more
+/// Minimum standard deviations (mm, rad) of a residual: no instrument measures robots more
 /// accurately.
 const LEAST: [f64; 2] = [1e-3, 1e-6];
 /// Root mean square of the smallest 80 % of normal numbers over their standard deviation.

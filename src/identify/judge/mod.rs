@@ -66,7 +66,7 @@ const FALLS_BY: f64 = 10.0;
 /// Ratio of standard deviations at which a change that is fitted to the data must be better than
 /// the changes that are not.
 const FITTED: f64 = 1.4;
-/// Largest standard deviation that the model of a robot leaves: relative to the spread of the
+/// Maximum standard deviation that the model of a robot leaves: relative to the spread of the
 /// positions, and of angles (rad).
 const MISFIT: [f64; 2] = [0.02, 0.035];
 /// Deviation of a parameter from nominal, in standard uncertainties of its tolerance, that no robot
@@ -79,7 +79,7 @@ const NEARER: f64 = 5.0;
 /// Differences (mm, rad) of the flange up to which two robots are the same.
 const SAME_MM: f64 = 5.0;
 const SAME_RAD: f64 = 0.02;
-/// Largest residual of one coordinate attributed to noise if poses are few, in standard
+/// Maximum residual of one coordinate attributed to noise if poses are few, in standard
 /// uncertainties of a coordinate.
 const NOISE_COORDINATE: f64 = 3.0;
 /// Maximum number of named changes.

@@ -27,12 +27,12 @@ const CHANCE: f64 = 1e-6;
 /// its size in standard uncertainties there.
 const BETWEEN_NEIGHBOURS: f64 = 0.5;
 const SEEN: f64 = 3.0;
-/// Largest distance of a pose from its neighbour before the change, relative to that from its
+/// Maximum distance of a pose from its neighbour before the change, relative to that from its
 /// neighbour after it.
 const NEIGHBOURS: f64 = 1.1;
 /// Shift, in standard deviations of the residuals with it, that the misfit of no model makes.
 const LARGE: f64 = 8.0;
-/// Smallest share of the residual sum of squares that is worth a decision.
+/// Minimum share of the residual sum of squares that is worth a decision.
 const LEAST_SHARE: f64 = 0.05;
 /// Minimum number of residuals for each parameter and each column of the usual misfit.
 const REDUNDANT: usize = 2;

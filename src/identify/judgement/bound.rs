@@ -25,11 +25,11 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 pub const COVERAGE: f64 = 2.0;
 /// Standard uncertainties of a measured coordinate in the bound of a length.
 const MULTIPLE: f64 = 10.0;
-/// Smallest share of the measured extent for lengths and ratios.
+/// Minimum share of the measured extent for lengths and ratios.
 const LEAST_OF_LENGTHS: f64 = 0.02;
-/// Smallest share for angles (rad).
+/// Minimum share for angles (rad).
 const LEAST_OF_ANGLES: f64 = 0.005;
-/// Largest share.
+/// Maximum share.
 const MOST: f64 = 0.05;
 /// Standard uncertainty (mm) of a coordinate that is assumed if nothing shows it: the order of
 /// coordinate measuring systems. Touches by a robot are less accurate. An answer that is rejected

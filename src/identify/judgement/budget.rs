@@ -110,7 +110,7 @@ pub struct Replicates {
     pub p_value: f64,
 }
 
-/// Largest share of a variance that is attributed to rounding.
+/// Maximum share of a variance that is attributed to rounding.
 const ROUNDING: f64 = 1e-9;
 /// Joint values of repeats differ by less than this, mm or rad.
 const SAME_JOINTS: f64 = 0.005;

@@ -36,7 +36,7 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     Error::Failed { termination, cause, set_up }
 }
 
-/// Largest share of readings that are wrong among correct ones.
+/// Maximum share of readings that are wrong among correct ones.
 const FEW: f64 = 0.2;
 
 /// Readings that most others contradict, by a robust fit from `start` that can be the robot.

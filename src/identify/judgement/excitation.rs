@@ -25,8 +25,8 @@ const SEED: u64 = 50;
 const STILL_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Maximum range (mm) of a prismatic joint that hardly moves.
 const STILL_MM: f64 = 0.5;
-/// Largest scatter of measured positions, relative to the scatter of the predicted ones and of the
-/// noise, where joints hardly move.
+/// Maximum scatter of measured positions, relative to the scatter of the predicted positions and of
+/// the noise, if joints hardly move.
 const FARTHER: f64 = 3.0;
 /// Change of a joint value (mm or rad) by rounding.
 const ROUNDING: f64 = 1e-9;

@@ -126,7 +126,7 @@ pub struct JudgedErrors<'a> {
     pub position_mm: Option<f64>,
 }
 
-/// Largest number of fitted parameters whose response is computed.
+/// Maximum number of fitted parameters whose response is computed.
 const MOST_FITTED: usize = 400;
 /// Eigenvalues of a normal matrix below this, relative to the largest, count as zero.
 const RANK: f64 = 1e-12;

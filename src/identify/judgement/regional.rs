@@ -30,7 +30,7 @@ const FEWEST: usize = 4;
 const DIVISIONS: usize = 8;
 /// Seed of the random directions.
 const SEED: u64 = 60;
-/// Smallest share (1 − leverage) of an error that a residual may show; a region that determines a
+/// Minimum share (1 − leverage) of an error that a residual may show; a region that determines a
 /// direction almost alone counts with this share.
 pub(crate) const SHOWN: f64 = 0.05;
 

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 /// Number of conditions that is sufficient for a size.
 const CONDITIONS: usize = 24;
-/// Smallest size (mm): targets that only touch each other have none.
+/// Minimum size (mm): targets that only touch each other have none.
 const LEAST_MM: f64 = 1.0;
 
 /// Size of a robot at its conditions, with its derivatives.

@@ -25,11 +25,11 @@ pub(super) const BELOW: End = End { steps: 20, close: 1e-6 };
 const MEMORY: usize = 8;
 /// Share of the rise by the gradient that a step has to reach.
 const SUFFICIENT: f64 = 1e-4;
-/// Largest number of halvings of a step.
+/// Maximum number of halvings of a step.
 const HALVINGS: usize = 30;
 /// Number of bisections of the common reduction of shares: their interval falls below rounding.
 const BISECTIONS: usize = 60;
-/// Largest change of the length of a step from one to the next, as a factor.
+/// Maximum change of the length of a step from one to the next, as a factor.
 const LONGER: f64 = 100.0;
 
 /// The best choice found, and the bound that is shown for it.

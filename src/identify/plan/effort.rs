@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Number of random starts, unless given.
 const STARTS: u64 = 10;
-/// Largest number of nodes of branch and bound, unless given.
+/// Maximum number of nodes of branch and bound, unless given.
 const NODES: usize = 4000;
 /// Share of the index below the bound that is enough for a large problem.
 const ENOUGH: f64 = 0.01;

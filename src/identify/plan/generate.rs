@@ -10,9 +10,9 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, dot, minus, norm};
 use etalon_robots::{Joint, JointChain, Quantity, Robot, base_pose};
 
-/// Largest number of draws for each wanted candidate.
+/// Maximum number of draws for each wanted candidate.
 pub const DRAWS_PER_CANDIDATE: usize = 200;
-/// Smallest number of draws before the search ends without enough candidates.
+/// Minimum number of draws before the search ends without enough candidates.
 pub const FEWEST_DRAWS: usize = 20_000;
 /// Travel (mm) of a prismatic joint with backlash from its approach point to a pose.
 pub const APPROACH_MM: f64 = 2.0;

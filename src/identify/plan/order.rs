@@ -5,11 +5,11 @@
 
 /// Number of poses at which the search starts.
 const STARTS: usize = 64;
-/// Largest number of points whose paths are all improved; of more, the shortest path is.
+/// Maximum number of points whose paths are all improved; of more, the shortest path is.
 const FEW: usize = 200;
-/// Smallest shortening that counts, as a share of the span of a joint.
+/// Minimum shortening that counts, as a share of the span of a joint.
 const SHORTER: f64 = 1e-9;
-/// Largest number of points that are ordered; more remain in the given order.
+/// Maximum number of points that are ordered; more remain in the given order.
 pub const MOST: usize = 2000;
 
 /// Order of points, and its length.

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 /// Number of sums that a product accumulates side by side.
 const LANES: usize = 8;
-/// Smallest number of products for which several threads are worthwhile.
+/// Minimum number of products for which several threads are worthwhile.
 const PARALLEL: usize = 200_000;
 
 /// Symmetric matrices.

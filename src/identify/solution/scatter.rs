@@ -9,10 +9,10 @@ use etalon_robots::Robot;
 
 /// Minimum degrees of freedom of an estimated noise, in positions.
 const FEWEST: usize = 5;
-/// Largest share of the spread of all positions that is noise; more is a wrong join of joint values
+/// Maximum share of the spread of all positions that is noise; more is a wrong join of joint values
 /// and points.
 const LARGEST_SHARE: f64 = 0.05;
-/// Largest part of the motion of the nominal robot that is not linear in the joint values, as a
+/// Maximum part of the motion of the nominal robot that is not linear in the joint values, as a
 /// share of the motion, where joints hardly move.
 const NON_LINEAR: f64 = 1e-3;
 

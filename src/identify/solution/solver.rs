@@ -22,7 +22,7 @@ const ROUNDS: usize = 8;
 const ITERATIONS: usize = 600;
 /// Assumed noise of the residuals in the first, tied solution.
 const ANCHOR_MM: f64 = 0.01;
-/// Smallest noise relative to which nominal values count.
+/// Minimum noise relative to which nominal values count.
 const LEAST_NOISE_MM: f64 = 1e-4;
 /// Share of the parameters determined by nominal values above which these may keep residuals large.
 const BY_NOMINAL: f64 = 0.2;

@@ -16,7 +16,7 @@ use etalon_robots::{FreeBase, Robot, Role};
 use std::collections::BTreeSet;
 
 const SUBSET: usize = 24;
-/// Largest root mean square distance attributed to noise of three coordinates, in standard
+/// Maximum root mean square distance attributed to noise of three coordinates, in standard
 /// uncertainties of a coordinate: twice √3.
 pub const NOISE_DISTANCE: f64 = 3.5;
 

@@ -14,7 +14,7 @@ pub(crate) struct Axis {
     labels: Option<Vec<(f64, String)>>,
 }
 
-/// Largest value that is drawn; larger values are blunders.
+/// Maximum value that is drawn; larger values are blunders.
 const DRAWABLE: f64 = 1e12;
 
 /// `true` for values that can be drawn.

@@ -19,9 +19,9 @@ const BAR: f64 = 14.0;
 const BOLD: f64 = 1.1;
 /// Margin at both sides.
 const SIDE: f64 = 10.0;
-/// Smallest right end of the scale, over the limit.
+/// Minimum right end of the scale, over the limit.
 const LEAST: f64 = 1.25;
-/// Largest right end of the scale, over the limit; a larger value ends there with an arrow.
+/// Maximum right end of the scale, over the limit; a larger value ends there with an arrow.
 const MOST: f64 = 2.5;
 
 /// Bullet graph of all limits on one scale: value over limit.

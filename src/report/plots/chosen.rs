@@ -4,7 +4,7 @@ use super::layer::*;
 use etalon_documents::{CandidatePlace, PlanDocument};
 use std::collections::BTreeSet;
 
-/// Largest plausible coordinate (mm).
+/// Maximum plausible coordinate (mm).
 const DRAWABLE_MM: f64 = 1e7;
 /// Maximum number of legible marks.
 const LIMIT: usize = 2000;

@@ -9,9 +9,9 @@ use etalon_documents::ParametersDocument;
 const FEW: usize = 14;
 /// Number of parameters above which every second name is shown; every third at twice the number.
 const LETTERED: usize = 48;
-/// Smallest absolute correlation of pairs that are named.
+/// Minimum absolute correlation of pairs that are named.
 const STRONG: f64 = 0.9;
-/// Smallest absolute correlation with a text for pointers in a large matrix; the workbook has all.
+/// Minimum absolute correlation with a text for pointers in a large matrix; the workbook has all.
 const TOLD: f64 = 0.5;
 const TOP: f64 = 4.0;
 

@@ -10,7 +10,7 @@ use etalon_documents::Iso9283Document;
 const FROM_CENTRE: f64 = 0.8;
 /// Tolerance of the coordinates relative to the centre: 2 % of the diagonal over 80 % of its half.
 const TOLERANCE: f64 = 0.05;
-/// Largest height of coplanar poses relative to their extent.
+/// Maximum height of coplanar poses relative to their extent.
 const FLAT: f64 = 0.01;
 /// Maximum number of legible names.
 const NAMED: usize = 12;

@@ -7,7 +7,7 @@ use etalon_documents::{CurvePoint, PlanDocument};
 /// Margin at the right for the labels and the name of the second axis.
 const ROOM: f64 = 56.0;
 
-/// Largest condition number that is drawn; larger ones belong to singular choices.
+/// Maximum condition number that is drawn; larger ones belong to singular choices.
 const REGULAR: f64 = 1e9;
 
 /// Curve of the greedy choice; `None` with fewer than two points.

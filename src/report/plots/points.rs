@@ -5,7 +5,7 @@ use crate::words::isolated;
 use etalon_base::catalogue::Phrase;
 use std::collections::BTreeMap;
 
-/// Largest position or error that is drawn (mm); larger ones are blunders.
+/// Maximum position or error that is drawn (mm); larger ones are blunders.
 const DRAWABLE_MM: f64 = 1e7;
 
 /// Errors that can be drawn, in order.

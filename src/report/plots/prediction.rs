@@ -6,7 +6,7 @@ use super::map::{class, length, scale, scales, top};
 use etalon_documents::{MapNode, PredictionMap};
 use std::collections::BTreeMap;
 
-/// Largest plausible coordinate of a node (mm).
+/// Maximum plausible coordinate of a node (mm).
 const DRAWABLE_MM: f64 = 1e7;
 /// Distance within which nodes overlap (units of the figure).
 const NEAR: f64 = 1.0;

@@ -3,11 +3,11 @@
 use super::layer::*;
 use etalon_documents::{FigureBudget, UncertaintySource};
 
-/// Smallest share whose number is shown.
+/// Minimum share whose number is shown.
 const WRITTEN: f64 = 0.08;
-/// Smallest share that is visible as a bar.
+/// Minimum share that is visible as a bar.
 const DRAWN: f64 = 0.001;
-/// Smallest share of a second source that is worth a figure.
+/// Minimum share of a second source that is worth a figure.
 const VISIBLE: f64 = 0.01;
 
 /// One bar for each figure, with sources by name; `None` if only one source is visible.

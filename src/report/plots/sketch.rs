@@ -15,7 +15,7 @@ const LETTER: f64 = 12.0;
 const LETTER_WIDTH: f64 = 6.8;
 /// Maximum length of a name in a drawing; longer names lose their middle.
 const LONGEST_NAME: usize = 40;
-/// Largest plausible coordinate (mm).
+/// Maximum plausible coordinate (mm).
 const REACH: f64 = 1e7;
 
 /// One figure for each drawing that can be drawn.

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 /// Style of a visit without recorded approach.
 const UNKNOWN: Look<'static> = Look { shape: Shape::Circle, class: "map", fill: "#ffffff" };
-/// Largest distance from the mean that is drawn (µm); larger ones are blunders.
+/// Maximum distance from the mean that is drawn (µm); larger ones are blunders.
 const DRAWABLE_UM: f64 = 1e9;
 
 /// Names of approaches in the language of a report; names that a table contains are kept.

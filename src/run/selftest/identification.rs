@@ -25,9 +25,9 @@ pub(super) const SUBJECT: Subject = Subject {
 
 /// Poses of a simulated measurement.
 const POSES: usize = 40;
-/// Largest change of a joint about the joint values of the reference data (rad, mm).
+/// Maximum change of a joint about the joint values of the reference data (rad, mm).
 const ABOUT: [f64; 2] = [0.35, 25.0];
-/// Largest deviation of the campaign's parameters, in their standard uncertainties: of 14 normal
+/// Maximum deviation of the campaign's parameters, in their standard uncertainties: of 14 normal
 /// numbers one exceeds it in a thousand campaigns. The files do not change.
 const LARGEST: f64 = 4.0;
 

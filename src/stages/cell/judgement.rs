@@ -6,9 +6,9 @@ use etalon_base::pose::{Pose, Vector, norm};
 use etalon_base::{error, warning};
 use etalon_identify::cell::{CellPoint, CellResidual, Component, Measure, Quality, Size};
 
-/// Largest distance of a flange from the base (mm) that indicates another unit.
+/// Maximum distance of a flange from the base (mm) that indicates another unit.
 const SMALL_MM: f64 = 10.0;
-/// Largest length of a tool (mm) that indicates another unit.
+/// Maximum length of a tool (mm) that indicates another unit.
 const SMALL_TOOL_MM: f64 = 2.0;
 /// Distance of a flange from the base (mm) from which another unit is indicated.
 const LARGE_MM: f64 = 20_000.0;
@@ -16,7 +16,7 @@ const LARGE_MM: f64 = 20_000.0;
 const LARGE_TOOL_MM: f64 = 10_000.0;
 /// Coverage factor of a tool that is at the flange.
 const AT_FLANGE: f64 = 3.0;
-/// Largest standard uncertainty (mm) at which a tool at the flange is named.
+/// Maximum standard uncertainty (mm) at which a tool at the flange is named.
 const KNOWN_MM: f64 = 2.0;
 
 /// Error about positions that are probably in metres, or in millimetres under metres: poses near

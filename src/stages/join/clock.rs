@@ -43,7 +43,7 @@ impl Clock {
     }
 }
 
-/// Largest difference of the rates of two clocks: both are driven by quartz crystals.
+/// Maximum difference of the rates of two clocks: both are driven by quartz crystals.
 ///
 /// IEEE 802.1AS-2020, B.1.1 allows 100 ppm for a clock in a network; crystals of controllers and
 /// instruments are specified within 50 ppm each. A log that needs more is another log.

@@ -9,7 +9,7 @@ use etalon_base::message::Message;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
 
-/// Smallest correlation of the speeds of one motion.
+/// Minimum correlation of the speeds of one motion.
 const SMALLEST_CORRELATION: f64 = 0.8;
 /// A second offset with this part of the largest correlation leaves the choice open.
 const RIVAL: f64 = 0.97;
@@ -19,7 +19,7 @@ const COMPARED: usize = 2000;
 const SPANS: usize = 4096;
 /// Maximum number of steps of the refinement.
 const STEPS: usize = 20;
-/// Largest step of the offset at which the refinement ends (s).
+/// Maximum step of the offset at which the refinement ends (s).
 const CONVERGED_S: f64 = 1e-9;
 /// Minimum number of speeds of a recording.
 const FEWEST: usize = 20;

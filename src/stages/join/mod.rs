@@ -493,7 +493,7 @@ fn equal_counts<'a>(
     problems.check().map(|_| ())
 }
 
-/// Largest motion (mm or deg) of the encoder of a stationary joint.
+/// Maximum motion (mm or deg) of the encoder of a stationary joint.
 const STILL: f64 = 0.01;
 
 /// A log with the directions of approach of the joints with backlash: given ones, or those from

@@ -7,7 +7,7 @@ use etalon_base::{phrase, warning};
 use etalon_identify::{Effects, Identification, Observation, Settings, Status, chi_square_exceeds, identify_from};
 use etalon_robots::{Circumstance, Effect, Parameter, Robot};
 
-/// Largest range of values that count as constant, relative to the values.
+/// Maximum range of values that count as constant, relative to the values.
 const CONSTANT: f64 = 1e-6;
 /// Temperatures (°C) of robots in a workshop. Fahrenheit and kelvin of a workshop are above.
 const WORKSHOP_C: [f64; 2] = [0.0, 55.0];

@@ -9,7 +9,7 @@ use etalon_identify::{Effects, Settings, identify_from};
 use etalon_robots::{Effect, Parameter, Robot, Role};
 use std::collections::BTreeSet;
 
-/// Largest difference of chi-square at which both tilts explain the data alike: three standard
+/// Maximum difference of chi-square at which both tilts explain the data alike: three standard
 /// deviations.
 const ALIKE: f64 = 9.0;
 

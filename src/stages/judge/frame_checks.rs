@@ -16,7 +16,7 @@ use std::f64::consts::FRAC_PI_2;
 const STEPS: usize = 300;
 /// Coverage factor of an expanded uncertainty (GUM 6.3.3).
 const COVERAGE: f64 = 2.0;
-/// Largest distance (mm) and rotation (rad) of a base from its nominal position in robot.toml, if
+/// Maximum distance (mm) and rotation (rad) of a base from its nominal position in robot.toml, if
 /// robot.toml gives no tolerance.
 const BASE: (f64, f64) = (100.0, 0.2);
 

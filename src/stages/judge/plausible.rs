@@ -48,7 +48,7 @@ const SIGNIFICANT: f64 = 3.0;
 /// Deviation of the gain of a revolute joint that harmonics of its transmission can cause over part
 /// of a turn.
 const ENCODER_GAIN: f64 = 2e-3;
-/// Largest deviation (rad) of the zero of a revolute joint by mastering: 1 deg.
+/// Maximum deviation (rad) of the zero of a revolute joint by mastering: 1 deg.
 const ENCODER_ZERO_RAD: f64 = std::f64::consts::PI / 180.0;
 /// Significance level of a common factor.
 const CHANCE: f64 = 1e-3;

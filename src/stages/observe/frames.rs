@@ -89,7 +89,7 @@ fn fitted(element: FeatureElement, points: &[Vector], settings: &etalon_fit::Fit
 /// Standard uncertainty (deg) of a direction above which a warning is given: 0.1 deg is 0.5 mm over
 /// 300 mm.
 const DIRECTION_POOR_DEG: f64 = 0.1;
-/// Largest standard uncertainty (deg) of a direction that may define a frame.
+/// Maximum standard uncertainty (deg) of a direction that may define a frame.
 const DIRECTION_UNKNOWN_DEG: f64 = 3.0;
 /// Minimum distance of `towards` from the axis, as a share of its distance from the origin.
 const OFF_AXIS: f64 = 0.01;

@@ -13,16 +13,16 @@ use std::f64::consts::TAU;
 /// Allowance of a joint beyond its given limits, as a share of their distance: limits are nominal,
 /// the zero of the joint has the error of homing, and a drive overshoots.
 const OVERSHOOT: f64 = 0.01;
-/// Largest angle (rad) of a joint without given limits: joints of arms turn by up to 1.3 turns to
+/// Maximum angle (rad) of a joint without given limits: joints of arms turn by up to 1.3 turns to
 /// either side.
 const LARGEST_ANGLE: f64 = 2.0 * TAU;
-/// Largest distance of a value from the middle half of its column, in widths of that half, for a
+/// Maximum distance of a value from the middle half of its column, in widths of that half, for a
 /// continuous joint.
 const WIDTHS_OF_ANGLES: f64 = 3.0;
-/// Largest distance (mm) of a value of a prismatic joint without given limits from the middle
+/// Maximum distance (mm) of a value of a prismatic joint without given limits from the middle
 /// half: no machine has a longer axis.
 const LARGEST_LENGTH: f64 = 1e5;
-/// Largest distance for such a joint, in widths of the middle half.
+/// Maximum distance for such a joint, in widths of the middle half.
 const WIDTHS_OF_LENGTHS: f64 = 100.0;
 /// Minimum number of values of a column with a middle half.
 const FEWEST: usize = 8;

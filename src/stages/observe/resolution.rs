@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 /// Maximum number of decimals of a column with a resolution; numbers with more are not rounded.
 const MOST_DECIMALS: i32 = 9;
-/// Smallest standard uncertainty of a zero, in the unit of its column: 0.02 µm or 0.00002 degrees.
+/// Minimum standard uncertainty of a zero, in the unit of its column: 0.02 µm or 0.00002 degrees.
 const LEAST: f64 = 2e-5;
 /// Columns of standard uncertainties and covariances of a table of observations.
 const COLUMNS: [&str; 11] =

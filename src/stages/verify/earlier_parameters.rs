@@ -93,7 +93,7 @@ pub fn check_described(robot: &dyn Robot, document: &ParametersDocument) -> Resu
     Err(if lines.is_empty() { message } else { message.hint(phrase!("add-lines", lines)) }.into())
 }
 
-/// Largest distance (mm) of flanges that counts as rounding.
+/// Maximum distance (mm) of flanges that counts as rounding.
 const SAME_MM: f64 = 1e-6;
 
 /// Rejects a robot whose geometry differs from the geometry of the identification even with the

@@ -36,6 +36,7 @@ fn number(name: &str, default: u64) -> u64 {
 pub struct Ran {
     pub name: String,
     pub scratch: Scratch,
+    campaign: Campaign,
     pub robot: Box<dyn Robot>,
     description: Option<(String, String)>,
     /// Statements of the campaign, with a date, which a certificate needs.
@@ -58,7 +59,7 @@ impl Ran {
         let description = campaign.robot.description().map(|(file, text)| (file.to_owned(), text.to_owned()));
         let mut summary = outcome.results.campaign.clone();
         summary.measurements.date = Some("2026-03-02".to_owned());
-        Self { name, scratch, robot, description, summary, outcome }
+        Self { name, scratch, campaign, robot, description, summary, outcome }
     }
 
     pub fn found(&self) -> &IdentifiedDocuments {
@@ -84,7 +85,8 @@ impl Ran {
     /// The file of a format with the values that it holds (all parameters; base and targets as fitted to them) and its stated error.
     fn file(&self, format: &str) -> Result<File<'_>, Problems> {
         let exporter: &dyn Exporter = controllers::by_name(format).unwrap();
-        let again = identify_again(&self.given(None), self.robot.as_ref(), self.solution(), &[(format, exporter)]);
+        let (given, robot) = (self.given(None), self.robot.as_ref());
+        let again = identify_again(&self.campaign, &given, robot, self.solution(), &[(format, exporter)]);
         let given = self.given(again.as_ref());
         let statement = given.statement(exporter)?;
         let bytes = exporter.write(&given)?;

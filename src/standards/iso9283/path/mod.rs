@@ -41,7 +41,7 @@ pub struct PathSettings {
     pub weave: Option<Weave>,
 }
 
-/// Smallest turn of the commanded path that counts as a corner.
+/// Minimum turn of the commanded path that counts as a corner.
 pub const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
 /// Number of simulated tests for an interval.
 const DRAWS: usize = 1000;

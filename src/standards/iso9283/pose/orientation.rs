@@ -17,7 +17,7 @@ const REACHED: f64 = 3.0;
 /// Ratio of the deviations of two angles to those of their sum or difference, and of the third
 /// angle, from which on the two vary together.
 const TOGETHER: f64 = 5.0;
-/// Smallest deviation (rad) of two such angles about a third one near 0° or 180°, at which many
+/// Minimum deviation (rad) of two such angles about a third one near 0° or 180°, at which many
 /// correct orientations lie: no robot scatters by half a degree.
 const IMPLAUSIBLE_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Difference (rad) of an angle beyond rounding: another solution of the same orientation.

@@ -37,7 +37,7 @@ impl Scatter {
     }
 }
 
-/// Largest useful |w|, beyond which [`Scatter::plausible`] is constant.
+/// Maximum useful |w|, beyond which [`Scatter::plausible`] is constant.
 pub(crate) const FARTHEST: f64 = 40.0;
 
 /// Effective number of directions with equal scatter: (Σv)² / Σv².

@@ -10,7 +10,7 @@ pub struct UncertaintyRatio {
     pub met: bool,
 }
 
-/// Largest permissible ratio.
+/// Maximum permissible ratio.
 const SHARE: f64 = 0.25;
 
 /// Applies the rule to one characteristic (both in mm); a characteristic of zero never passes.
