@@ -15,7 +15,7 @@ pub struct Date {
 }
 
 impl Date {
-    /// Date of these numbers, which are not checked.
+    /// Returns the date of these numbers, which are not checked.
     pub fn new(year: i32, month: u8, day: u8) -> Self {
         Self { year, month, day }
     }

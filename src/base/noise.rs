@@ -27,7 +27,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 pub struct Noise(ChaCha8Rng);
 
 impl Noise {
-    /// Stream `trial` of the generator with this seed.
+    /// Returns the stream `trial` of the generator with this seed.
     pub fn new(seed: u64, trial: u64) -> Self {
         let mut generator = ChaCha8Rng::seed_from_u64(seed);
         generator.set_stream(trial);

@@ -115,7 +115,7 @@ impl<T: Scalar> Pose<T> {
         }
     }
 
-    /// Direction of axis 0, 1 or 2 of this frame.
+    /// Returns the direction of axis 0, 1 or 2 of this frame.
     pub fn axis(&self, axis: usize) -> Vector<T> {
         let [x, y, z] = &self.rotation;
         [x[axis], y[axis], z[axis]]

@@ -54,7 +54,7 @@ impl Changes {
         *self == Self::default()
     }
 
-    /// Text of campaign.toml with these changes.
+    /// Returns the text of campaign.toml with these changes.
     ///
     /// # Errors
     /// Fails if the text contains a key in a form that cannot be changed, or does not hold a
@@ -172,7 +172,7 @@ fn selected(text: &str, key: &str, poses: &str) -> Result<String> {
     }
 }
 
-/// The text with this limit of the largest position error.
+/// Returns the text with this limit of the largest position error.
 fn limited(text: &str, limit_mm: f64) -> Result<String> {
     if let Some(stated) = keys(text, "position_max_mm")?.limits.position_max_mm {
         return Ok(replaced(text, stated.span(), &limit_mm.to_string()));

@@ -109,7 +109,7 @@ impl JsonSchema for RobotFile {
     }
 }
 
-/// Schema of the keys of these models in one table.
+/// Returns the schema of the keys of these models in one table.
 fn keys(models: &[&Model]) -> Schema {
     let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
     let mut whole = CommonKeys::json_schema(&mut generator);

@@ -40,7 +40,7 @@ pub(super) fn essential(keys: &[Key]) -> Vec<String> {
     keys.iter().flat_map(of).collect()
 }
 
-/// Key with this name, at the top or in a table.
+/// Returns the key with this name, at the top or in a table.
 pub(super) fn named<'k>(keys: &'k [Key], name: &str) -> Option<&'k Key> {
     keys.iter().find_map(|key| if key.name == name { Some(key) } else { named(table_keys(key), name) })
 }
@@ -69,7 +69,7 @@ impl From<StatedJoint> for JointRef {
     }
 }
 
-/// JSON Schema of a table with these keys.
+/// Returns the JSON Schema of a table with these keys.
 pub(super) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
     let mut properties = Map::new();
     for key in keys {

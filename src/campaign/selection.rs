@@ -179,8 +179,8 @@ impl Selection {
         }
     }
 
-    /// First name that none of these poses has, and which is therefore a mistake. Numbers and their
-    /// ranges may be unmeasured.
+    /// Returns the first name that none of these poses has, and which is therefore a mistake.
+    /// Numbers and their ranges may be unmeasured.
     pub fn mistaken(&self, poses: &BTreeSet<PoseName>) -> Option<PoseName> {
         let Self::Named(named) = self else { return None };
         let text = |named: &&PoseRange| match &named.range {

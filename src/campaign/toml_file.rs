@@ -82,7 +82,7 @@ pub(super) fn recover<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) 
 /// JSON Schemas by id, for the next file of the same kind: a schema takes longer than a file.
 static SCHEMAS: Mutex<BTreeMap<Cow<'static, str>, Arc<Value>>> = Mutex::new(BTreeMap::new());
 
-/// The schema with this id, from `make` if it is needed for the first time.
+/// Returns the schema with this id, from `make` if it is needed for the first time.
 pub(super) fn kept_schema(id: Cow<'static, str>, make: impl FnOnce() -> Value) -> Arc<Value> {
     let mut schemas = SCHEMAS.lock().unwrap_or_else(PoisonError::into_inner);
     schemas.entry(id).or_insert_with(|| Arc::new(make())).clone()

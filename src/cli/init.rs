@@ -146,7 +146,7 @@ impl Init {
 
 const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
 
-/// Campaign of a robot with these joint columns.
+/// Returns the campaign of a robot with these joint columns.
 fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
     let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
     text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()

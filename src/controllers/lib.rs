@@ -410,7 +410,7 @@ impl<'a> ExportInput<'a> {
         problems.check().map(|_| names)
     }
 
-    /// Identified parameter with this name.
+    /// Returns the identified parameter with this name.
     fn entry(&self, name: &str) -> Result<&'a ParameterEntry> {
         let entry = self.parameters.parameters.iter().find(|entry| entry.name == name);
         entry.ok_or_else(|| error!("parameter-missing", parameter = name).into())
@@ -468,7 +468,7 @@ pub fn usual() -> impl Iterator<Item = &'static str> {
     EXPORTERS[..USUAL].iter().map(|exporter| exporter.name())
 }
 
-/// Format with this name.
+/// Returns the format with this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
     EXPORTERS.into_iter().find(|exporter| exporter.name() == name)
 }

@@ -63,7 +63,7 @@ impl TemplateFormat {
         Ok(format)
     }
 
-    /// File with these values.
+    /// Returns the file with these values.
     fn filled(&self, values: Value) -> std::result::Result<Vec<u8>, Error> {
         let mut environment = format_environment()?;
         environment.add_template(&self.path, &self.text)?;

@@ -40,7 +40,7 @@ impl Element {
         self
     }
 
-    /// Document with this root element, preceded by a comment with these lines.
+    /// Returns the document with this root element, preceded by a comment with these lines.
     pub fn document(&self, header: &[String]) -> std::io::Result<Vec<u8>> {
         let mut out = Writer::new_with_indent(Vec::new(), b' ', 1);
         out.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;

@@ -528,8 +528,8 @@ pub struct ErrorStatistics {
 }
 
 impl AccuracySet {
-    /// Number of poses with an error of a quantity of this set, and number of further errors (0 if
-    /// each pose has one).
+    /// Returns the number of poses with an error of a quantity of this set, and number of further
+    /// errors (0 if each pose has one).
     pub fn counts(&self, errors: &ErrorStatistics) -> [usize; 2] {
         let poses = if errors.poses > 0 { errors.poses } else { self.poses };
         [poses, if errors.count == poses { 0 } else { errors.count }]
@@ -608,8 +608,8 @@ pub struct PointError {
 /// parameter estimation).
 const UNCONTROLLED: f64 = 0.1;
 
-/// Divisor √r in statistics of the error of a reading that places its own target with this
-/// redundancy number; `None` if the reading is uncontrolled.
+/// Returns the divisor √r in statistics of the error of a reading that places its own target with
+/// this redundancy number; `None` if the reading is uncontrolled.
 pub fn counted_share(redundancy: f64) -> Option<f64> {
     (redundancy >= UNCONTROLLED).then(|| redundancy.sqrt())
 }

@@ -244,7 +244,7 @@ impl FieldDocument {
         }
     }
 
-    /// The field of this document for a robot.
+    /// Returns the field of this document for a robot.
     ///
     /// # Errors
     /// Fails if the document is of another robot, or inconsistent.

@@ -63,9 +63,9 @@ impl ReferencePose {
 }
 
 impl ParametersDocument {
-    /// Largest distance (mm) between the flange of a robot and the flange of the robot whose
-    /// parameters were identified, both with the nominal values of this document; `None` if it
-    /// cannot be compared.
+    /// Returns the largest distance (mm) between the flange of a robot and the flange of the robot
+    /// whose parameters were identified, both with the nominal values of this document; `None` if
+    /// it cannot be compared.
     ///
     /// Nominal values that differ between the two robots are thus not part of it. Loads follow from
     /// the robot's own nominal values: where these differ and effects of loads are not nominally

@@ -128,8 +128,8 @@ fn by_subsets(points: &[Vector], joined: &[usize], most: usize) -> Ball {
     best
 }
 
-/// Centre of the smallest ball through all of these points, in their span; `None` if the points are
-/// dependent.
+/// Returns the centre of the smallest ball through all of these points, in their span; `None` if
+/// the points are dependent.
 ///
 /// Solves x·v = |v|²/2 for every edge v from the first point, one orthogonal direction after the
 /// other (Gärtner 1999, 3).

@@ -87,7 +87,7 @@ impl<'a> Search<'a> {
         Self { element, points, settings, resolution_mm, largest_mm }
     }
 
-    /// Fit of the points with these indices.
+    /// Returns the fit of the points with these indices.
     fn trial(&self, used: Vec<usize>) -> Option<Trial> {
         let points: Vec<Vector> = used.iter().map(|i| self.points[*i]).collect();
         let weights: Option<Vec<f64>> = self.settings.weights.map(|w| used.iter().map(|i| w[*i]).collect());

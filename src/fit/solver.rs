@@ -39,7 +39,8 @@ pub(super) trait Surface<const N: usize, const K: usize>: Copy + Sync {
     /// Centres the chart on the element.
     fn recharted(&self, x: &[f64; N]) -> (Self, [f64; N]);
 
-    /// Residual of points with these distances: the first, unless all together are one distance.
+    /// Returns the residual of points with these distances: the first, unless all together are one
+    /// distance.
     #[inline(always)]
     fn residual(distances: [F64x8; K]) -> F64x8 {
         distances[0]

@@ -56,8 +56,8 @@ pub(super) const SLACK: f64 = 1e-13;
 pub(super) const FARTHEST: f64 = 1e4;
 
 impl MinimumZone {
-    /// Zone of points at these distances, in units of `scale_mm`, and distance of its middle;
-    /// without position and unverified.
+    /// Returns the zone of points at these distances, in units of `scale_mm`, and distance of its
+    /// middle; without position and unverified.
     pub(super) fn between(element: Element, distances: &[f64], scale_mm: f64) -> (Self, f64) {
         let (low, high, lower, upper) = sides(distances);
         let middle = 0.5 * (low + high);

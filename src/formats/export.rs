@@ -164,7 +164,7 @@ struct Texts<'l> {
 }
 
 impl Texts<'_> {
-    /// The names with this pose; `None` if a number is too large.
+    /// Returns the names with this pose; `None` if a number is too large.
     fn named(self, pose: Option<PoseName>) -> Option<LabelNames> {
         let cycle = self.cycle.map(str::parse).transpose().ok()?;
         Some(LabelNames { target: self.target.map(str::to_owned), pose, cycle })

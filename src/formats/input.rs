@@ -262,7 +262,7 @@ fn coding(encoding: Encoding) -> &'static encoding_rs::Encoding {
     }
 }
 
-/// The encoding that the first bytes give, and the number of these bytes.
+/// Returns the encoding that the first bytes give, and the number of these bytes.
 fn mark(bytes: &[u8]) -> Option<(Encoding, usize)> {
     let (marked, length) = encoding_rs::Encoding::for_bom(bytes)?;
     let all = [Encoding::Utf8, Encoding::Utf16Le, Encoding::Utf16Be];

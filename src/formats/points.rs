@@ -91,7 +91,7 @@ impl Point {
         self.place_in(&*self.export)
     }
 
-    /// The line in a file of this name.
+    /// Returns the line in a file of this name.
     pub fn place_in(&self, file: impl Into<String>) -> Place {
         let line = self.line as usize;
         match self.text.is_empty() {

@@ -170,7 +170,8 @@ mod tests {
     const MAIN: &str = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
     const RELATED: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
 
-    /// A workbook with one sheet of these rows, as the standard (ECMA-376) wants it at least.
+    /// Returns a workbook with one sheet of these rows, as the standard (ECMA-376) wants it at
+    /// least.
     fn workbook(sheet: &str, rows: &str) -> Vec<u8> {
         workbook_with(sheet, rows, None)
     }

@@ -213,7 +213,7 @@ impl<'t, 'a> Node<'t, 'a> {
         })
     }
 
-    /// The first direct child of this name.
+    /// Returns the first direct child of this name.
     pub fn child(self, name: &str) -> Option<Node<'t, 'a>> {
         self.children().find(|c| c.name() == name)
     }

@@ -714,8 +714,8 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     Ok((0..robot.parameters().len()).filter(|&i| !fixed(i)).collect())
 }
 
-/// The parameter that residuals of this kind do not contain: for a pose, the distance of its two
-/// targets.
+/// Returns the parameter that residuals of this kind do not contain: for a pose, the distance of
+/// its two targets.
 fn unseen_by(robot: &dyn Robot, kind: ResidualKind) -> Option<usize> {
     (kind == ResidualKind::Pose).then(|| robot.platform().map(|platform| platform.target_distance()))?
 }

@@ -339,8 +339,8 @@ impl Factor {
         product
     }
 
-    /// Descent step −(RᵀR)⁻¹ Jᵀr in unscaled parameters for another Jacobian and its residuals; its
-    /// columns are divided by `scale` as for this factor. `None` if R is singular.
+    /// Returns the descent step −(RᵀR)⁻¹ Jᵀr in unscaled parameters for another Jacobian and its
+    /// residuals; its columns are divided by `scale` as for this factor. `None` if R is singular.
     pub fn solve_normal(&self, jacobian: Rows, residuals: &[f64], scale: &[f64]) -> Option<Vec<f64>> {
         let g = jacobian.transposed_times::<1>(residuals);
         let g = self.forward_substitute(g.iter().zip(scale).map(|([g], d)| -g / d).collect())?;

@@ -105,10 +105,10 @@ impl Linearised {
     }
 }
 
-/// Solution of a problem that differs little from a problem with this linear part at `start`. Takes
-/// undamped steps by the current gradient and that factor, until a step is below `near` times the
-/// first. With `is_same`, the Jacobian at `start` is that of the linear part. `None` if steps do
-/// not shrink tenfold.
+/// Returns the solution of a problem that differs little from a problem with this linear part at
+/// `start`. Takes undamped steps by the current gradient and that factor, until a step is below
+/// `near` times the first. With `is_same`, the Jacobian at `start` is that of the linear part.
+/// `None` if steps do not shrink tenfold.
 pub fn solve_near(
     problem: &impl Problem,
     start: &[f64],

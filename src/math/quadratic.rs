@@ -40,9 +40,10 @@ impl Quadratic {
         Some(Self { second })
     }
 
-    /// Step from the point to the solution of a problem with these derivatives and with `residuals`
-    /// at the point: two undamped steps by the gradient and the factor of the linear part. `None`
-    /// if the second step exceeds `near` times the first, or if the residuals are too curved.
+    /// Returns the step from the point to the solution of a problem with these derivatives and with
+    /// `residuals` at the point: two undamped steps by the gradient and the factor of the linear
+    /// part. `None` if the second step exceeds `near` times the first, or if the residuals are too
+    /// curved.
     pub fn solve(&self, linearised: &Linearised, residuals: &[f64], near: f64) -> Option<Vec<f64>> {
         let Linearised { jacobian, factor, scale } = linearised;
         let n = scale.len();

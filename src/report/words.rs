@@ -96,7 +96,7 @@ impl Words {
         self.decimal(number::fixed(value, decimals))
     }
 
-    /// A number with this many significant digits.
+    /// Returns a number with this many significant digits.
     pub fn significant(&self, value: f64, digits: usize) -> String {
         self.decimal(number::significant(value, digits))
     }

@@ -201,7 +201,8 @@ impl Element {
         (direction, before.translation_mm)
     }
 
-    /// Velocity of a point per unit motion of this element about or along the given axis.
+    /// Returns the velocity of a point per unit motion of this element about or along the given
+    /// axis.
     pub fn velocity(&self, (direction, origin): Axis, point: Vector) -> Vector {
         match self.motion {
             Motion::Turn(_) | Motion::Attitude(_) => cross(direction, minus(point, origin)),
@@ -209,7 +210,7 @@ impl Element {
         }
     }
 
-    /// Angular velocity per unit motion of this element about or along the given axis.
+    /// Returns the angular velocity per unit motion of this element about or along the given axis.
     pub fn angular_velocity(&self, (direction, _): Axis) -> Vector {
         if matches!(self.motion, Motion::Turn(_) | Motion::Attitude(_)) { direction } else { [0.0; 3] }
     }

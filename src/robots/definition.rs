@@ -302,8 +302,8 @@ impl Joint {
         number.map_or_else(|| format!("{}_nm", self.name), |number| format!("tau{number}_nm"))
     }
 
-    /// Factor that converts a column of this joint to mm or rad: `q1_deg`, `q1_rad`, `rho1_mm`,
-    /// `rho1_m`, `rho1_inch`. `None` if the column does not belong to this joint.
+    /// Returns the factor that converts a column of this joint to mm or rad: `q1_deg`, `q1_rad`,
+    /// `rho1_mm`, `rho1_m`, `rho1_inch`. `None` if the column does not belong to this joint.
     pub fn factor(&self, column: &str) -> Option<f64> {
         match (self.quantity, column.strip_prefix(&self.name)?) {
             (Quantity::Angle, "_deg") => Some(1f64.to_radians()),

@@ -145,8 +145,8 @@ const SAME_RAD: f64 = 0.01;
 const SAME_MM: f64 = 1.0;
 
 impl PublishedArm {
-    /// The joints of this arm, if a table of the same twists and motions with other lengths is
-    /// `stated`.
+    /// Returns the joints of this arm, if a table of the same twists and motions with other lengths
+    /// is `stated`.
     pub(super) fn instead(&self, modified: bool, stated: &[SerialJoint]) -> Option<Vec<SerialJoint>> {
         if self.modified != modified || self.rows.len() != stated.len() {
             return None;

@@ -1200,8 +1200,8 @@ impl Serial {
         self.joint_motion(&changes, State { joints, loads: &self.loads_with_parameters(nominal, joints) }, joint, write)
     }
 
-    /// Gain of a joint with these parameters, without the factor of its drive; `None` if the joint
-    /// does not move the arm.
+    /// Returns the gain of a joint with these parameters, without the factor of its drive; `None`
+    /// if the joint does not move the arm.
     pub(super) fn joint_gain(&self, joint: usize, parameters: &[f64]) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.drive.joint == joint)?;
         Some(self.gain(axis, parameters))

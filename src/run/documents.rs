@@ -263,7 +263,8 @@ fn checked(path: &Path, bytes: &[u8]) -> Result<ParametersDocument> {
     Ok(document)
 }
 
-/// A document of this name and of the version that this program writes; `campaign` gives none.
+/// Returns a document of this name and of the version that this program writes; `campaign` gives
+/// none.
 fn parse<T: DeserializeOwned>(path: &Path, bytes: &[u8], name: &str) -> Result<T> {
     let value: serde_json::Value = serde_json::from_slice(bytes).map_err(|e| unreadable(path, &e.to_string()))?;
     let schema = value.get("schema").and_then(|schema| schema.as_str()).unwrap_or("none");

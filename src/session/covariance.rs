@@ -64,8 +64,8 @@ pub(super) fn rows(robot: &dyn Robot, found: &Identification, at: &Observation) 
     DMatrix::from_fn(d * measured.len(), found.free.len(), value)
 }
 
-/// Covariance of parameters after further readings with these derivatives and this variance of a
-/// coordinate (mm²); `None` if the readings are singular.
+/// Returns the covariance of parameters after further readings with these derivatives and this
+/// variance of a coordinate (mm²); `None` if the readings are singular.
 pub(super) fn updated(covariance: &DMatrix<f64>, by: &DMatrix<f64>, variance: f64) -> Option<DMatrix<f64>> {
     let across = covariance * by.transpose();
     let readings = by * &across + DMatrix::identity(by.nrows(), by.nrows()) * variance;

@@ -212,7 +212,7 @@ fn read_as(documents: &[FormatsDocument], language: &str) -> (Vec<FileProposal>,
     (files, messages)
 }
 
-/// First rows of a table with this many columns, and the first lines of any other text.
+/// Returns the first rows of a table with this many columns, and the first lines of any other text.
 fn first_rows(path: &Path, columns: usize) -> (Vec<Vec<String>>, Vec<String>) {
     let bytes = read(path).unwrap_or_default();
     let head = &bytes[..bytes.len().min(HEAD)];

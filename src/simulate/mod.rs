@@ -78,7 +78,7 @@ impl Scene<'_> {
         Problems(beyond.map(told).collect()).check().map(|_| ())
     }
 
-    /// Measurement with this number, from 1.
+    /// Returns the measurement with this number, from 1.
     fn turn(&self, number: i64) -> Turn {
         let poses = (self.joints.len() as i64).max(1);
         Turn { pose: (number - 1) % poses + 1, cycle: (number - 1) / poses + 1, number }

@@ -27,7 +27,7 @@ impl<'t> Row<'t> {
         Self { line, number: 0, text, fields: fields.map(Cow::Borrowed).collect() }
     }
 
-    /// Field of this index; empty beyond the last field.
+    /// Returns the field of this index; empty beyond the last field.
     pub fn field(&self, index: usize) -> &str {
         self.fields.get(index).map_or("", Cow::as_ref)
     }
@@ -42,7 +42,7 @@ impl<'t> Row<'t> {
         Place::line(file, self.line, self.text)
     }
 
-    /// The place of the field of this index.
+    /// Returns the place of the field of this index.
     pub fn cell(&self, file: &str, index: usize) -> Place {
         let mut from = 0;
         let mut column = 1;
@@ -329,7 +329,8 @@ impl<'a> Scanner<'a> {
         self.bytes.get(self.at).copied()
     }
 
-    /// Length of the blank at this place (bytes), or 0. Delimiters and line ends are not blanks.
+    /// Returns the length of the blank at this place (bytes), or 0. Delimiters and line ends are
+    /// not blanks.
     #[inline(always)]
     fn blank(&self) -> usize {
         match self.peek() {

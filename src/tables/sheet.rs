@@ -241,7 +241,7 @@ pub fn header<'t>(
     }
 }
 
-/// Column of a table of this width, or an expression of its columns.
+/// Returns the column of a table of this width, or an expression of its columns.
 ///
 /// # Errors
 /// A heading that the table lacks or has more than once, a number beyond its columns, an expression

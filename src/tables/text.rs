@@ -163,7 +163,7 @@ impl Missing {
         cell.is_empty() || self.0.iter().any(|marker| cell.eq_ignore_ascii_case(marker) || marker == "*" && stars)
     }
 
-    /// Reason for leaving out a row, if its cell in this column means "not measured".
+    /// Returns the reason for leaving out a row, if its cell in this column means "not measured".
     pub fn reason(&self, column: &str, cell: &str) -> Option<Phrase> {
         self.says(cell).then(|| match cell {
             "" => phrase!("row-cell-empty", column),

@@ -209,7 +209,8 @@ impl Stated {
         }
     }
 
-    /// Share of positions within the ellipsoids of [`PROBABILITY`], for errors of these rows.
+    /// Returns the share of positions within the ellipsoids of [`PROBABILITY`], for errors of these
+    /// rows.
     fn ellipsoid_coverage(&self, rows: &[usize], errors: &[Vector]) -> Option<f64> {
         let Self::Covariances(all) = self else { return None };
         let limit = ChiSquared::new(3.0).ok()?.inverse_cdf(PROBABILITY);
@@ -253,8 +254,8 @@ fn interval_scores(poses: &[PoseName], rows: &[Vec<([f64; 2], f64)>]) -> Interva
     }
 }
 
-/// Exact interval of a share of this number of trials, by quantiles of the beta distribution
-/// (Clopper & Pearson 1934, Biometrika 26, 404); `None` without trials.
+/// Returns the exact interval of a share of this number of trials, by quantiles of the beta
+/// distribution (Clopper & Pearson 1934, Biometrika 26, 404); `None` without trials.
 fn share_interval(share: f64, trials: f64) -> Option<[f64; 2]> {
     let (held, missed, tail) = (share * trials, (1.0 - share) * trials, 0.5 * (1.0 - PROBABILITY));
     let quantile = |a, b, p| Beta::new(a, b).ok().map(|of| of.inverse_cdf(p));

@@ -65,7 +65,8 @@ pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
     )
 }
 
-/// The robot of this name in the table, in capitals or small letters, with or without hyphens.
+/// Returns the robot of this name in the table, in capitals or small letters, with or without
+/// hyphens.
 pub(crate) fn known_robot(name: &str) -> Result<KnownRobot> {
     let Known { mut robots } = parse("robots.toml", ROBOTS)?;
     let is_meant = |robot: &KnownRobot| letters(&robot.name) == letters(name);
@@ -130,7 +131,7 @@ struct Axis {
 }
 
 impl KnownRobot {
-    /// The published table of this name.
+    /// Returns the published table of this name.
     fn published(&self) -> Option<PublishedArm> {
         PUBLISHED.into_iter().find(|arm| arm.name == self.name)
     }

@@ -251,7 +251,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// A mesh of these points and triangles.
+    /// Returns a mesh of these points and triangles.
     pub fn new(part: String, low: Vector, size: f64, points: &[[u16; 3]], triangles: &[[u16; 3]]) -> Self {
         let packed = |all: &[[u16; 3]]| {
             let bytes: Vec<u8> = all.iter().flatten().flat_map(|v| v.to_le_bytes()).collect();

@@ -60,7 +60,7 @@ impl Request {
         }
     }
 
-    /// The request at the beginning of these bytes; `None` if its head is incomplete.
+    /// Returns the request at the beginning of these bytes; `None` if its head is incomplete.
     fn parse(bytes: &[u8]) -> Result<Option<Self>, Unreadable> {
         let mut fields = [httparse::EMPTY_HEADER; FIELDS];
         let mut parsed = httparse::Request::new(&mut fields);

@@ -159,19 +159,19 @@ const LANGUAGES: [(&str, &dyn CommandLanguage, &[&str]); 5] = [
     ("mecaprol", &mecaprol::Mecaprol, &["mp"]),
 ];
 
-/// Language with this name.
+/// Returns the language with this name.
 pub fn language(name: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     LANGUAGES.iter().find(|(known, ..)| *known == name).map(|(name, language, _)| (*name, *language))
 }
 
-/// Language of programs with this file extension.
+/// Returns the language of programs with this file extension.
 pub fn language_by_extension(ending: &str) -> Option<(&'static str, &'static dyn CommandLanguage)> {
     let ending = ending.to_ascii_lowercase();
     let found = LANGUAGES.iter().find(|(.., endings)| endings.contains(&ending.as_str()));
     found.map(|(name, language, _)| (*name, *language))
 }
 
-/// Formatted numbers of a pose, with this many decimals of a length in mm.
+/// Returns the formatted numbers of a pose, with this many decimals of a length in mm.
 pub fn written(language: &dyn CommandLanguage, pose: &Pose, freedoms: Freedoms, decimals: usize) -> Vec<String> {
     let number = |(v, d): (f64, usize)| number_text(v, (d + decimals).saturating_sub(DECIMALS));
     language.numbers(pose, freedoms).into_iter().zip(language.decimals(freedoms)).map(number).collect()

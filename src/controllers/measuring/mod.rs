@@ -158,7 +158,7 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     LANGUAGES.iter().map(|(name, ..)| *name)
 }
 
-/// Language with this name, or else of files with this extension.
+/// Returns the language with this name, or else of files with this extension.
 pub fn language(name: Option<&str>, ending: &str) -> Option<(&'static str, &'static dyn MeasuringLanguage)> {
     let ending = ending.to_ascii_lowercase();
     let is_meant = |(known, _, endings): &&(&str, _, &[&str])| match name {
@@ -237,7 +237,7 @@ fn lines(header: &[String], most: usize) -> impl Iterator<Item = String> {
     all.into_iter()
 }
 
-/// Nearest value with this number of decimals.
+/// Returns the nearest value with this number of decimals.
 fn rounded(value: f64, decimals: usize) -> f64 {
     let unit = 10f64.powi(decimals as i32);
     (value * unit).round() / unit

@@ -175,7 +175,7 @@ fn targets(value: &Value) -> Vec<(Vector, [f64; 4])> {
     parts.iter().flat_map(targets).collect()
 }
 
-/// A list of this many numbers.
+/// Returns the numbers of a list with `N` elements; `None` for any other value.
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let Value::List(values) = value else { return None };
     let number = |value: &Value| if let Value::Number(number) = value { Some(*number) } else { None };

@@ -88,7 +88,7 @@ pub(crate) trait ExportFormat: Sync {
     /// Name and properties.
     fn about(&self) -> About;
 
-    /// Evidence that a text is in this format.
+    /// Returns the evidence that a text is in this format.
     fn recognise(&self, _text: &str) -> Option<Recognised> {
         None
     }
@@ -111,10 +111,11 @@ pub(crate) trait ExportFormat: Sync {
     /// Rows of an export, with their problems.
     fn read(&self, text: &Text, dialect: &Dialect, unit: Unit) -> (Vec<Point>, Problems);
 
-    /// The text of an export of these rows.
+    /// Returns the text of an export of these rows.
     fn write(&self, rows: &[ExportRow], how: &Writing) -> Result<String, WriteError>;
 
-    /// Layout for the fast reader of a file with this beginning, if the fast reader may read it.
+    /// Returns the layout for the fast reader of a file with this beginning, if the fast reader may
+    /// read it.
     fn plain(&self, _dialect: &Dialect, _start: &str, _unit: Unit) -> Option<Plain> {
         None
     }
@@ -143,7 +144,7 @@ pub(crate) struct Plain {
 }
 
 impl Plain {
-    /// Layout of rows with these columns, without lines above them.
+    /// Returns the layout of rows with these columns, without lines above them.
     pub fn new(delimiter: Delimiter, decimal: Decimal, columns: &[PlainColumn]) -> Self {
         let (mut read, mut behind) = (Vec::new(), 0);
         for column in columns {
@@ -207,7 +208,7 @@ pub(crate) struct Recognised {
 }
 
 impl Recognised {
-    /// A text with this mark.
+    /// Returns a text with this mark.
     pub fn by(mark: bool, score: f64, what: Phrase) -> Option<Self> {
         mark.then_some(Self { score, what, unit: None })
     }
@@ -216,7 +217,7 @@ impl Recognised {
 /// Number of bytes that show the binary format of a file.
 const START: usize = 8192;
 
-/// Name of the format of a file with this beginning, if its files may be binary.
+/// Returns the name of the format of a file with this beginning, if its files may be binary.
 pub(crate) fn binary_format(bytes: &[u8]) -> Option<&'static str> {
     let start: String = bytes.iter().take(START).map(|byte| char::from(*byte)).collect();
     let binary = FORMATS.iter().filter(|format| format.about().binary);
@@ -263,7 +264,7 @@ pub struct Format {
 }
 
 impl Format {
-    /// The format of this name, optionally followed by `, decimal comma`.
+    /// Returns the format of this name, optionally followed by `, decimal comma`.
     pub fn named(stated: &str) -> Option<Self> {
         let (name, decimal) = match stated.split_once(',') {
             Some((name, comma)) if comma.trim() == "decimal comma" => (name, Decimal::Comma),
@@ -278,7 +279,7 @@ impl Format {
         (decimal == Decimal::Point || kind.about().decimal_comma).then(|| Self { kind, dialect: Box::new(dialect) })
     }
 
-    /// Unit of lengths that a text in this format gives.
+    /// Returns the unit of lengths that a text in this format gives.
     pub fn stated_unit(&self, text: &str) -> Option<Unit> {
         self.kind.unit(text, &self.dialect)
     }
@@ -345,8 +346,8 @@ impl Format {
         self.kind.write(rows, &Writing { about, dialect: &self.dialect, unit, decimals, skipped })
     }
 
-    /// Layout for the fast reader of a text that begins with these lines; `None` if only the strict
-    /// reader may read it.
+    /// Returns the layout for the fast reader of a text that begins with these lines; `None` if
+    /// only the strict reader may read it.
     pub(super) fn plain(&self, start: &str, unit: Unit) -> Option<Plain> {
         self.kind.plain(&self.dialect, start, unit)
     }

@@ -236,7 +236,7 @@ impl Kind {
         }
     }
 
-    /// The number in these bytes, whose length must be the length of its type.
+    /// Returns the number in these bytes, whose length must be the length of its type.
     fn value(self, bytes: &[u8], encoding: Encoding) -> Option<f64> {
         macro_rules! read {
             ($kind:ty) => {{

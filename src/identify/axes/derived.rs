@@ -232,7 +232,7 @@ impl AxesModel {
     }
 }
 
-/// Rule of the base for these axes.
+/// Returns the rule of the base for these axes.
 fn rule(axes: &[AxisLine]) -> BaseRule {
     let [first, second, ..] = axes else { return BaseRule::Target };
     let normal = cross(first.direction, second.direction);

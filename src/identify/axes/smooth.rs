@@ -116,7 +116,7 @@ impl Products {
         (up_to(BEARING) + up_to(corner)) * ratio
     }
 
-    /// Fit with noise and harmonics of these variances; noise alone without them.
+    /// Returns the fit with noise and harmonics of these variances; noise alone without them.
     fn member(&self, variances: Option<&DVector<f64>>) -> Option<Member> {
         let p = self.own.nrows() - 1;
         let (mut own, mut determinant) = (self.own.clone(), 0.0);

@@ -166,7 +166,7 @@ impl SweepFit {
         next
     }
 
-    /// Fit of all readings, from this fit.
+    /// Returns the fit of all readings, from this fit.
     pub(super) fn again(&self, readings: &[SweepReading]) -> Option<Self> {
         let targets = targets(readings);
         let fit = Fit { readings, targets: &targets, prismatic: self.prismatic };

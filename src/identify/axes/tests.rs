@@ -427,8 +427,8 @@ fn ranges_of_noise_are_those_of_control_charts() {
     }
 }
 
-/// Sweep of an axis by targets at these radii, whose bearing deviates by functions of the angle
-/// (radial, axial; mm).
+/// Returns the sweep of an axis by targets at these radii, whose bearing deviates by functions of
+/// the angle (radial, axial; mm).
 fn with_run_out(
     noise: &mut Noise,
     radii: &[f64],

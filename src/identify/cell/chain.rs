@@ -134,7 +134,7 @@ impl CellModel for Chain<'_> {
 }
 
 impl<'a> Chain<'a> {
-    /// Chain with these rotations; the translations by linear least squares.
+    /// Returns the chain with these rotations; the translations by linear least squares.
     fn placed(&self, tool: Pose, world: Pose) -> Option<Self> {
         let (mut rows, mut right) = (Vec::new(), Vec::new());
         for (pose, measured) in self.poses.iter().zip(self.measured) {

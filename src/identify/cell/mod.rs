@@ -177,8 +177,8 @@ pub struct CellFrame {
 }
 
 impl CellFrame {
-    /// Covariance of the frame at another point of its reference frame (mm): the displacement of
-    /// this point if the frame moves, and the rotation.
+    /// Returns the covariance of the frame at another point of its reference frame (mm): the
+    /// displacement of this point if the frame moves, and the rotation.
     pub fn covariance_at(&self, point_mm: Vector) -> [[f64; 6]; 6] {
         let [x, y, z] = etalon_base::pose::minus(point_mm, self.pose.translation_mm);
         // dp = dt + δ × r = dt − [r]× δ
@@ -189,7 +189,7 @@ impl CellFrame {
         std::array::from_fn(|i| std::array::from_fn(|j| all[(i, j)]))
     }
 
-    /// Pose of the reference frame in this frame.
+    /// Returns the pose of the reference frame in this frame.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let back = self.pose.inverse();

@@ -104,7 +104,7 @@ impl Basis {
         self.root.solve_lower_triangular(&identity).unwrap_or(identity).transpose()
     }
 
-    /// The component with these weights.
+    /// Returns the component with these weights.
     pub fn component(&self, rows: &Rows, weights: &[f64], prior: f64) -> Component {
         let input = |&joint: &usize| {
             let (scale, [low, high]) = (rows.scales[joint], rows.range(joint));

@@ -47,8 +47,8 @@ impl HeldOut {
         self.gain_over_u > PROVEN
     }
 
-    /// Pose whose error with the field is far above the errors of the others, with this error (mm):
-    /// a wrong reading. A field describes errors that neighbouring poses share.
+    /// Returns the pose whose error with the field is far above the errors of the others, with this
+    /// error (mm): a wrong reading. A field describes errors that neighbouring poses share.
     pub fn suspect(&self) -> Option<(PoseName, f64)> {
         let median_mm = median(self.poses.iter().map(|(_, [_, after])| *after))?;
         let worst = self.poses.iter().max_by(|a, b| a.1[1].total_cmp(&b.1[1]))?;

@@ -236,7 +236,7 @@ impl Mobile {
         Ok(Self { circle, l_kl: Uncertain::mean(&lengths) })
     }
 
-    /// C in the plane, for these positions of K and L (eq. 3.16).
+    /// Returns C in the plane, for these positions of K and L (eq. 3.16).
     pub fn centre(&self, k: &Flat, l: &Flat) -> Flat {
         let [x_c, y_c] = &self.circle.centre;
         Uncertain::propagate([&k[0], &k[1], &l[0], &l[1], x_c, y_c], |[kx, ky, lx, ly, x, y]| {

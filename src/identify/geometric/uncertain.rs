@@ -27,7 +27,7 @@ impl Uncertain {
         Self { value, by: Vec::new() }
     }
 
-    /// The measured coordinate with this index.
+    /// Returns the measured coordinate with this index.
     pub fn coordinate(value: f64, index: usize) -> Self {
         Self { value, by: vec![(index, 1.0)] }
     }
@@ -75,7 +75,8 @@ impl Uncertain {
         Self::linear(value, numbers.into_iter().map(|n| (share, n)))
     }
 
-    /// Covariance with another number, for these standard uncertainties of the coordinates.
+    /// Returns the covariance with another number, for these standard uncertainties of the
+    /// coordinates.
     pub fn covariance(&self, other: &Self, standard_uncertainties: &[f64]) -> f64 {
         let mut theirs = other.by.iter().peekable();
         let mut sum = 0.0;
@@ -89,7 +90,7 @@ impl Uncertain {
         sum
     }
 
-    /// Standard uncertainty, for these standard uncertainties of the coordinates.
+    /// Returns the standard uncertainty, for these standard uncertainties of the coordinates.
     pub fn standard_uncertainty(&self, standard_uncertainties: &[f64]) -> f64 {
         self.covariance(self, standard_uncertainties).sqrt()
     }

@@ -17,8 +17,8 @@ pub struct Workspace<'a> {
 const FAR_MM: f64 = 1e4;
 
 impl<'a> Workspace<'a> {
-    /// Workspace of a robot with these parameters; `None` if the travel of its actuators is not
-    /// given.
+    /// Returns the workspace of a robot with these parameters; `None` if the travel of its
+    /// actuators is not given.
     pub fn new(robot: &'a dyn RailTable, parameters: &'a [f64]) -> Option<Self> {
         Some(Self { robot, parameters, travel_mm: robot.travel_mm()? })
     }

@@ -145,8 +145,8 @@ pub(crate) fn spread_mm(robot: &dyn Robot, data: &Data, values: &[f64]) -> f64 {
     if by_conditions { predicted_mm } else { predicted_mm.min(spread(&measured)) }
 }
 
-/// Negative logarithm of the likelihood of the data as measured, for residuals with these standard
-/// deviations and the tails of the Cauchy loss.
+/// Returns the negative logarithm of the likelihood of the data as measured, for residuals with
+/// these standard deviations and the tails of the Cauchy loss.
 pub(crate) fn cost(left: &Left, Scales(scales): Scales, data: &Data) -> f64 {
     let each = |r: f64, scale: f64| scale.ln() + 0.5 * CAUCHY.powi(2) * (r / (CAUCHY * scale)).powi(2).ln_1p();
     let lengths: f64 = left.lengths_mm.iter().map(|r| each(*r, scales[0])).sum();

@@ -284,7 +284,7 @@ pub fn judge(
     }
 }
 
-/// Judgement by hypotheses with this number of mistakes, one or two.
+/// Returns the judgement by hypotheses with this number of mistakes, one or two.
 fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mistakes: u8) -> Judgement {
     let subset = data.subset(robot);
     if data.poses().len() < FEWEST || !data.has_places() || fit::free_parameters(robot, &subset).is_none() {
@@ -327,7 +327,7 @@ struct Verdict<'a> {
 }
 
 impl Verdict<'_> {
-    /// Judgement by fits of hypotheses with this number of mistakes.
+    /// Returns the judgement by fits of hypotheses with this number of mistakes.
     fn judgement(&self, robot: &dyn Robot, mut tried: Vec<(Slip, Fitted)>, mistakes: u8) -> Judgement {
         if let Some(elsewhere) = &self.elsewhere {
             tried.retain(|(slip, fitted)| !elsewhere.is_absorbed(slip, &fitted.values));

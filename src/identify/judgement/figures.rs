@@ -32,7 +32,7 @@ pub enum ErrorKind {
 }
 
 impl Kind {
-    /// Quantity of the error of this kind; `None` for orientations and joint values.
+    /// Returns the quantity of the error of this kind; `None` for orientations and joint values.
     pub fn error_kind(&self) -> Option<ErrorKind> {
         match self {
             Self::Seen(_) => Some(ErrorKind::Position),

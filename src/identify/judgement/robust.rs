@@ -172,8 +172,8 @@ fn compare(problem: &Residuals, plain: &[f64], dof: usize) -> Option<RobustCompa
     })
 }
 
-/// Bound on the absolute values of `count` quantities of mean zero and unit variance, exceeded with
-/// this probability (Šidák 1967).
+/// Returns the bound on the absolute values of `count` quantities of mean zero and unit variance,
+/// exceeded with this probability (Šidák 1967).
 pub(crate) fn quantile(probability: f64, count: usize, degrees: Option<f64>) -> f64 {
     let tail = -0.5 * ((-probability).ln_1p() / count as f64).exp_m1();
     match degrees.map(|nu| StudentsT::new(0.0, 1.0, nu)) {

@@ -74,7 +74,7 @@ impl Variance {
     }
 }
 
-/// Probability that a ratio of variances with these degrees of freedom exceeds `ratio`.
+/// Returns the probability that a ratio of variances with these degrees of freedom exceeds `ratio`.
 fn ratio_exceedance(ratio: f64, above: f64, below: f64) -> f64 {
     FisherSnedecor::new(above, below).map_or(f64::NAN, |d| d.sf(ratio.max(0.0)))
 }

@@ -81,7 +81,7 @@ impl ToolPoint {
         }
     }
 
-    /// Position of the point that targets at these positions carry.
+    /// Returns the position of the point that targets at these positions carry.
     fn on_targets(&self, places: &[Vector]) -> Result<Vector> {
         let few = || error!("tool-targets-collinear");
         let Some(&origin) = places.first() else { return Err(few().into()) };
@@ -248,7 +248,7 @@ fn carriers(robot: &dyn Robot) -> impl Iterator<Item = usize> + '_ {
     (0..robot.targets().len()).filter(|&k| robot.target_branch(k) == robot.target_branch(0))
 }
 
-/// The columns of parameters with one of these roles; the others are zero.
+/// Returns the columns of parameters with one of these roles; the others are zero.
 fn columns_with_roles(robot: &dyn Robot, mut columns: Vec<Vector>, roles: &[Role]) -> Vec<Vector> {
     let others = robot.parameters().iter().zip(&mut columns).filter(|(p, _)| !roles.contains(&p.role));
     others.for_each(|(_, column)| *column = [0.0; 3]);

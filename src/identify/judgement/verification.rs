@@ -230,8 +230,8 @@ impl Comparison<'_> {
         Ok(Test::together(&of_changes, &of_rest))
     }
 
-    /// Smallest changes that observations at these poses can detect, wherever their targets are
-    /// measured, as in [`Self::verify`].
+    /// Returns the smallest changes that observations at these poses can detect, wherever their
+    /// targets are measured, as in [`Self::verify`].
     ///
     /// # Errors
     /// Fails like [`Self::verify`].
@@ -355,7 +355,7 @@ impl Limits {
         1.0 - self.quiet * (1.0 - self.variance.power(self.bound, self.dof, noncentrality))
     }
 
-    /// The smallest detectable change along the least visible direction of these columns.
+    /// Returns the smallest detectable change along the least visible direction of these columns.
     fn detectable(&self, information: &DMatrix<f64>, first: usize, count: usize) -> f64 {
         let own = information.view((first, first), (count, count)).into_owned();
         let (shown, least) = (own.trace(), SymmetricEigen::new(own).eigenvalues.min());
@@ -466,7 +466,7 @@ impl<'a> Space<'a> {
         }
     }
 
-    /// The smallest detectable change of each of these.
+    /// Returns the smallest detectable change of each of these.
     fn detectable(&self, all: &Columns, limits: &Limits) -> Vec<Detectable> {
         let information = all.columns.transpose() * self.solve(&all.columns);
         let of = |&(moved, first, count): &(Moved, usize, usize)| {

@@ -43,7 +43,8 @@ impl Effects {
     }
 }
 
-/// Effect of each parameter at poses with these joint values; `None` for base and targets.
+/// Returns the effect of each parameter at poses with these joint values; `None` for base and
+/// targets.
 pub fn effects<'j>(robot: &dyn Robot, joints: impl Iterator<Item = &'j [f64]>) -> Vec<Option<Effect>> {
     effects_at(robot, &joints.collect::<Vec<_>>())
 }

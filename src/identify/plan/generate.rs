@@ -255,8 +255,8 @@ impl<'a> Judge<'a> {
         self.hiding(joints, &places).map(|obstacle| Loss::Hidden { obstacle })
     }
 
-    /// Index of the first obstacle between the instrument and any of the targets at these positions
-    /// in the base.
+    /// Returns the index of the first obstacle between the instrument and any of the targets at
+    /// these positions in the base.
     fn hiding(&self, joints: &[f64], places: &[Vector]) -> Option<usize> {
         let sight = self.domain.sight.as_ref()?;
         let frames = self.chain.as_ref().map_or_else(Vec::new, |chain| chain.frames(joints));

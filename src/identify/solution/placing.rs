@@ -275,7 +275,7 @@ impl Placed {
     }
 }
 
-/// Root mean square of the smallest 80 % of these numbers.
+/// Returns the root mean square of the smallest 80 % of these numbers.
 pub(crate) fn rms_of_most(mut all: Vec<f64>) -> f64 {
     all.sort_by(f64::total_cmp);
     let count = (MOST * all.len() as f64).ceil() as usize;

@@ -42,7 +42,7 @@ pub(super) fn insert_file_errors(section: &mut Section, results: &Results, words
     section.begin(Block::heading(tr!(words, "errors-with-file", file = file.file, set = name, poses = set.poses)));
 }
 
-/// Section of these errors.
+/// Returns the section of these errors.
 pub(crate) fn section_from_errors(accuracy: &AccuracyDocument, errors: &[PointError], words: &Words) -> Section {
     with_flagged(accuracy, true, errors, &Flagged::new(), words)
 }

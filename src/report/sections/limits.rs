@@ -18,7 +18,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// Section of these limits; `default` if the decision rule was not chosen.
+/// Returns the section of these limits; `default` if the decision rule was not chosen.
 pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words: &Words) -> Option<Section> {
     let columns = Columns::<&LimitVerdict>::new()
         .page(phrase!("limit"), "", |l| Text::from(words.tr(&names::limit(l.name))))

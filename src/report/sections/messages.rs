@@ -23,12 +23,12 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// Section of these messages: those that need action first, with similar rows merged.
+/// Returns the section of these messages: those that need action first, with similar rows merged.
 pub(crate) fn section_from_messages(messages: &[&Message], words: &Words) -> Section {
     section_beside_routine(messages, 0, words)
 }
 
-/// Section of these messages, where so many routine remarks are elsewhere.
+/// Returns the section of these messages, where so many routine remarks are elsewhere.
 pub(super) fn section_beside_routine(messages: &[&Message], routine_elsewhere: usize, words: &Words) -> Section {
     let mut section = Section::new("messages", tr!(words, "warnings-and-remarks"));
     if messages.is_empty() {

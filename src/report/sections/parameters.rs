@@ -14,7 +14,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section_from_document(&results.identified.as_ref()?.parameters, words))
 }
 
-/// Section of these parameters.
+/// Returns the section of these parameters.
 pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words) -> Section {
     let mut section = Section::new("parameters", tr!(words, "parameters-title"));
     let note = tr!(words, "parameters-note");

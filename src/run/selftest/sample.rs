@@ -85,7 +85,7 @@ pub(super) fn positions(robot: &dyn Robot, parameters: &[f64], joints: &[f64]) -
     (0..robot.targets().len()).flat_map(|target| robot.position(parameters, joints, target)).collect()
 }
 
-/// Document with these parameters of a robot, which nobody identified.
+/// Returns the document with these parameters of a robot, which nobody identified.
 ///
 /// # Errors
 /// Fails if the document is not of its own schema.

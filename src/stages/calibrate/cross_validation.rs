@@ -28,7 +28,7 @@ use std::collections::{BTreeMap, BTreeSet};
 const FOLDS: usize = 5;
 /// Minimum number of parts.
 const FEWEST: usize = 3;
-/// Number of divisions for this number of poses: one if they are many, at most three.
+/// Returns the number of divisions for this number of poses: one if they are many, at most three.
 fn repeats(poses: usize) -> usize {
     (300 / poses).clamp(1, 3)
 }
@@ -277,7 +277,7 @@ fn split(robot: &dyn Robot, all: &Sets, settings: &Settings, fold: &BTreeSet<Pos
     (sets, settings)
 }
 
-/// Mean square position error of each pose of these readings, mm².
+/// Returns the mean square position error of each pose of these readings, mm².
 fn squares_at(robot: &dyn Robot, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Squares {
     let (validation, validation_conditions) = (observations.to_vec(), conditions.to_vec());
     let sets = Sets { validation, validation_conditions, ..Sets::default() };

@@ -29,7 +29,7 @@ impl Region {
         Self { length_mm: Extent::from_points(points, 0.0).length_mm, ..Self::default() }
     }
 
-    /// Region of positions that a tool of this position in the flange takes.
+    /// Returns the region of positions that a tool of this position in the flange takes.
     pub fn from_points_and_tool(points: &[Vector], tool_mm: Vector) -> Self {
         Self { length_mm: Self::from_points(points).length_mm.max(norm(tool_mm)), ..Self::default() }
     }

@@ -188,7 +188,7 @@ impl<'a> PointErrors<'a> {
         Self { robot, sets, loads }
     }
 
-    /// Pose and error (mm) of each point with these parameters.
+    /// Returns the pose and error (mm) of each point with these parameters.
     pub fn with(&self, values: &[f64]) -> Vec<(PoseName, Vector)> {
         let (robot, bound) = (self.robot, self.robot.parametrised(values));
         let d = robot.dimension();

@@ -208,9 +208,9 @@ struct Spanning<'a> {
     joints: &'a [f64],
 }
 
-/// The positions of a grid over the box of these poses, and its spacing: the smallest of 1, 2, 5,
-/// 10 ... that makes few enough nodes. Along an axis in which the poses differ by less than the
-/// spacing, the middle.
+/// Returns the positions of a grid over the box of these poses, and its spacing: the smallest of 1,
+/// 2, 5, 10 ... that makes few enough nodes. Along an axis in which the poses differ by less than
+/// the spacing, the middle.
 fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     let bounds: [[f64; 2]; 3] = std::array::from_fn(|axis| {
         let of = |pick: fn(f64, f64) -> f64| poses.iter().map(|p| p.at_mm[axis]).reduce(pick).unwrap_or(0.0);
@@ -229,9 +229,9 @@ fn grid(poses: &[Spanning]) -> (Vec<Vector>, f64) {
     (x.iter().flat_map(yz).collect(), spacing)
 }
 
-/// The size that a normal error of this covariance exceeds with a probability of 5 %: the sum of
-/// squares has nearly the distribution g χ²(ν) with the same mean and variance (Box 1954, Ann.
-/// Math. Statist. 25, 290, theorem 3.1).
+/// Returns the size that a normal error of this covariance exceeds with a probability of 5 %: the
+/// sum of squares has nearly the distribution g χ²(ν) with the same mean and variance (Box 1954,
+/// Ann. Math. Statist. 25, 290, theorem 3.1).
 fn p95(covariance: &Matrix3<f64>) -> f64 {
     let (trace, of_square) = (covariance.trace(), (covariance * covariance).trace());
     match Gamma::new(0.5 * trace.powi(2) / of_square, 0.5 * trace / of_square) {

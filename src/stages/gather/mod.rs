@@ -220,7 +220,7 @@ fn together(logs: Vec<JointLog>) -> JointLog {
     all
 }
 
-/// The points of an export with this text, before the rules about blunders.
+/// Returns the points of an export with this text, before the rules about blunders.
 pub(crate) fn parse_points(campaign: &Campaign, export: &Export, text: &str) -> Result<Vec<Point>> {
     let mut columns = PointColumns::default();
     columns

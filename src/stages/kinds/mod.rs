@@ -51,7 +51,7 @@ const KINDS: [&dyn RowKind; 9] = [
     &joints::Joints,
 ];
 
-/// The kind of this name.
+/// Returns the kind of this name.
 ///
 /// # Errors
 /// Fails if no kind has this name.

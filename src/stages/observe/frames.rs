@@ -115,8 +115,8 @@ pub fn make_frames(
     })
 }
 
-/// The poses of the world frame from these points alone, without the covariance of a frame defined
-/// by features.
+/// Returns the poses of the world frame from these points alone, without the covariance of a frame
+/// defined by features.
 pub fn place(campaign: &Campaign, points: &[Point]) -> Result<Vec<FramePose>> {
     let features = elements(campaign, points)?;
     match campaign.file.world() {

@@ -21,7 +21,7 @@ pub(crate) struct LabelledPoints<'a> {
 }
 
 impl<'a> LabelledPoints<'a> {
-    /// Collection of these points.
+    /// Returns the collection of these points.
     pub fn new(campaign: &'a Campaign, points: &'a [Point]) -> Self {
         Self { campaign, points }
     }

@@ -370,7 +370,7 @@ impl<'a> Trials<'a> {
         all
     }
 
-    /// Size (mm) of each position error of these observations.
+    /// Returns the size (mm) of each position error of these observations.
     fn sizes<'o>(&self, values: &[f64], observations: impl Iterator<Item = &'o Observation>) -> Vec<f64> {
         let (robot, loads) = (self.robot.parametrised(values), self.robot.loads());
         let d = self.robot.dimension();

@@ -74,7 +74,7 @@ impl ExpectedDeviation {
         Settings { standard_uncertainty_mm: Some(self.measured_mm), ..settings }
     }
 
-    /// The model error of coordinates and of each of these conditions.
+    /// Returns the model error of coordinates and of each of these conditions.
     pub fn misfit(&self, conditions: &[Condition]) -> Misfit {
         let of = |c: &Condition| if matches!(c.kind, Kind::Joint(_)) { 0.0 } else { self.model(quantity(c)) };
         Misfit {

@@ -228,7 +228,7 @@ struct QifDocument<'t, 'a> {
 }
 
 impl<'t, 'a> QifDocument<'t, 'a> {
-    /// The measured feature of this kind at `node`.
+    /// Returns the measured feature of this kind at `node`.
     fn feature(&mut self, kind: &str, node: Node<'t, 'a>) -> MeasuredFeature {
         let Self { nodes, units, sets, messages } = self;
         let mut refer = |from: Option<Node<'t, 'a>>, name: &str, kind: &str| -> Option<Node<'t, 'a>> {

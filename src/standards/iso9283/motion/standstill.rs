@@ -97,8 +97,8 @@ pub fn standstills(stream: &Stream, still: &Stillness) -> Result<Vec<Standstill>
     Ok(found.into_iter().map(|samples| Standstill::new(stream, samples)).collect())
 }
 
-/// End of the standstill that starts with these samples, if all of them are within the radius of
-/// their mean.
+/// Returns the end of the standstill that starts with these samples, if all of them are within the
+/// radius of their mean.
 fn stands(points: &[Vector], window: Range<usize>, radius_mm: f64) -> Option<usize> {
     // quick check: two points in a ball are at most a diameter apart
     if norm(minus(points[window.start], points[window.end - 1])) > 2.0 * radius_mm {

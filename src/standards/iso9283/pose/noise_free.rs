@@ -74,7 +74,7 @@ fn add(to: &mut [[f64; 3]; 3], m: &[[f64; 3]; 3], factor: f64) {
     to.iter_mut().flatten().zip(m.iter().flatten()).for_each(|(a, b)| *a += factor * b);
 }
 
-/// Mean + 3 s of the radius of Gaussian scatter with these principal variances.
+/// Returns the mean + 3 s of the radius of Gaussian scatter with these principal variances.
 ///
 /// E √Q = (1 / 2√π) ∫ t^(−3/2) (1 − φ(t)) dt, where φ(t) = Π (1 + 2 v t)^(−1/2) is the Laplace
 /// transform of Q. With t = e^u the integrand falls off at both ends, and the trapezoidal rule is
