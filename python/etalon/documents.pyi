@@ -144,8 +144,8 @@ class AxesRobot(Record):
     flange_xyz_mm: NDArray[np.float64]
     """Position of the flange at joint values zero in the base."""
     parameters: Records[AxesParameter]
-    """Parameters that the axes determine, then those that a convention fixes: base on the first axes, flange of `dh`
-    and `mdh` on the last.
+    """Parameters that the axes determine, then parameters that a convention fixes: base on the first axes, flange of
+    `dh` and `mdh` on the last.
     """
     robot_toml: str
     """Text of robot.toml."""
@@ -2332,7 +2332,7 @@ class QuantityScore(Record):
     """Unit of errors and widths: mm or deg."""
 
 class Reading(Record):
-    """One reading of a delimited text, without the unit of lengths."""
+    """Interpretation of a delimited text, without the unit of lengths."""
     columns: list[str]
     """Value of the campaign's key `columns`."""
     decimal: str

@@ -34,7 +34,7 @@ pub fn check_nesting(name: &str, text: &str) -> Result<()> {
     }
 }
 
-/// Checks the brackets of a document whose text is code: those of `report.typ`.
+/// Checks the brackets of a document whose text is code (`report.typ`).
 ///
 /// # Errors
 /// Fails if brackets are nested too deeply.

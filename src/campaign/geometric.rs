@@ -85,9 +85,9 @@ pub struct ScaleBarDefinition {
     pub length_mm: f64,
     /// Expanded uncertainty (k = 2) of the calibrated length, from the certificate of the bar.
     pub length_uncertainty_um: Option<f64>,
-    /// Maximum permissible error of the instrument for a distance. By default the largest of all
-    /// measured distances exceeds it with a probability of 5 %, by the stated uncertainty of two
-    /// points.
+    /// Maximum permissible error of the instrument for a distance. By default it is computed from
+    /// the stated uncertainty of two points. The largest error of all measured distances then
+    /// exceeds it with a probability of 5 %.
     pub permissible_error_um: Option<f64>,
 }
 

@@ -71,7 +71,7 @@ pub struct PosesDefinition {
 }
 
 impl PosesDefinition {
-    /// Table to read that gives no form of its own; filters, constants and `pose` are those of the
+    /// Table to read that gives no form of its own; filters, constants and `pose` come from the
     /// attained poses.
     pub fn reading(&self, attained: bool) -> TableReading {
         let mut layout = self.layout.clone();

@@ -20,8 +20,8 @@ pub struct Join {
     /// Time of the measurement minus time of the log, for a join by time. `standstills` determines
     /// it from the standstills of the log, `motion` from the speeds of a motion that both recorded.
     pub clock_offset_s: Option<ClockOffset>,
-    /// With the word of `clock_offset_s`, the rate of the clocks is determined with the offset,
-    /// within 100 ppm, for clocks that drift apart.
+    /// For clocks that drift apart: with the same word as `clock_offset_s`, the ratio of the clock
+    /// rates is determined too (within 100 ppm).
     pub clock_rate: Option<ClockRate>,
     /// Upper limit for the difference of the times, for a join by time.
     pub tolerance_s: Option<f64>,

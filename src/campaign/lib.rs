@@ -252,7 +252,8 @@ impl Campaign {
         !self.unread.affects_except(&["export", &table], "unit")
     }
 
-    /// Paths of all files of measurements: also of those that came since the campaign was read.
+    /// Paths of all files of measurements, including files that appeared after the campaign was
+    /// read.
     pub fn present_inputs(&self) -> Vec<PathBuf> {
         let named = self.file.inputs().filter_map(|file| self.resolve(file).ok());
         let mut all: Vec<PathBuf> =

@@ -260,7 +260,7 @@ impl<'a> Check<'a> {
         false
     }
 
-    /// `true` if a text is among those that a schema lists, or if it lists none.
+    /// `true` if a schema lists the text, or lists no texts.
     fn choice(&mut self, text: &str, span: Range<usize>, schema: &'a Value) -> bool {
         let texts = self.alternatives(schema).into_iter().filter(|s| is_of_kind(s, &DeValue::String(text.into())));
         let lists: Option<Vec<Vec<&Value>>> = texts.map(listed).collect();

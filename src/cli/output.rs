@@ -105,7 +105,7 @@ impl Output {
         Ok(())
     }
 
-    /// Prints messages to stderr: those that need action first, with similar rows merged.
+    /// Prints messages to stderr: messages that need action first, with similar rows merged.
     pub fn remark(&self, messages: &[Message]) {
         self.remark_in(Language::En, messages);
     }

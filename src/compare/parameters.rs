@@ -26,7 +26,7 @@ pub(super) fn degrees(parameters: &ParametersDocument) -> f64 {
     identified.map(|p| parameter_degrees_of_freedom(p, &parameters.residuals)).fold(f64::INFINITY, f64::min)
 }
 
-/// All parameters except those that no campaign identified.
+/// All parameters that at least one campaign identified.
 pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();

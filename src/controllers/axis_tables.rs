@@ -41,7 +41,7 @@ impl Deviation {
     }
 }
 
-/// Maximum plausible change of a deviation per distance: that of the worst transmission ratio.
+/// Maximum plausible change of a deviation per distance: the error of the worst transmission ratio.
 const STEEPEST: f64 = 0.05;
 
 /// Rejects implausible deviations of an axis.

@@ -269,7 +269,7 @@ impl<'a> ExportInput<'a> {
         (!failed.is_empty()).then(|| format!("NOT FIT FOR A CONTROLLER, written by force: {}", failed.join("; ")))
     }
 
-    /// Statement that the parameters are those of synthetic data; `None` for measured data.
+    /// Statement that the parameters come from synthetic data; `None` for measured data.
     pub fn synthetic(&self) -> Option<String> {
         let of_campaign = || self.summary.and_then(|summary| summary.measurements.synthetic.as_ref());
         let why = self.parameters.synthetic.as_ref().or_else(of_campaign)?;

@@ -146,7 +146,8 @@ struct Kind {
 }
 
 impl Kind {
-    /// Definition with those of all types of its fields, as rosbag2 stores it.
+    /// Returns the definition of the type, followed by the definitions of the types of its fields,
+    /// as rosbag2 stores them.
     fn definition(&self) -> String {
         let line = "=".repeat(80);
         let part = |name: &&str| {

@@ -34,7 +34,7 @@ impl Statement {
         Some(error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?))
     }
 
-    /// Both errors, if those of the file are larger than with nominal parameters.
+    /// Both errors, if the error of the file is larger than with nominal parameters.
     pub(crate) fn worse_than_nominal(&self) -> Option<Phrase> {
         let errors = self.errors.as_ref().filter(|e| self.parameters.is_some() && e.is_worse_than_nominal())?;
         Some(phrase!(

@@ -235,7 +235,8 @@ struct Line {
     direction: Vector,
 }
 
-/// First difference of the axes from those of a Universal Robots arm; `None` for such an arm.
+/// First difference between these axes and the axes of a Universal Robots arm; `None` for such an
+/// arm.
 ///
 /// Axes 2, 3 and 4 are parallel, all other neighbours perpendicular; axis 1 meets axis 2, axis 5
 /// meets axes 4 and 6 at different points, and these points are outside the plane of axis 1 and the

@@ -173,8 +173,8 @@ pub struct AxesRobot {
     pub targets: Vec<AxesTarget>,
     /// Convention of the robot file: `poe`, `dh` or `mdh`.
     pub convention: String,
-    /// Parameters that the axes determine, then those that a convention fixes: base on the first
-    /// axes, flange of `dh` and `mdh` on the last.
+    /// Parameters that the axes determine, then parameters that a convention fixes: base on the
+    /// first axes, flange of `dh` and `mdh` on the last.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<AxesParameter>,
     /// Covariance of the parameters that the axes determine, in their order and units.

@@ -92,7 +92,7 @@ mirror! {
         Instrument,
         /// Contact with a socket, a surface or a measured point, by its stated uncertainty.
         Contact,
-        /// Readings of single coordinates, such as those of a dial gauge.
+        /// Readings of single coordinates, for example of a dial gauge.
         SingleCoordinates,
         /// Readings of encoders at the links.
         Encoders,

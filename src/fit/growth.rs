@@ -109,8 +109,8 @@ impl<'a> Search<'a> {
         (ROUNDING * size).max(self.resolution_mm).powi(2) * weight
     }
 
-    /// Compares point `i` with the element of the other used points; the standard deviation of
-    /// the used points is `reduced` times that of all.
+    /// Compares point `i` with the element of the other used points; the standard deviation of the
+    /// used points is `reduced` times the value of all points.
     fn judge(&self, trial: &Trial, i: usize, reduced: f64) -> Judged {
         let (offsets, weight) = (trial.fit.offsets(self.points[i]), self.weight(i));
         let inside = trial.used.binary_search(&i).is_ok();

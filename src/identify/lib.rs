@@ -227,8 +227,8 @@ pub struct ParameterUncertainty {
     /// Effective degrees of freedom of each identified parameter's standard uncertainty; empty if
     /// these follow from given uncertainties.
     pub effective_degrees: Vec<f64>,
-    /// Ratio (median) of the standard uncertainties to those from the instrument's uncertainty
-    /// alone.
+    /// Ratio (median) of the standard uncertainties to the uncertainties from the instrument's
+    /// uncertainty alone.
     pub inflation_factor: f64,
     /// Contributions to the covariance.
     pub budget: Budget,

@@ -151,7 +151,7 @@ impl Factor {
         self.rest += inner(b, b);
     }
 
-    /// Splits off the first rows as those of a block with the columns `own`.
+    /// Splits off the first rows as the rows of a block with the columns `own`.
     pub(super) fn split(self, own: &[usize]) -> (Head, Self) {
         let (w, n) = (own.len(), self.n);
         let row = |i: usize| (0..n).map(|j| if i <= j { self.r(i, j) } else { 0.0 }).collect();

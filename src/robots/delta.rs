@@ -96,7 +96,7 @@ impl Description for RotaryKeys {
             common: Common::read(keys),
             upper_arm_mm: keys.required(Key::length(
                 "upper_arm",
-                "Length of the upper arms of a delta. At joint value zero they are level and point outwards; they sink as it grows.",
+                "Length of the upper arms of a delta. At joint value zero the arms are level and point outwards; they sink with growing joint values.",
             )),
             limits_rad: keys.table(Key::plain("reach", REACH), |keys| {
                 [

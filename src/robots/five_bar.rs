@@ -627,7 +627,8 @@ mod tests {
         assert_eq!(segment_distance([0.0, 0.0], [10.0, 0.0], [13.0, 4.0], [20.0, 9.0]), 5.0);
     }
 
-    /// Derivatives in closed form beside those of dual numbers, in all working and assembly modes.
+    /// Compares derivatives in closed form with derivatives by dual numbers, in all working and
+    /// assembly modes.
     #[test]
     fn derivatives_are_those_of_dual_numbers() {
         let robot = FiveBar::default();

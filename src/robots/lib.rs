@@ -279,8 +279,8 @@ pub trait Robot: Send + Sync {
         self.rail_table().map(lead).or_else(own)
     }
 
-    /// Robots that may be meant instead: those that the same numbers describe in other conventions,
-    /// and published robots of the same build. Each with its description.
+    /// Robots that may be meant instead: robots that the same numbers describe in other
+    /// conventions, and published robots of the same build. Each with its description.
     fn alternatives(&self) -> Vec<(Phrase, Box<dyn Robot>)> {
         Vec::new()
     }

@@ -4,7 +4,7 @@
 //! equation between the pose of the platform, the joints and the parameters of the leg. Exact
 //! derivatives follow by the implicit function theorem, independent of the method that found the
 //! pose. The platform is the flange of a robot with a free base: parameters of base and targets
-//! come first, then those of each leg.
+//! come first, then the parameters of each leg.
 
 use super::{
     Definition, FreeBase, Joint, JointRange, Kinematics, Outline, Parameter, Quantity, Robot, Role, base_and_targets,
@@ -348,8 +348,8 @@ impl<L: Legs> Robot for Parallel<L> {
             write(&mut out[3 * target * n..], n, column, moved);
         });
     }
-    /// The position of a target depends on its own coordinates alone, not on those of the others.
-    /// NaN if the legs do not meet the platform.
+    /// The position of a target depends only on its own coordinates, not on the coordinates of
+    /// other targets. NaN if the legs do not meet the platform.
     fn target_derivatives(
         &self,
         parameters: &[f64],

@@ -492,7 +492,7 @@ impl RailTable for Prexyt {
 mod tests {
     use super::*;
 
-    /// Derivatives in closed form beside those of dual numbers.
+    /// Compares derivatives in closed form with derivatives by dual numbers.
     #[test]
     fn derivatives_are_those_of_dual_numbers() {
         for full in [false, true] {

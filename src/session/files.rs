@@ -1,4 +1,4 @@
-//! Files of the folder of a page, and those that are dropped on it.
+//! Files in the folder of a page, and files that are dropped on the page.
 
 use etalon_base::error;
 use etalon_base::files;
@@ -62,7 +62,7 @@ pub(super) fn inputs(folder: &Path, dropped: &Dropped) -> Vec<PathBuf> {
     all
 }
 
-/// Files of the page: those that the campaign names with their use, and dropped ones.
+/// Files of the page: files that the campaign names, with their use, and dropped files.
 pub(super) fn listed(folder: &Path, campaign: Option<&Campaign>, dropped: &Dropped) -> Vec<DroppedFile> {
     let mut all: Vec<DroppedFile> = Vec::new();
     let mut add = |name: &str, role: Option<&str>| {

@@ -304,7 +304,7 @@ pub fn observations(places: &[Places], robot: &dyn Robot, folder: &Path) -> Resu
 }
 
 impl Places {
-    /// Number of given poses, except for those of tables; working modes do not count.
+    /// Number of given poses, without poses from tables; working modes do not count.
     fn count(&self) -> u64 {
         let thetas = self.theta_deg.len().max(1) as u64;
         let circles = self.circles.iter().chain(&self.discs).map(|circle| circle.count as u64);

@@ -16,8 +16,8 @@ const GRAVITY: f64 = 9.806_65e-3;
 /// Direction of gravity in the base.
 const DOWN: Vector = [0.0, 0.0, -1.0];
 
-/// Torques of joints, as a controller logs them: those of its drives, which hold the masses against
-/// gravity along −z of the base.
+/// Torques of joints, as a controller logs them: torques of the drives, which hold the masses
+/// against gravity along −z of the base.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Torques {

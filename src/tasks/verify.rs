@@ -87,8 +87,8 @@ pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOp
     Ok(found)
 }
 
-/// Chooses the poses to measure among candidates for a verification: those that detect the smallest
-/// changes.
+/// Chooses the poses to measure among candidates for a verification: the poses that detect the
+/// smallest changes.
 ///
 /// # Errors
 /// Fails for a table or parameters that do not belong to the robot.

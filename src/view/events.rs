@@ -33,7 +33,7 @@ const UNREAD: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub struct Events(Arc<Mutex<Pages>>);
 
-/// Open pages, and the last event about a measurement for those that open later.
+/// Open pages, and the last event about a measurement for pages that open later.
 #[derive(Debug, Default)]
 struct Pages {
     senders: Vec<SyncSender<Arc<str>>>,

@@ -1,7 +1,7 @@
 //! Tool file `TOOL.CND` (Yaskawa): name, X Y Z Rx Ry Rz in mm and deg with Rz(Rz) Ry(Ry) Rx(Rx),
 //! then centre of gravity, mass, moments of inertia, and a line of unknown meaning.
 //!
-//! The layout is that of backups of an SDA20D and of a GP88 (`docs/cell.md` has the addresses). The
+//! The layout follows backups of an SDA20D and of a GP88 (`docs/cell.md` has the addresses). The
 //! lines behind the frame are those of tools without load data there. The file has no comments.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};

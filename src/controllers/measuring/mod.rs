@@ -33,11 +33,11 @@ pub struct Stop {
 /// Contents of a measuring program.
 #[derive(Clone, Debug)]
 pub struct MeasuringProgram<'a> {
-    /// Name of the program: that of its file.
+    /// Name of the program and of its file.
     pub name: &'a str,
     /// Lines of the header.
     pub header: Vec<String>,
-    /// Joints of the robot: external axes, then those of the arm.
+    /// Joints of the robot: external axes, then the joints of the arm.
     pub joints: &'a [Joint],
     /// Poses in the order of measurement.
     pub stops: Vec<Stop>,

@@ -26,7 +26,8 @@ pub(super) struct Array {
     /// Lengths along its axes.
     pub shape: Vec<usize>,
     pub numbers: Numbers,
-    /// `true` if the numbers of a column are neighbours, `false` if those of a row are.
+    /// `true` if the numbers of a column are neighbours; `false` if the numbers of a row are
+    /// neighbours.
     pub by_columns: bool,
 }
 

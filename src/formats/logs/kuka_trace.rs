@@ -122,7 +122,7 @@ struct Channel {
     is_interleaved: bool,
     kind: String,
     count: usize,
-    /// Place of the first value among those of its type, from 1.
+    /// Place of the first value among the values of its type, from 1.
     first: usize,
     offset: f64,
     factor: f64,

@@ -22,7 +22,7 @@ const CELLS: [f64; 9] = [FINEST, 2048.0, 1024.0, 512.0, 256.0, 128.0, 64.0, 32.0
 /// Corners of a triangle, in the unit of the file; of COLLADA in metres.
 pub type Triangle = [[f32; 3]; 3];
 
-/// `true` if the name of a file is that of a mesh that can be read.
+/// `true` if a file has the name of a mesh that can be read.
 pub fn is_mesh(file: &str) -> bool {
     ["stl", "obj", "dae"].contains(&end(file).as_str())
 }

@@ -6,7 +6,7 @@ use super::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 
-/// Tag of the headings of a quaternion, and its columns.
+/// Tag of the headings of a quaternion, and the columns of its components.
 type Quaternion = (String, [usize; 4]);
 
 /// Kind of a set of coordinates, by the words of its headings.

@@ -78,7 +78,8 @@ fn offsets(sweep: &Sweep, fit: &SweepFit, frame: &Pose, path: usize) -> Vec<(usi
 /// Phase of each path, and the covariance of the parameters of the fit followed by the phases.
 ///
 /// The error of a reading along the path is independent of its errors across, so that a phase adds
-/// its own variance to that of the axis. `own` is the covariance of the parameters of the fit.
+/// its own variance to the variance of the axis. `own` is the covariance of the parameters of the
+/// fit.
 pub(super) fn phases(sweep: &Sweep, fit: &SweepFit, u_mm: f64, own: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     let with_values = sweep.readings.iter().all(|r| !r.joints.is_empty());
     let (n, paths) = (fit.cofactors.nrows(), fit.paths.len());

@@ -254,7 +254,7 @@ fn along(sweep: &Sweep, fit: &SweepFit, rows: &[usize]) -> Vec<(f64, f64)> {
     travels.iter().map(|t| (*t, angle(t))).collect()
 }
 
-/// Rows of a path, in the order of the motion; all of them, or those that the fit uses.
+/// Rows of a path, in the order of the motion; all of them, or the rows that the fit uses.
 pub(super) fn rows(sweep: &Sweep, fit: &SweepFit, target: usize, all: bool) -> Vec<usize> {
     (0..sweep.readings.len()).filter(|&i| sweep.readings[i].target == target && (all || fit.used[i])).collect()
 }

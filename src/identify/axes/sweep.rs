@@ -25,8 +25,8 @@ const FEWEST_TO_JUDGE: usize = 8;
 /// Ratio of the standard deviation of the nearest three quarters of residuals to the standard
 /// deviation of all: of a component, where lengths have two, √(1 − (ln 4)/3).
 const OF_NEAREST: f64 = 0.733;
-/// Ratio of the differences of neighbours to those of independent readings below which deviations
-/// are smooth.
+/// Ratio of the differences of neighbours to the differences of independent readings below which
+/// deviations are smooth.
 const SMOOTH: f64 = 0.6;
 /// Maximum step of a smooth deviation, in medians of all: of waves with several harmonics.
 const USUAL_STEPS: f64 = 5.0;

@@ -6,8 +6,8 @@ use etalon_base::angle::Turn;
 use etalon_robots::{AxisTable, Effect, Parameter, Quantity, Robot, Role, Serial, modified_table, standard_table};
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// Parameters of a robot that the axes determine, and those that a convention fixes: base against
-/// the first axes, flange of a table against the last.
+/// Parameters of a robot that the axes determine, and parameters that a convention fixes: base
+/// against the first axes, flange of a table against the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DerivedParameters {
     /// Names as in the robot's model.
@@ -97,8 +97,8 @@ fn table(modified: bool, model: &AxesModel) -> AxisTable {
 }
 
 impl DerivedParameters {
-    /// Parameters with their values and covariance, divided into those that the axes determine and
-    /// those that a convention fixes.
+    /// Parameters with their values and covariance, divided into parameters that the axes determine
+    /// and parameters that a convention fixes.
     fn new(listed: &[&Parameter], values: &[f64], all: &DMatrix<f64>) -> Self {
         let least = |k: &usize| FIXED[usize::from(listed[*k].quantity == Quantity::Angle)];
         let (known, fixed): (Vec<usize>, Vec<usize>) =
@@ -114,8 +114,8 @@ impl DerivedParameters {
     }
 
     /// Standard uncertainties (mm, rad) for parameters without correlations: with them, no
-    /// combination of parameters is more certain than by the covariance. Each is that of the
-    /// parameter, times the root of the largest eigenvalue of the correlations.
+    /// combination of parameters is more certain than by the covariance. Each is the standard
+    /// uncertainty of the parameter, times the root of the largest eigenvalue of the correlations.
     pub fn independent_uncertainties(&self) -> Vec<f64> {
         let u: Vec<f64> = (0..self.names.len()).map(|k| self.covariance[(k, k)].sqrt()).collect();
         let n = u.len();

@@ -77,8 +77,8 @@ pub fn object_frame(known: &[Vector], measured: &[Vector], stated: &Stated) -> R
     Ok(ObjectFrame { frame: CellFrame { pose: solved.model.frame, covariance }, quality: solved.quality })
 }
 
-/// Units for which coordinates may be taken, as factors of the measured ones: metres, inches and
-/// micrometres for millimetres, and the reverse.
+/// Factors between units that may be confused: metres, inches and micrometres taken for
+/// millimetres, and millimetres taken for inches.
 const UNITS: [f64; 4] = [1e3, 25.4, 1e-3, 1.0 / 25.4];
 /// Maximum number of points whose exchange is tried.
 const EXCHANGED: usize = 40;

@@ -7,7 +7,8 @@ use etalon_base::pose::{Pose, Vector, centroid, minus, norm};
 /// Plausible standard uncertainties (mm, rad) of an uncalibrated robot and of its readings: they
 /// are granted in addition to a given uncertainty.
 const PLAUSIBLE: [f64; 2] = [2.0, 2.0 * std::f64::consts::PI / 180.0];
-/// Share of the size of tool and motion from which residuals are of the order of the data.
+/// Minimum residual, as a share of the size of tool and motion, that refutes the data: residuals
+/// are then as large as the data.
 const SHARE: f64 = 0.1;
 
 /// Size of the tool and of the motion.

@@ -50,7 +50,7 @@ fn repeats(points: [&[Vector]; 3]) -> Option<(f64, usize)> {
 const LEAST_HEIGHT: f64 = 1e-7;
 
 /// Frame by the rule of three points, each with one or several readings. The uncertainty of a
-/// coordinate is `stated_mm` where repeats agree with it, otherwise that of the repeats.
+/// coordinate is `stated_mm` if repeats agree with it, otherwise the uncertainty from the repeats.
 ///
 /// # Errors
 /// Fails if a point has no reading, and if points coincide or are on a line.

@@ -33,8 +33,8 @@ pub struct HeldOut {
     pub rms_mm: [f64; 2],
     /// Gain of the mean square error over its standard uncertainty.
     pub gain_over_u: f64,
-    /// Share of coordinates within 1.96 predicted standard uncertainties, with that of the field
-    /// multiplied by the factor.
+    /// Share of coordinates within 1.96 predicted standard uncertainties, with the uncertainty of
+    /// the field multiplied by the factor.
     pub coverage: f64,
     /// Factor of the field's standard uncertainty with which the mean square of coordinates over
     /// their predicted standard uncertainties is 1.

@@ -45,7 +45,7 @@ pub(crate) struct Change {
     pub listing: Listing,
 }
 
-/// Place of a change in the list of those that the data do not show.
+/// Place of a change in the list of changes that the data do not show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Listing {
     /// Before others.

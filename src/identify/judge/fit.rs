@@ -86,7 +86,8 @@ pub(crate) struct Fitted {
     pub scales: Scales,
     /// Number of residuals.
     pub rows: f64,
-    /// Number of residuals beyond those that parameters without a nominal value can make zero.
+    /// Number of residuals, without the residuals that parameters without a nominal value can make
+    /// zero.
     pub redundant: f64,
     /// Sum over all residuals of the logarithm of their standard deviation, in units as measured,
     /// and half the squares of deviations from nominal: the negative logarithm of the likelihood.

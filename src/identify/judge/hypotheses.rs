@@ -130,7 +130,7 @@ impl Table<'_> {
         all
     }
 
-    /// Pairs of changes: those that alone bring the nominal robot nearest, each with all others.
+    /// Pairs of changes: each change that alone brings the nominal robot nearest, with all others.
     pub fn pairs(&self) -> Vec<Slip> {
         let near = |(change, probes): (Change, Data)| {
             let case = Case::located(self.robot, change.data.clone(), change.anywhere)?;

@@ -177,7 +177,7 @@ impl UncertaintyBound {
         })
     }
 
-    /// [`Self::exceeded`] of a frame whose covariance is that of its position (mm) and of a small
+    /// [`Self::exceeded`] of a frame whose covariance contains its position (mm) and of a small
     /// rotation (rad).
     pub fn frame_exceeded(&self, covariance: &[[f64; 6]; 6], extent: &Extent) -> Option<Excess> {
         let [length, angle] = [Quantity::Length, Quantity::Angle];

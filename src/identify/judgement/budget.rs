@@ -24,7 +24,7 @@ pub enum UncertaintySource {
     Instrument,
     /// Contact with a socket, a surface or a measured point: its stated uncertainty.
     Contact,
-    /// Readings of single coordinates, such as those of a dial gauge.
+    /// Readings of single coordinates, for example of a dial gauge.
     SingleCoordinates,
     /// Readings of encoders at the links.
     Encoders,

@@ -1,7 +1,7 @@
 //! Covariance of effective parameters by a jackknife over regions of joint space.
 //!
 //! A model without an effect leaves a misfit that is alike at neighbouring poses. Least squares
-//! then estimates effective parameters: those that describe the robot best over the region of the
+//! then estimates effective parameters, which describe the robot best over the region of the
 //! measured poses (White 1982). The scatter of the estimate from region to region is their
 //! uncertainty. Each region is omitted once, to first order (delete-a-group jackknife, CR3 in Bell
 //! & McCaffrey 2002): C = F (Σ h hᵀ) Fᵀ with h = Qᵀ (I − Q Qᵀ)⁻¹ r, Q = J F of the region's rows, F

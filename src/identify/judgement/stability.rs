@@ -1,5 +1,5 @@
-//! Stability: comparison of parameters from part of the poses with those from all poses (Hausman
-//! 1978, Specification tests in econometrics).
+//! Stability: comparison of parameters from part of the poses with parameters from all poses
+//! (Hausman 1978, Specification tests in econometrics).
 
 use crate::Result;
 use crate::judgement::robust::quantile;

@@ -189,12 +189,13 @@ impl ToolPrediction<'_> {
 }
 
 /// A parameter that is held because the data do not determine it, and the response of the
-/// identified parameters to it.
+/// identified parameters to this parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Held {
-    /// Its index.
+    /// Index of the parameter.
     pub parameter: usize,
-    /// Derivatives of the identified parameters with respect to it, in their order.
+    /// Derivatives of the identified parameters, in their order, with respect to the held
+    /// parameter.
     pub compensation: Vec<f64>,
 }
 

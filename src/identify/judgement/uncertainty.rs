@@ -140,7 +140,7 @@ pub(crate) fn with_uncertainty(
     })
 }
 
-/// Status of a parameter by the identified parameters and those that should be.
+/// Status of a parameter, from the lists of identified parameters and of parameters to identify.
 fn status(free: &[usize], wanted: &[usize], index: usize) -> Status {
     match () {
         () if free.contains(&index) => Status::Identified,

@@ -148,8 +148,8 @@ pub(crate) fn root(solution: &Solution) -> Option<DMatrix<f64>> {
     Some(root)
 }
 
-/// F M Fᵀ, symmetric to the last digit, row by row: a covariance for the covariance M of the
-/// parameters in which JᵀJ is the identity.
+/// Returns F M Fᵀ, row by row and symmetric to the last digit: the covariance of the parameters,
+/// from the covariance M of scaled parameters for which JᵀJ is the identity.
 pub(crate) fn carried(root: &DMatrix<f64>, middle: &DMatrix<f64>) -> DMatrix<f64> {
     let mut all = root * middle * root.transpose();
     all.fill_lower_triangle_with_upper_triangle();

@@ -15,7 +15,7 @@ const ROW_HEIGHT: f64 = 62.0;
 const LINE: f64 = 15.0;
 /// Height of a bar.
 const BAR: f64 = 14.0;
-/// Size of a bold letter, over that of others.
+/// Size of a bold letter, relative to other letters.
 const BOLD: f64 = 1.1;
 /// Margin at both sides.
 const SIDE: f64 = 10.0;
@@ -86,7 +86,7 @@ fn limit(svg: &mut Svg, l: &LimitVerdict, top: f64, end: f64, words: &Words) {
     svg.text("start", (SIDE, y + BAR + 15.0), &cut(&text, NARROW - 2.0 * SIDE, 1.0));
 }
 
-/// Shortens a text to a width; `size` is the size of its letters over that of plain ones.
+/// Shortens a text to a width; `size` is the size of its letters relative to plain letters.
 fn cut(text: &str, room: f64, size: f64) -> String {
     let fits = |text: &str| size * proportional(text) <= room;
     if fits(text) {

@@ -5,7 +5,7 @@ use super::layer::*;
 use super::visits::pose_visits;
 use etalon_documents::{Iso9283Document, Iso9283Pose};
 
-/// Maximum number of poses; those with the largest RP are drawn.
+/// Maximum number of poses; the poses with the largest RP are drawn.
 const POSES: usize = 10;
 /// Number of poses in a row.
 const COLUMNS: usize = 5;

@@ -23,7 +23,8 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
-/// Returns the section of these messages: those that need action first, with similar rows merged.
+/// Returns the section of these messages: messages that need action first, with similar rows
+/// merged.
 pub(crate) fn section_from_messages(messages: &[&Message], words: &Words) -> Section {
     section_beside_routine(messages, 0, words)
 }

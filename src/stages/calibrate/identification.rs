@@ -162,7 +162,7 @@ struct Solved {
     solution: Solution,
     /// Excluded outliers.
     outliers: Vec<Message>,
-    /// Gain of each effect, if the data chose them.
+    /// Gain of each effect; `None` if the campaign lists the effects.
     proofs: Option<Vec<EffectProof>>,
 }
 
@@ -211,7 +211,7 @@ pub(crate) fn identify_unjudged(data: CampaignData, robot: &mut dyn Robot) -> Re
 /// Basis of an identification with the effects that are identified.
 struct Proven {
     basis: Basis,
-    /// Gain of each effect, if the data chose them.
+    /// Gain of each effect; `None` if the campaign lists the effects.
     proofs: Option<Vec<EffectProof>>,
 }
 

@@ -21,8 +21,8 @@ use etalon_math::statistics::SizeStatistics;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
-/// Judged parameters, the observations that judge them, and those that locate base, targets and
-/// fixtures.
+/// Judged parameters, the observations that judge them, and the observations that locate base,
+/// targets and fixtures.
 #[derive(Clone, Copy)]
 pub struct Judged<'a> {
     /// Robot.

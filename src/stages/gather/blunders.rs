@@ -162,8 +162,8 @@ fn group(campaign: &Campaign, rigid: &Rigid, points: &[Point]) -> std::result::R
 /// Number of targets of a part up to which all pairs are compared.
 const ALL_PAIRS: usize = 64;
 
-/// The pairs of targets that are compared: all of them or, of many targets, those of each with the
-/// [`ALL_PAIRS`] others whose places in the rule are 1, 2, 4 ... and evenly spaced steps away.
+/// The pairs of targets that are compared: all pairs or, of many targets, the pairs of each with
+/// the [`ALL_PAIRS`] others whose places in the rule are 1, 2, 4 ... and evenly spaced steps away.
 fn pairs(count: usize) -> Vec<(usize, usize)> {
     if count <= ALL_PAIRS {
         return (0..count).flat_map(|i| (0..i).map(move |j| (j, i))).collect();

@@ -496,8 +496,8 @@ fn equal_counts<'a>(
 /// Maximum motion (mm or deg) of the encoder of a stationary joint.
 const STILL: f64 = 0.01;
 
-/// A log with the directions of approach of the joints with backlash: given ones, or those from
-/// the order of its times.
+/// A log with the directions of approach of the joints with backlash: given directions, or
+/// directions from the order of its times.
 fn with_directions<'a>(log: &'a JointLog, robot: &dyn Robot) -> Result<Cow<'a, JointLog>> {
     let mut log = Cow::Borrowed(log);
     for joint in robot.approached().iter().map(|&k| &robot.joints()[k]) {

@@ -94,7 +94,7 @@ impl Observed {
     }
 }
 
-/// The names of rows with a pose that are on the robot: those in the column `target`, and targets
+/// The names of rows with a pose that are on the robot: names in the column `target`, and targets
 /// of `branches` that another target refers to. Each once, in their order.
 pub fn targets(table: &Table, branches: &[Vec<String>]) -> Result<Vec<String>> {
     let mut targets: Vec<String> = Vec::new();
@@ -143,8 +143,8 @@ fn misspelt(table: &Table) -> Result<Problems> {
 /// Columns of every observation, of any kind.
 const OF_OBSERVATIONS: [&str; 5] = ["pose", "cycle", LABEL, TIME, ASSEMBLY];
 
-/// Columns that are read: those of observations of any kind, and those of the joints of the robot.
-/// Reading has converted lengths to mm.
+/// Columns that are read: columns of observations of any kind, and columns of the joints of the
+/// robot. Reading has converted lengths to mm.
 fn read_columns(robot: &dyn Robot, table: &Table) -> BTreeSet<String> {
     let of_joint = |name: &&str| {
         robot.joints().iter().any(|joint| joint.factor(name).is_some() || joint.direction_column() == *name)

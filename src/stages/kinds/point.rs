@@ -1,5 +1,5 @@
-//! The position of a target (single coordinates and those of further stations are conditions), or
-//! the position of a fixed point.
+//! The position of a target (single coordinates, and positions from further stations, are
+//! conditions), or the position of a fixed point.
 
 use super::kind::Measurement;
 use super::kind::xyz;

@@ -16,9 +16,9 @@ pub(crate) type Component = (Phrase, Quantity);
 /// Maximum number of components of an open combination in a message.
 const NAMED: usize = 5;
 
-/// Error about the component that exceeds its bound most; `None` if all are within it.
-/// `covariance` is that of the components (mm, rad, 1), row by row. Three lengths, or three lengths
-/// and three angles, are a point or a frame.
+/// Error about the component that exceeds its bound most; `None` if all are within it. `covariance`
+/// contains the components (mm, rad, 1), row by row. Three lengths, or three lengths and three
+/// angles, are a point or a frame.
 pub(crate) fn beyond_bound(
     bound: UncertaintyBound,
     extent: &Extent,

@@ -318,7 +318,8 @@ fn exchanged_targets(
     })
 }
 
-/// Other orders of some targets: all of a few, otherwise those with two swapped.
+/// Other orders of some targets: all orders of a few targets, otherwise orders with two targets
+/// swapped.
 fn orders(count: usize) -> Vec<Vec<usize>> {
     let usual: Vec<usize> = (0..count).collect();
     if count > PERMUTED {

@@ -15,8 +15,8 @@ use etalon_math::statistics::rms;
 const UNITS: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("inch", 25.4)];
 /// Maximum deviation, as a share of the commanded coordinates, in the right unit.
 const IN_UNIT: f64 = 0.05;
-/// Minimum root mean square of one coordinate, as a share of that of all coordinates, whose unit is
-/// judged.
+/// Minimum root mean square of one coordinate whose unit is judged, as a share of the root mean
+/// square of all coordinates.
 const LARGE: f64 = 0.1;
 /// Deviation as a share of the extent that no robot has.
 const AS_LARGE: f64 = 0.5;

@@ -784,7 +784,7 @@ topic-encoding-unknown = the messages of topic `{ $topic }` have the encoding `{
 # message.
 # Example: `ros2 bag record --compression-mode message`
 ros-message-malformed = message { $number } of topic `{ $topic }` does not have the layout of its type
-    .hint = record without `--compression-mode message`; `ros2 bag convert` writes such a recording again
+    .hint = record without `--compression-mode message`; convert an existing recording with `ros2 bag convert`
 
 # Means: A JointState message contains more or fewer positions than names.
 # Matters: It is unknown which joint a position belongs to.

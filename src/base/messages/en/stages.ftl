@@ -1099,7 +1099,7 @@ uncertainties-twice = the table contains both standard uncertainties and covaria
 
 # Means: A row contains the uncertainties of only some coordinates.
 # Matters: The weight of the row is unknown.
-# Do: Complete the row, or empty all its cells of uncertainties.
+# Do: Complete the row, or leave the uncertainty cells of this row empty.
 # Example: `ux_mm` without `uy_mm` in a row
 coordinate-uncertainty-missing = the row contains an uncertainty, but `{ $column }` is empty
     .expected = from 0.00002 to 100 mm for each coordinate, or empty cells for all

@@ -212,7 +212,8 @@ impl Kind {
         }
     }
 
-    /// Replaces the point or surface that the target touches by that of another condition.
+    /// Replaces the point or surface that the target touches by the point or surface of another
+    /// condition.
     pub(crate) fn touch(&mut self, other: &Self) {
         match (self, other) {
             (Self::On(kind), Self::On(other)) => (kind.surface, kind.unknowns) = (other.surface, other.unknowns),

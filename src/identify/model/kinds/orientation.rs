@@ -116,8 +116,8 @@ pub fn mounted_misfit_rad(robot: &dyn Robot, conditions: &[Condition], values: &
     (misfits.iter().map(|angle| angle * angle).sum::<f64>() / misfits.len() as f64).sqrt()
 }
 
-/// Angles (rad) between observed orientations and those of the robot with `values`, for the best
-/// mounting of the bodies.
+/// Angles (rad) between observed orientations and the orientations of the robot with `values`, for
+/// the best mounting of the bodies.
 pub fn mounted_misfits_rad(robot: &dyn Robot, conditions: &[Condition], values: &[f64]) -> Vec<f64> {
     let Some(arm) = robot.free_base() else { return Vec::new() };
     let mut values = values.to_vec();

@@ -7,7 +7,7 @@ use etalon_base::pose::{Vector, centroid};
 use etalon_base::pose_name::PoseName;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A pose as attained once, in the order of recording.
+/// One attained pose; poses are in the order of recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttainedPose {
     /// Number of the cycle.
