@@ -18,7 +18,8 @@ pub struct Join {
     #[schemars(with = "Option<Vec<String>>")]
     pub targets: Option<Vec<Spanned<String>>>,
     /// Time of the measurement minus time of the log, for a join by time. `standstills` determines
-    /// it from the standstills of the log, `motion` from the speeds of a motion that both recorded.
+    /// it from the standstills of the log, `motion` from the speeds of a motion that measurement
+    /// and log contain.
     pub clock_offset_s: Option<ClockOffset>,
     /// For clocks that drift apart: with the same word as `clock_offset_s`, the ratio of the clock
     /// rates is determined too (within 100 ppm).

@@ -116,7 +116,7 @@ fn not_cartesian(axes: &str) -> Option<Message> {
     })
 }
 
-/// Unit that a comment gives, and how: `AXES = CARTESIAN: X,  Y,  Z (mm)`, `Units: mm`.
+/// Returns the keyword and the unit of a comment: `AXES = CARTESIAN: X, Y, Z (mm)`, `Units: mm`.
 fn stated_unit(comment: &str) -> Option<(&'static str, &str)> {
     if let Some(axes) = comment.trim().strip_prefix("AXES =") {
         let (_, rest) = axes.split_once('(')?;

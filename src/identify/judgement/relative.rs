@@ -334,7 +334,8 @@ fn pair_at(index: usize, from: usize) -> [usize; 2] {
     [index - pair_count(j), j]
 }
 
-/// Width of the steps of distances up to this one: 1, 2 or 5 times a power of ten.
+/// Returns the width of the classes of distances from zero to `largest_mm`: 1, 2 or 5 times a power
+/// of ten.
 fn step(largest_mm: f64) -> f64 {
     let least = (largest_mm / STEPS).max(f64::MIN_POSITIVE);
     let decade = 10f64.powf(least.log10().floor());

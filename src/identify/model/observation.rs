@@ -90,9 +90,9 @@ pub enum ObservationError {
 /// Distances (mm) of the measured position from the positions of the two assembly modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distances {
-    /// From the mode that fits better.
+    /// Distance from the position of the mode that fits better.
     pub near_mm: f64,
-    /// From the other mode.
+    /// Distance from the position of the other mode.
     pub far_mm: f64,
 }
 

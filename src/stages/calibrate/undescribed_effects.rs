@@ -98,13 +98,14 @@ impl Undescribed<'_> {
         self.robot_file.build_with(addition.key, &addition.joints, self.robot.targets())
     }
 
-    /// Values of the solution, and nominal ones of the parameters that it lacks.
+    /// Returns the values of the solution, and nominal values for parameters that the solution does
+    /// not contain.
     fn start(self, robot: &dyn Robot) -> Vec<f64> {
         let value = |name: &str| Some(self.found.values[self.robot.index(name)?]);
         robot.parameters().iter().map(|p| value(&p.name).unwrap_or(p.nominal)).collect()
     }
 
-    /// Settings that identify the effect too.
+    /// Returns the settings with `effect` added to the identified effects.
     fn settings(self, effect: Effect) -> Settings {
         let mut settings = self.left_out.settings.clone();
         if let Effects::These(chosen) = &mut settings.effects {

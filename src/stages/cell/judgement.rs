@@ -16,7 +16,8 @@ const LARGE_MM: f64 = 20_000.0;
 const LARGE_TOOL_MM: f64 = 10_000.0;
 /// Coverage factor of a tool that is at the flange.
 const AT_FLANGE: f64 = 3.0;
-/// Maximum standard uncertainty (mm) at which a tool at the flange is named.
+/// Maximum standard uncertainty (mm) of a tool point for a warning that the tool lies at the
+/// flange.
 const KNOWN_MM: f64 = 2.0;
 
 /// Error about positions that are probably in metres, or in millimetres under metres: poses near

@@ -135,7 +135,8 @@ fn expected(robot: &dyn Robot, k: usize, column: &[f64], of: Joints) -> Option<E
     }
 }
 
-/// Values within `least` of the middle half of a column, and within `widths` of it.
+/// Returns the range of values around the middle half of a column: wider by `least`, or by `widths`
+/// times the width of this half, whichever is larger.
 fn around(column: &[f64], least: f64, widths: f64) -> Option<Expected> {
     let mut sorted: Vec<f64> = column.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);

@@ -564,7 +564,7 @@ table-options-refused = { $fault ->
     }
     .hint = { $fault ->
         [sign-missing] try one position on the machine, then add --sign add or --sign subtract
-       *[other] correct the option; `etalon axis-table --help` describes them
+       *[other] correct the option; `etalon axis-table --help` describes all options
     }
 
 # Means: The deviation of an axis cannot be computed at a position of the table.

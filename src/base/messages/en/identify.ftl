@@ -48,8 +48,8 @@ kinds-need-target-residuals = orientations, distances, contacts, surfaces and jo
 # Example: positions and orientations without an instrument uncertainty
 kinds-without-uncertainty = observations of several kinds need the standard uncertainty of a coordinate
 
-# Means: Readings have individual uncertainties, but the residuals are residuals of the pose, or a
-# common uncertainty is given.
+# Means: Readings have individual uncertainties, but `residuals = "pose"` or a common uncertainty is
+# given.
 # Matters: Individual uncertainties can only weight residuals of targets.
 # Do: Set `residuals = "targets"`, or remove the uncertainties of the readings.
 # Example: readings with covariances and residuals of the pose

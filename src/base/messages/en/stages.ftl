@@ -2949,8 +2949,8 @@ value-beyond-encoder = `{ $parameter }` = { FIXED($value, 5) }{ $unit ->
 } (nominal { FIXED($nominal, 5) }, off by { $times } u)
 
 # Means: The smallest changes that the chosen poses detect with a probability of 95 % exceed their
-# bound. The bound is the given one (`--uncertainty-bound`), or a share of the extent of the
-# candidates, as for uncertainties.
+# bound. The bound comes from `--uncertainty-bound`; by default it is a share of the extent of the
+# candidates.
 # Matters: With these poses, a robot that has moved by this much would still be accepted.
 # Do: Choose more poses, add candidates in a larger region, or give a larger bound.
 # Example: candidates within 0.1 deg of each other
