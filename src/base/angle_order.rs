@@ -20,7 +20,7 @@ impl AngleOrder {
         axes.flat_map(|axes| [false, true].map(|fixed| Self { axes, fixed })).collect()
     }
 
-    /// The orientation of a body that these angles (rad) turn.
+    /// Returns the orientation of a body after rotation by these angles (rad).
     pub fn pose(self, angles: [f64; 3]) -> Pose {
         let turn = |pose: Pose, k: usize| match self.axes[k] {
             0 => pose.turn_x(angles[k]),

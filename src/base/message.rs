@@ -551,7 +551,7 @@ impl Problems {
         Self(self.0.into_iter().map(|message| message.within(around.clone())).collect())
     }
 
-    /// The value of a result; its problems are added to these.
+    /// Returns the value of a result; the problems of a failed result are added to these problems.
     pub fn keep<T>(&mut self, result: Result<T>) -> Option<T> {
         result.map_err(|more| self.0.extend(more.0)).ok()
     }

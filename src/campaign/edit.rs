@@ -111,12 +111,12 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// The text with another one instead of a part.
+/// Returns the text with one part replaced by another text.
 fn replaced(text: &str, part: Range<usize>, by: &str) -> String {
     format!("{}{by}{}", text.get(..part.start).unwrap_or_default(), text.get(part.end..).unwrap_or_default())
 }
 
-/// The text with a line behind the head of a section; `None` without this head.
+/// Returns the text with a line added after the head of a section; `None` without this head.
 fn with_line(text: &str, head: &str, line: &str) -> Option<String> {
     let mut at = 0;
     for stated in text.split_inclusive('\n') {

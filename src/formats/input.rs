@@ -27,7 +27,8 @@ pub fn file_text(path: &Path, bytes: &[u8], encoding: Option<Encoding>, format: 
     into_text(path, bytes.to_vec(), encoding, format)
 }
 
-/// Text of a file like [`file_text`], in the memory of its bytes where they are text already.
+/// Returns the text of a file like [`file_text`]. Reuses the memory of the bytes if they are
+/// already text.
 pub fn into_text(path: &Path, bytes: Vec<u8>, encoding: Option<Encoding>, format: &Format) -> Read<String> {
     let arrays = LogKind::from_array_file(&bytes);
     let text = match &format.dialect.form.sheet {

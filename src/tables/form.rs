@@ -24,7 +24,7 @@ pub struct Form {
     pub delimiter: Option<Delimiter>,
     /// Width of each column (characters), for columns without a delimiter.
     pub widths: Vec<usize>,
-    /// Decimal mark; in a workbook of cells that are texts.
+    /// Decimal mark; in a workbook, the decimal mark of text cells.
     #[schemars(extend("default" = "."))]
     pub decimal: Option<Decimal>,
     /// Mark between groups of three digits.

@@ -100,7 +100,7 @@ pub struct BaseMeasurements {
     pub towards: Vector,
     /// Ball N at the free end of the shaft, while actuator 3 alone turns it.
     pub arc: Vec<Vector>,
-    /// Ball R with actuator 2 homed, each reading.
+    /// All readings of ball R with actuator 2 homed.
     pub r_home: Vec<Vector>,
     /// Ball R with actuator 2 at its end, each reading.
     pub r_end: Vec<Vector>,

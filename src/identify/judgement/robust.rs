@@ -55,7 +55,7 @@ pub struct PoseWeight {
     pub residual_over_sigma: f64,
 }
 
-/// A robust fit in addition to the plain one.
+/// Results of a robust fit, for comparison with the least-squares fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustComparison {
     /// All parameters of the robot from the robust fit (mm, rad, 1).

@@ -15,8 +15,8 @@ pub enum Effects {
     #[default]
     All,
     /// All effects except the transmission ratios of revolute joints of arms, whose encoders count
-    /// whole turns and therefore have no unknown ratio, and except effects that follow from what
-    /// each reading gives, which the data have to prove.
+    /// whole turns and therefore have no unknown ratio, and except effects that depend on other
+    /// values of a reading, which are identified only on request.
     Usual,
     /// These effects.
     These(Vec<Effect>),
