@@ -220,7 +220,8 @@ fn matrix(mut inside: Elements, name_of_field: &str, depth: usize, all: &mut Vec
     (found == count).then(|| all.push(Array { name: name.to_owned(), shape, numbers, by_columns: true }))
 }
 
-/// Adds the fields of a structure of one element, each named after the structure and itself.
+/// Adds the fields of a structure of one element, each under the name of the structure followed by
+/// the name of the field.
 fn fields(mut inside: Elements, name: &str, depth: usize, all: &mut Vec<Array>) -> Option<()> {
     let (_, length) = inside.next()?;
     let length = *inside.wholes(length).first()? as usize;

@@ -545,8 +545,8 @@ fn leave_out_unknown(mut rows: Vec<Row>, log: &JointLog, remarks: &mut Remarks) 
     rows
 }
 
-/// The joint values of the rows that are not excluded; a joint that the log does not contain has
-/// none.
+/// The joint values of the rows that are not excluded; there are no values for joints that the log
+/// does not contain.
 fn joint_rows(campaign: &Campaign, rows: &[Row], log: &JointLog, robot: &dyn Robot) -> Vec<JointRow> {
     let columns: Vec<Option<(usize, Quantity)>> = robot
         .joints()

@@ -243,8 +243,8 @@ mod tests {
         }
     }
 
-    /// Rotation vectors at the singular orientation are those at any other, and the two angles are
-    /// named, with the given order and without.
+    /// Rotation vectors at the singular orientation agree with rotation vectors at any other
+    /// orientation. The two angles are named, with and without a given order.
     #[test]
     fn rotation_vectors_replace_angles_at_the_singular_orientation() {
         let deg = f64::to_radians;
