@@ -68,10 +68,12 @@ fn wrong_on_axis<'a>(rows: &[&'a Point], axis: usize) -> Vec<(&'a Point, usize, 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_formats::Stated;
 
     fn rows() -> Vec<Point> {
         let at = |i: u32| [1450.0 + 13.0 * f64::from(i % 29), 3.0 * f64::from(i % 17) - 20.0, 40.0];
-        let point = |i: u32| Point { row: i, target: Some("P".into()), xyz_mm: at(i), ..Point::default() };
+        let stated = || Some(Box::new(Stated { target: Some("P".into()), ..Stated::default() }));
+        let point = |i: u32| Point { row: i, more: stated(), xyz_mm: at(i), ..Point::default() };
         (1..=60).map(point).collect()
     }
 
