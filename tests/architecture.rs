@@ -222,6 +222,25 @@ fn the_modules_of_the_program_name_those_below_them() {
     assert!(wrong.is_empty(), "\n{wrong}");
 }
 
+/// Folders that contain one kind of thing, a file each.
+const ONE_A_FILE: [&str; 8] =
+    ["cli", "controllers", "documents", "formats/exports", "formats/logs", "report/plots", "report/sections", "tasks"];
+
+#[test]
+fn folders_are_short() {
+    fn count(folder: &Path, found: &mut BTreeMap<String, usize>) {
+        let entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        let files = entries.iter().filter(|path| path.extension().is_some_and(|extension| extension == "rs")).count();
+        found.insert(folder.strip_prefix(root().join("src")).unwrap().display().to_string(), files);
+        let folders = entries.iter().filter(|path| path.is_dir() && !path.ends_with("view/page"));
+        folders.for_each(|path| count(path, found));
+    }
+    let mut found = BTreeMap::new();
+    count(&root().join("src"), &mut found);
+    let long: Vec<_> = found.into_iter().filter(|(_, files)| *files > 12).map(|(folder, _)| folder).collect();
+    assert_eq!(long, ONE_A_FILE);
+}
+
 #[test]
 fn no_files_of_a_crate_name_each_other_in_a_circle() {
     let circles: String = crates().iter().map(|root| circles(&modules(root))).collect();

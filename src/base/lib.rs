@@ -2,24 +2,16 @@
 //! random numbers, dates, line drawings.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
-pub mod angle;
-pub mod angle_order;
 pub mod bounds;
-pub mod catalogue;
 pub mod cell;
-pub mod country;
 pub mod date;
 pub mod expression;
-pub mod files;
-pub mod folder;
-pub mod fork;
-pub mod interruption;
-pub mod message;
+mod geometry;
 pub mod noise;
-pub mod pattern;
-pub mod pose;
 pub mod pose_name;
-pub mod scalar;
-pub mod sketch;
-pub mod template;
-pub mod worded;
+mod system;
+mod text;
+
+pub use geometry::{angle, angle_order, pose, scalar, sketch};
+pub use system::{files, folder, fork, interruption};
+pub use text::{catalogue, country, message, pattern, template, worded};

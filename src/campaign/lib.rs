@@ -2,23 +2,16 @@
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod edit;
-mod geometric;
-mod iso9283;
-mod join;
-mod mixed;
 mod named_files;
 mod open;
 mod paths;
-mod robot_faults;
-mod robot_file;
-mod robot_keys;
-mod robot_text;
-mod selection;
-mod table;
-mod title;
+mod robot;
+mod sections;
 mod toml_file;
 mod types;
-mod urdf;
+
+use robot::{robot_faults, robot_file, robot_keys, robot_text, urdf};
+use sections::{geometric, iso9283, join, selection, table, title};
 
 pub use edit::Changes;
 pub use geometric::*;

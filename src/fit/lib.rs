@@ -7,31 +7,21 @@
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
 mod chart;
-mod chebyshev;
-mod circle_and_sphere;
 mod cloud;
-mod cone;
 mod coverage;
-mod cylinder;
-mod double_double;
-mod element;
-mod enclosing;
-mod f64x8;
+mod elements;
 mod geometry;
-mod growth;
-mod line_and_plane;
-mod minimax;
-mod minimum_zone;
-mod packed;
+mod numbers;
 mod prediction;
 mod result;
 mod rigid;
 mod robust;
-mod round_zone;
-mod search;
 mod solver;
-mod torus;
-mod zone;
+mod zones;
+
+use elements::{circle_and_sphere, cone, cylinder, element, line_and_plane, torus};
+use numbers::{double_double, f64x8, packed};
+use zones::{chebyshev, enclosing, growth, minimax, minimum_zone, round_zone, search, zone};
 
 pub use circle_and_sphere::{circle2d, circle3d, sphere};
 pub use cloud::Source;

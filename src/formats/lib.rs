@@ -5,8 +5,8 @@
 //! run reports all errors.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
-pub mod cdr;
 mod cloud;
+mod containers;
 pub mod dialect;
 mod export;
 pub mod exports;
@@ -14,21 +14,18 @@ mod input;
 mod log_text;
 mod logs;
 mod magic;
-pub mod mcap;
 pub mod mesh;
-pub mod parquet;
 mod points;
 mod propose;
-pub(crate) mod ros_bag;
-mod sqlite;
 pub mod table;
 pub mod tables;
 pub mod tracim;
-mod unpack;
+
+pub(crate) use containers::ros_bag;
 #[cfg(target_arch = "x86_64")]
-mod wide;
-mod workbook;
-pub mod xml;
+use containers::wide;
+pub use containers::{cdr, mcap, parquet, xml};
+use containers::{sqlite, unpack, workbook};
 
 pub use cloud::{Cloud, cloud, packed_points, rows};
 pub use export::Export;

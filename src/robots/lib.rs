@@ -6,26 +6,19 @@
 //! angles in radians.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
-mod arm_kinematics;
-mod branches;
-mod chain;
-mod compensation;
-mod conventions;
-mod definition;
+mod chains;
 mod delta;
-mod fault;
+mod description;
 mod five_bar;
 mod hexapod;
-mod inverse;
-mod keys;
 mod outline;
 mod parallel;
 mod prexyt;
-mod published;
 mod reference;
 mod serial;
-mod tables;
-mod urdf;
+
+use chains::{branches, chain, compensation, conventions, inverse};
+use description::{definition, fault, keys, published, tables, urdf};
 
 pub use compensation::{Calibrated, Compensated, Correction};
 pub use conventions::SerialJoint;

@@ -4,16 +4,13 @@
 mod expression;
 pub mod filter;
 mod form;
-mod from_row;
-pub mod guess;
-mod head;
-pub mod lexer;
-mod marks;
+mod reading;
 pub mod schema;
-pub mod sheet;
 mod source;
-mod text;
 mod units;
+
+use reading::{from_row, head, marks, text};
+pub use reading::{guess, lexer, sheet};
 
 pub use expression::Expression;
 pub use form::{Form, TableLayout, is_topic};

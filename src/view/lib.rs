@@ -6,19 +6,15 @@
 //! another process. It therefore answers requests with its own random token alone, and all sizes,
 //! times and numbers of connections are bounded.
 
-mod answer;
-mod connection;
 mod contract;
 mod desk;
-mod events;
+mod http;
 mod page;
-mod refusals;
-mod request;
-mod routes;
-mod server;
 mod shared;
 #[cfg(test)]
 mod tests;
+
+use http::{answer, connection, events, refusals, request, routes, server};
 
 pub use contract::{
     Asked, Changed, ColumnRead, Download, DroppedFile, FileProposal, Found, Instrument, JointScale, Keep, LargestError,

@@ -22,12 +22,12 @@ import sys
 # file, text, text with the fault, pattern of the tests that only this fault fails in its group
 FAULTS = [
     # base
-    ("src/base/pose.rs", "translation_mm: t.map(|v| -v) }", "translation_mm: t.map(|v| v) }", r"frames: transform composed"),
-    ("src/base/pose.rs", "(sin / angle, (T::from(1.0) - cos) / square, cos)",
+    ("src/base/geometry/pose.rs", "translation_mm: t.map(|v| -v) }", "translation_mm: t.map(|v| v) }", r"frames: transform composed"),
+    ("src/base/geometry/pose.rs", "(sin / angle, (T::from(1.0) - cos) / square, cos)",
      "(sin / angle, (T::from(1.0) - cos) / angle, cos)", r"frames: rotation matrix of a rotation vector"),
-    ("src/base/pose.rs", "[1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)]",
+    ("src/base/geometry/pose.rs", "[1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)]",
      "[1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z + w * y)]", r"frames: rotation of a quaternion"),
-    ("src/base/scalar.rs", "self.combine(other, quotient, 1.0 / other.value, -quotient / other.value)",
+    ("src/base/geometry/scalar.rs", "self.combine(other, quotient, 1.0 / other.value, -quotient / other.value)",
      "self.combine(other, quotient, 1.0 / other.value, quotient / other.value)", r"uncertainty: u_ohm"),
     ("src/base/noise.rs", "((-2.0 * (1.0 - self.unit()).ln()).sqrt()", "((-2.1 * (1.0 - self.unit()).ln()).sqrt()",
      r"uncertainty: normal: standard uncertainty"),
@@ -39,7 +39,7 @@ FAULTS = [
     # fit
     ("src/fit/solver.rs", "self.cost / degrees_of_freedom as f64", "self.cost / (degrees_of_freedom + 1) as f64",
      r"fits: sphere: standard uncertainty"),
-    ("src/fit/torus.rs", "-g_rho, F64x8::all(-1.0)])]", "-g_rho, F64x8::all(1.0)])]", r"fits: torus: (point|radius|sum|not)"),
+    ("src/fit/elements/torus.rs", "-g_rho, F64x8::all(-1.0)])]", "-g_rho, F64x8::all(1.0)])]", r"fits: torus: (point|radius|sum|not)"),
     ("src/fit/rigid.rs", "[yz - zy, xx - yy - zz, xy + yx, zx + xz]", "[yz - zy, xx - yy - zz, xy + yx, zx - xz]",
      r"frames: transform between two sets"),
     # robots
@@ -53,7 +53,7 @@ FAULTS = [
     ("src/robots/hexapod.rs", "platform_mm: [p[3], p[4], p[5]], length_mm", "platform_mm: [p[3], p[5], p[4]], length_mm",
      r"kinematics: hexapod: positions"),
     ("src/robots/serial.rs", '(2.0, "cos2", false)', '(1.0, "cos2", false)', r"kinematics: serial mdh: positions"),
-    ("src/campaign/urdf.rs", "xyz.map(|m| 1000.0 * m)", "xyz.map(|m| 100.0 * m)", r"kinematics: urdf: positions"),
+    ("src/campaign/robot/urdf.rs", "xyz.map(|m| 1000.0 * m)", "xyz.map(|m| 100.0 * m)", r"kinematics: urdf: positions"),
     # identify
     ("src/identify/model/prior.rs", "scale * p.tolerance / 3f64.sqrt()", "scale * p.tolerance / 2f64.sqrt()",
      r"reference: prexyt-priors: (not possible|\d+ parameters|standard)"),
@@ -69,9 +69,9 @@ FAULTS = [
     # standards
     ("src/standards/iso230.rs", "repeatability_mm: 4.0 * estimator_mm })", "repeatability_mm: 3.0 * estimator_mm })",
      r"standards: r_forward_nm"),
-    ("src/standards/iso9283/pose/repeatability.rs", "        radius.mean + 3.0 * radius.deviation\n",
+    ("src/standards/iso9283/pose/characteristics/repeatability.rs", "        radius.mean + 3.0 * radius.deviation\n",
      "        radius.mean + 2.0 * radius.deviation\n", r"standards: RP$"),
-    ("src/standards/iso9283/pose/directions.rs", "if b.0 > a.0 { b } else { a }", "if b.0 < a.0 { b } else { a }", r"standards: vAP"),
+    ("src/standards/iso9283/pose/characteristics/directions.rs", "if b.0 > a.0 { b } else { a }", "if b.0 < a.0 { b } else { a }", r"standards: vAP"),
     ("src/standards/iso9283/load.rs", "|(r, d)| r.force_n * d).sum::<f64>() / squares", "|(_, d)| d).sum::<f64>() / squares",
      r"standards: compliance"),
     ("src/standards/decision.rs", "cdf((limit - value) / standard_uncertainty)", "cdf((value - limit) / standard_uncertainty)",

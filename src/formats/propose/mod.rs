@@ -1,22 +1,16 @@
 //! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
-mod against;
-mod arrays;
-mod branches;
-mod coordinates;
-mod headings;
-mod kinematics;
-mod lines;
-mod meaning;
-mod motion;
+mod by_robot;
+mod layout;
 mod native;
 #[cfg(test)]
 mod reading_tests;
 mod recording;
 mod several;
 mod structure;
-mod table;
-mod turned;
+
+use by_robot::{against, branches, kinematics, motion, turned};
+use layout::{arrays, coordinates, headings, lines, meaning, table};
 
 pub use branches::{TargetFit, fit_targets};
 pub use lines::JOINTS as JOINTS_REMARK;

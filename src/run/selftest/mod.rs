@@ -3,24 +3,18 @@
 //! `SUBJECTS`.
 
 mod certified;
-mod code;
-mod coverage;
+mod comparisons;
 mod data;
 mod embedded;
-mod exports;
-mod fits;
 mod formats;
-mod frames;
-mod identification;
-mod kinematics;
-mod nist;
 pub mod performance;
 mod row;
 mod sample;
-mod solver;
-mod standards;
 mod threads;
-mod uncertainty;
+
+use comparisons::{
+    code, coverage, exports, fits, frames, identification, kinematics, nist, solver, standards, uncertainty,
+};
 
 use data::{Data, Slip};
 use etalon_base::files;

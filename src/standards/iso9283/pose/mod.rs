@@ -1,20 +1,17 @@
 //! Tests of poses (ISO 9283:1998 7): from attained poses to their characteristics.
 
-pub mod accuracy;
 pub mod approach;
+mod characteristics;
 pub mod coplanarity;
-pub mod directions;
-pub mod distance;
-pub mod drift;
 pub mod ellipsoid;
-pub mod exchangeability;
 pub mod noise_free;
 pub mod orientation;
 pub mod outlying;
 pub mod reference;
-pub mod repeatability;
 pub mod rotations;
 pub mod test;
+
+pub use characteristics::{accuracy, directions, distance, drift, exchangeability, repeatability};
 
 use self::accuracy::{PoseAccuracy, angle_accuracy_rad, pose_accuracy};
 use self::ellipsoid::{Ellipsoid, ellipsoid};

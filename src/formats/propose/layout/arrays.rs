@@ -1,0 +1,244 @@
+//! Proposal for a file of arrays of NumPy or MATLAB: an export of an array of three columns,
+//! otherwise a log.
+
+use crate::dialect::{ColumnRole, quoted};
+use crate::logs::{ArrayFile, ArrayParts, LogKind};
+use crate::propose::headings::Heading;
+use crate::propose::lines::{fitted_unit_line, joint_entry, roles, unit_line};
+use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
+use crate::propose::several::{POSE_LINE, TARGET_LINE};
+use crate::propose::table::{Column, MOST_ROWS, Table};
+use crate::propose::{Correct, columns, with_remarks};
+use etalon_base::message::Message;
+use etalon_base::{error, phrase};
+use etalon_documents::FormatsDocument;
+
+/// Proposes lines for the arrays of a file.
+///
+/// # Errors
+/// Fails if the file cannot be read, or has no array of numbers with one or two axes.
+pub(crate) fn propose_arrays(
+    file: &str,
+    contents: &ArrayFile,
+    format: LogKind,
+    correct: Option<Correct>,
+) -> Result<FormatsDocument, Message> {
+    let arrays = format.arrays(contents)?;
+    // joints are the parts of the array with the most parts
+    let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));
+    let Some(widest) = widest else { return Err(error!("no-rows-of-numbers", file = "arrays")) };
+    let about = format.about();
+    let mut document = FormatsDocument {
+        schema: "etalon/formats/1".to_owned(),
+        file: file.to_owned(),
+        format: Some(about.name.to_owned()),
+        kind: "log".to_owned(),
+        rows: widest.count,
+        ..FormatsDocument::default()
+    };
+    document.because(phrase!("because-arrays", format = about.title));
+    let shown = |array: &ArrayParts| format!("`{}` ({} x {})", array.name, array.count, array.parts.len());
+    let all: Vec<String> = arrays.iter().map(shown).collect();
+    document.because(phrase!("because-arrays-of-numbers", arrays = all));
+    let (mut table, mut found) = interpreted(&arrays, widest, contents, format)?;
+    if let Some(correct) = correct {
+        let remarks = correct(&mut table, &mut found);
+        (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+        remarks.reasons.into_iter().for_each(|reason| document.because(reason));
+        remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
+    }
+    found.doubts.iter().for_each(|doubt| document.doubt(doubt.text.clone()));
+    found.questions.iter().for_each(|question| document.ask(question.text.clone()));
+    document.columns = columns(&table, &found);
+    let lines = match found.points.first() {
+        Some(points) => {
+            document.kind = "export".to_owned();
+            let unit = points.columns[0].and_then(|at| table.columns[at].heading.unit);
+            if unit.is_none() {
+                document.ask(phrase!("ask-unit"));
+            }
+            export_lines(file, widest, (&table, &found), unit)
+        }
+        None => {
+            let joints = found.joint_columns();
+            if !found.by_kinematics && joints.iter().any(|at| table.columns[*at].heading.unit.is_none()) {
+                document.ask(phrase!("ask-joints"));
+            } else if !found.by_kinematics {
+                document.ask(phrase!("ask-joints-of-format"));
+            }
+            log_lines(file, about.name, &table, &found)
+        }
+    };
+    document.toml = with_remarks(&document, &lines);
+    Ok(document)
+}
+
+/// Names of arrays of times, in lower case.
+const TIMES: [&str; 7] = ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"];
+
+/// Table of the widest array with its time, and its interpretation: points if it has three columns,
+/// or seven of which four are a quaternion; otherwise joints.
+fn interpreted(
+    arrays: &[ArrayParts],
+    widest: &ArrayParts,
+    contents: &ArrayFile,
+    format: LogKind,
+) -> Result<(Table, Interpretation), Message> {
+    let beside = |array: &&ArrayParts| array.count == widest.count && array.parts.len() == 1;
+    let is_time = |array: &&ArrayParts| {
+        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
+        TIMES.contains(&name.as_str())
+    };
+    let time = arrays.iter().filter(beside).find(is_time);
+    let others = || arrays.iter().filter(beside).filter(|array| Some(&array.name) != time.map(|time| &time.name));
+    let values: Vec<&str> = match widest.parts.len() {
+        1 => others().flat_map(|array| &array.parts).map(String::as_str).collect(),
+        _ => widest.parts.iter().map(String::as_str).collect(),
+    };
+    let parts: Vec<&str> = time.iter().map(|time| time.name.as_str()).chain(values.iter().copied()).collect();
+    let first = parts.len() - values.len();
+    let table = read_columns(contents, format, &parts)?;
+    let mut found = Interpretation::unknown(&table);
+    let count = values.len();
+    let of_poses = poses_by_values(&table, first);
+    let is_of_points = widest.parts.len() == 3;
+    if time.is_some() {
+        found.take(0, Meaning::Time, phrase!("why-heading"));
+        found.clock_unit(&table);
+    }
+    if of_poses.is_some() || is_of_points {
+        let meanings = of_poses.unwrap_or_else(|| (0..3).map(|axis| Meaning::Point(0, axis)).collect());
+        let mut set = PointSet { tag: String::new(), columns: [None; 3] };
+        for (at, meaning) in (first..).zip(meanings) {
+            if let Meaning::Point(_, axis) = meaning {
+                set.columns[axis] = Some(at);
+            }
+            found.take(at, meaning, phrase!("why-place"));
+        }
+        found.points.push(set);
+        found.doubt(phrase!("doubt-array-columns", array = widest.name, count));
+        match is_of_points {
+            true => found.ask(phrase!("ask-order-of-columns")),
+            false => found.doubt_until(Evidence::Orientations, phrase!("doubt-quaternion-order")),
+        }
+        return Ok((table, found));
+    }
+    for k in 0..count {
+        found.take(first + k, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
+    }
+    let is_named = values.iter().all(|part| format.column_unit(part).is_some());
+    if !is_named && widest.parts.len() > 1 {
+        match (4..=8).contains(&count) {
+            true => found.doubt_until(Evidence::JointOrder, phrase!("doubt-joints-without-headings", count)),
+            false => found.doubt(phrase!("doubt-array-columns", array = widest.name, count)),
+        }
+    }
+    Ok((table, found))
+}
+
+/// Table of parts of arrays, each a column under its name.
+fn read_columns(contents: &ArrayFile, format: LogKind, parts: &[&str]) -> Result<Table, Message> {
+    let text = format.table(contents, parts).unwrap_or_else(|| Err(error!("no-rows-of-numbers", file = "arrays")))?;
+    let column = |part: &&str| Column {
+        name: Some((*part).to_owned()),
+        heading: Heading { unit: format.column_unit(part), ..Heading::default() },
+        ..Column::default()
+    };
+    let mut columns: Vec<Column> = parts.iter().map(column).collect();
+    let mut lines = text.lines().skip(1);
+    for line in lines.by_ref().take(MOST_ROWS) {
+        for (cell, column) in line.split('\t').zip(&mut columns) {
+            column.values.push(cell.trim().parse().unwrap_or(f64::NAN));
+        }
+    }
+    let rows = columns.first().map_or(0, |column| column.values.len());
+    Ok(Table { rows, width: columns.len(), columns, sampled: lines.next().is_some(), ..Table::default() })
+}
+
+/// Meanings of the columns from the index `first` on, if their values are positions and
+/// quaternions: four of seven have the norm 1 in all rows.
+fn poses_by_values(table: &Table, first: usize) -> Option<Vec<Meaning>> {
+    let unnamed = |column: &Column| Column { values: column.values.clone(), ..Column::default() };
+    let columns: Vec<Column> = table.columns[first..].iter().map(unnamed).collect();
+    let found = Interpretation::new(&Table { width: columns.len(), columns, rows: table.rows, ..Table::default() });
+    let is_pose = found.taken.len() == 7 && found.quaternion_columns().len() == 4 && !found.points.is_empty();
+    is_pose.then(|| found.taken.iter().map(|taken| taken.meaning).collect())
+}
+
+/// Lines of an export of an array, with its column of times.
+fn export_lines(
+    file: &str,
+    array: &ArrayParts,
+    (table, found): (&Table, &Interpretation),
+    unit: Option<&'static str>,
+) -> String {
+    let roles = roles(found, 0);
+    let named = roles.iter().zip(&table.columns).filter(|(role, _)| **role != ColumnRole::Skip);
+    let columns: Vec<String> = named
+        .map(|(role, column)| {
+            let is_open = *role == ColumnRole::TimeS && found.time_unit_open;
+            let name = if is_open { "time_UNIT" } else { role.name() };
+            format!("{name} = {}", quoted(column.name.as_deref().unwrap_or_default()))
+        })
+        .collect();
+    let is_timed = found.first(Meaning::Time).is_some();
+    format!(
+        "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {} }} }}\n{}{TARGET_LINE}{}",
+        quoted(file),
+        quoted(&array.name),
+        columns.join(", "),
+        if unit.is_some() { fitted_unit_line(unit) } else { unit_line(None) },
+        if is_timed { "" } else { POSE_LINE }
+    )
+}
+
+/// Lines of a log of arrays.
+fn log_lines(file: &str, format: &str, table: &Table, found: &Interpretation) -> String {
+    let name = |at: usize| table.columns[at].name.as_deref();
+    let time = found.first(Meaning::Time).and_then(name).map(|time| {
+        let unit = if found.time_unit_open { "UNIT" } else { found.time_unit.unwrap_or("s") };
+        format!("time_{unit} = {}", quoted(time))
+    });
+    let joint = |(k, at): (usize, usize)| {
+        let key = found.joint_names.get(k).cloned().unwrap_or_else(|| format!("q{}", k + 1));
+        let unit = table.columns[at].heading.unit.unwrap_or("UNIT");
+        joint_entry(&format!("{key}_{unit}"), found.reversed.contains(&at), name(at), at + 1)
+    };
+    let joints = found.joint_columns().into_iter().enumerate().map(joint);
+    let columns: Vec<String> = time.into_iter().chain(joints).collect();
+    format!("[log]\nfile = {}\nformat = {format:?}\ncolumns = {{ {} }}\n", quoted(file), columns.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of an array with seven parts (NEP 1).
+    fn npy(values: &[f64]) -> Vec<u8> {
+        let shape = format!("({}, 7)", values.len() / 7);
+        let mut head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}");
+        head += &" ".repeat(63 - (10 + head.len()) % 64);
+        head.push('\n');
+        let data: Vec<u8> = values.iter().flat_map(|v| v.to_le_bytes()).collect();
+        [crate::magic::NUMPY, b"\x01\x00", &(head.len() as u16).to_le_bytes(), head.as_bytes(), &data].concat()
+    }
+
+    #[test]
+    fn an_array_of_positions_and_quaternions_is_an_export() {
+        let row = |i: usize| {
+            let (t, half) = (i as f64, 0.05 * i as f64);
+            [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
+        };
+        let values: Vec<f64> = (0..20).flat_map(row).collect();
+        let proposed = |values: &[f64]| {
+            let bytes = npy(values);
+            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap(), None).unwrap()
+        };
+        let document = proposed(&values);
+        assert_eq!(document.kind, "export", "{}", document.toml);
+        assert!(document.toml.contains("x = ") && document.toml.contains("qw = "), "{}", document.toml);
+        let joints: Vec<f64> = values.iter().map(|v| 1.3 * v).collect();
+        let document = proposed(&joints);
+        assert_eq!(document.kind, "log", "{}", document.toml);
+    }
+}

@@ -1,0 +1,627 @@
+//! Interpretation of columns as coordinates of points, and of columns without headings.
+
+use crate::propose::headings::{Word, stands_for};
+use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
+use crate::propose::table::{Column, Table, heading_axis};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
+
+/// Tag of the headings of a quaternion, and the columns of its components.
+type Quaternion = (String, [usize; 4]);
+
+/// Kind of a set of coordinates, by the words of its headings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Plain,
+    Measured,
+    Named,
+    Commanded,
+    Difference,
+    Other,
+}
+
+/// Set of coordinates whose headings differ only in the axis.
+#[derive(Clone, Debug)]
+struct Set {
+    points: PointSet,
+    kind: Kind,
+}
+
+/// Minimum count of numbers without headings that are points of three numbers each: fewer numbers
+/// may be the joints and the points of a robot.
+const FEWEST_OF_POINTS: usize = 30;
+/// Maximum count of numbers of a row that may be a table of one row.
+const MOST_IN_ROW: usize = 16;
+
+/// Words of positions that name no body.
+const NEUTRAL: [&str; 20] = [
+    "p",
+    "pos",
+    "position",
+    "t",
+    "tcp",
+    "pt",
+    "c",
+    "coord",
+    "coordinate",
+    "coordinates",
+    "trans",
+    "translation",
+    "loc",
+    "location",
+    "point",
+    "座標",
+    "坐标",
+    "koordinate",
+    "coordonnee",
+    "coordenada",
+];
+/// Words of orientations that name no body.
+const TURNED: [&str; 14] = [
+    "r",
+    "rot",
+    "rotation",
+    "orientation",
+    "euler",
+    "rpy",
+    "q",
+    "quat",
+    "quaternion",
+    "ori",
+    "orient",
+    "attitude",
+    "姿勢",
+    "姿态",
+];
+
+/// Words of the robot's own bodies, whose poses its controller computes.
+const OF_CONTROLLER: [&str; 12] = [
+    "flange",
+    "flansch",
+    "bride",
+    "brida",
+    "flangia",
+    "robot",
+    "roboter",
+    "controller",
+    "effector",
+    "eef",
+    "法兰",
+    "フランジ",
+];
+
+/// Returns the words that name a body: neither words of positions and orientations, nor numbers of
+/// components, nor words for measured.
+fn body(tag: &str) -> Vec<&str> {
+    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word) && !stands_for(word, Word::Measured);
+    tag.split(' ').filter(|word| !word.is_empty()).filter(names).collect()
+}
+
+/// Returns the name of the target that the headings of a point give; empty for words that name no
+/// body.
+pub(crate) fn target_name(tag: &str) -> String {
+    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word);
+    tag.split(' ').filter(names).collect::<Vec<&str>>().join("_")
+}
+
+/// Axis of each column of a survey, with the other words of its heading: east and north of one
+/// body, and its height, which may also stand beside x and y.
+fn survey_axes(table: &Table) -> Vec<Option<(usize, String)>> {
+    let numeric = |column: &&Column| column.is_numeric();
+    let named: Vec<Option<(usize, String)>> = table
+        .columns
+        .iter()
+        .map(|column| Some(column).filter(numeric).and_then(|column| column.heading.survey_axis()))
+        .collect();
+    let has = |axis: usize, tag: &str| named.iter().flatten().any(|(of, words)| *of == axis && words == tag);
+    // x and y of the same body without a z; words such as "coordinate" may stand beside them
+    let plain: Vec<(usize, String)> = table.columns.iter().filter(numeric).filter_map(heading_axis).collect();
+    let has_plain = |axis: usize, tag: &str| plain.iter().any(|(of, words)| *of == axis && words == tag);
+    let bare = |tag: &str| tag.split(' ').filter(|word| !NEUTRAL.contains(word)).collect::<Vec<&str>>().join(" ");
+    let beside = |tag: &str| {
+        let is_flat = |of: &&String| bare(of) == tag && has_plain(0, of) && has_plain(1, of) && !has_plain(2, of);
+        plain.iter().map(|(_, of)| of).find(is_flat).cloned()
+    };
+    let placed = |(axis, tag): (usize, String)| match has(0, &tag) && has(1, &tag) {
+        true => Some((axis, tag)),
+        false => beside(&tag).filter(|_| axis == 2).map(|tag| (axis, tag)),
+    };
+    named.iter().map(|of| of.clone().and_then(placed)).collect()
+}
+
+/// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`),
+/// and this word, if the table has the headings of all three axes.
+fn joined_axis(column: &Column, table: &Table) -> Option<(usize, String)> {
+    let [word] = &column.heading.words[..] else { return None };
+    let last = word.chars().last()?;
+    let axis = ['x', 'y', 'z'].iter().position(|axis| *axis == last)?;
+    let before = &word[..word.len() - 1];
+    let known = [Word::Measured, Word::Commanded, Word::Difference];
+    let is_known = before == "d" || before.len() > 2 && known.into_iter().any(|meaning| stands_for(before, meaning));
+    let has = |axis: char| table.columns.iter().any(|other| other.heading.joined() == format!("{before}{axis}"));
+    (is_known && ['x', 'y', 'z'].into_iter().all(has)).then(|| (axis, before.to_owned()))
+}
+
+/// Returns the kind of a set by the words of its headings.
+fn kind_by_words(tag: &str) -> Kind {
+    let has = |meaning: Word| tag.split(' ').any(|word| stands_for(word, meaning));
+    let long = |meaning: Word| tag.split(' ').any(|word| word.len() > 1 && stands_for(word, meaning));
+    match () {
+        () if tag.is_empty() => Kind::Plain,
+        () if has(Word::Uncertainty) || has(Word::Motion) || tag == "n" || long(Word::Normal) => Kind::Other,
+        () if tag.split(' ').any(|word| TURNED.contains(&word)) => Kind::Other,
+        () if has(Word::Difference) => Kind::Difference,
+        () if tag == "target" => Kind::Named,
+        () if has(Word::Commanded) && !long(Word::Measured) => Kind::Commanded,
+        () if has(Word::Measured) => Kind::Measured,
+        () if tag.split(' ').all(|word| NEUTRAL.contains(&word)) => Kind::Plain,
+        () => Kind::Named,
+    }
+}
+
+/// `true` if the third of three sets is the second minus the first in all rows, to the digits of
+/// the file.
+fn are_differences(table: &Table, [first, second, third]: [&PointSet; 3]) -> bool {
+    let axes = (0..3).map(|axis| [first.columns[axis], second.columns[axis], third.columns[axis]]);
+    let mut any = false;
+    let all = axes.filter(|columns| columns.iter().any(Option::is_some)).all(|columns| {
+        let [Some(a), Some(b), Some(c)] = columns else { return false };
+        let largest = table.columns[c].largest();
+        any |= largest > 0.0;
+        let rounding = 5e-3 * largest + 1e-9 * table.columns[a].largest();
+        table.finite_rows([a, b, c]).all(|[a, b, c]| (b - a - c).abs() <= rounding.max(2e-4 * c.abs()))
+    });
+    all && any
+}
+
+/// `true` if two points are much nearer to each other in all rows than the points of the rows are.
+fn nearly_agree(table: &Table, a: &PointSet, b: &PointSet) -> bool {
+    const NEAR: f64 = 2e-3;
+    let span = |at: usize| {
+        let (low, high) = table.columns[at].range();
+        high - low
+    };
+    let spread = a.columns.iter().flatten().map(|at| span(*at)).fold(0.0, f64::max);
+    let near = |(a, b): (&Option<usize>, &Option<usize>)| match (a, b) {
+        (Some(a), Some(b)) => table.finite_rows([*a, *b]).all(|[a, b]| (a - b).abs() <= NEAR * spread),
+        _ => false,
+    };
+    spread > 0.0 && a.columns.iter().zip(&b.columns).filter(|(a, b)| a.is_some() || b.is_some()).all(near)
+}
+
+impl Interpretation {
+    /// Finds coordinates: sets of x, y and z whose headings differ only in the axis.
+    pub(crate) fn coordinates(&mut self, table: &Table) {
+        if !self.points.is_empty() {
+            return;
+        }
+        let mut sets: Vec<Set> = Vec::new();
+        let survey = survey_axes(table);
+        for (i, column) in table.columns.iter().enumerate() {
+            let free = self.taken[i].meaning == Meaning::Unknown && column.is_numeric();
+            let of_survey = survey[i].clone();
+            let named = || heading_axis(column).or_else(|| joined_axis(column, table));
+            let Some((axis, tag)) = of_survey.or_else(named).filter(|_| free) else { continue };
+            match sets.iter_mut().find(|set| set.points.tag == tag && set.points.columns[axis].is_none()) {
+                Some(set) => set.points.columns[axis] = Some(i),
+                None => {
+                    let mut columns = [None; 3];
+                    columns[axis] = Some(i);
+                    let kind = kind_by_words(&tag);
+                    sets.push(Set { points: PointSet { tag, columns }, kind });
+                }
+            }
+        }
+        let axes = |set: &Set| set.points.columns.iter().flatten().count();
+        // a coordinate of one axis counts only if there is no set of more axes
+        let most = sets.iter().map(axes).max().unwrap_or(0);
+        sets.retain(|set| {
+            set.points.columns[0].is_some() && set.points.columns[1].is_some() || axes(set) == most && most < 2
+        });
+        if sets.iter().any(|set| set.kind == Kind::Difference) {
+            // `x_t` beside `x_dif` is the commanded value
+            for set in sets.iter_mut().filter(|set| set.points.tag == "t" || set.points.tag == "target") {
+                set.kind = Kind::Commanded;
+            }
+        }
+        self.related_sets(&mut sets, table);
+        self.bodies = sets.iter().map(|set| set.points.tag.clone()).collect();
+        let others: Vec<&Set> = sets.iter().filter(|set| set.kind == Kind::Other).collect();
+        for set in &others {
+            for at in set.points.columns.iter().flatten() {
+                let heading = &table.columns[*at].heading;
+                if heading.has(Word::Uncertainty) {
+                    self.taken[*at].meaning = Meaning::Unknown;
+                }
+            }
+        }
+        let of = |kind: Kind| sets.iter().filter(|set| set.kind == kind).cloned().collect::<Vec<Set>>();
+        self.take_sets(
+            table,
+            &of(Kind::Commanded),
+            &|axis| Meaning::Commanded(axis),
+            &phrase!("why-commanded-heading"),
+        );
+        self.take_sets(
+            table,
+            &of(Kind::Difference),
+            &|axis| Meaning::Difference(axis),
+            &phrase!("why-difference-heading"),
+        );
+        let (measured, plain, named) = (of(Kind::Measured), of(Kind::Plain), of(Kind::Named));
+        let points = match () {
+            () if !measured.is_empty() => measured,
+            () if !plain.is_empty() => plain,
+            () => named,
+        };
+        for (number, set) in points.iter().enumerate() {
+            let why = match set.kind {
+                Kind::Measured => phrase!("why-measured-heading"),
+                Kind::Named => phrase!("why-axes-differ"),
+                _ => phrase!("why-heading"),
+            };
+            self.take_sets(table, std::slice::from_ref(set), &|axis| Meaning::Point(number, axis), &why);
+        }
+        self.points = points.into_iter().map(|set| set.points).collect();
+        self.judge(&sets, table);
+    }
+
+    fn take_sets(&mut self, table: &Table, sets: &[Set], meaning: &dyn Fn(usize) -> Meaning, why: &Phrase) {
+        for set in sets {
+            for (axis, at) in set.points.columns.iter().enumerate() {
+                let Some(at) = at else { continue };
+                let why = match table.columns[*at].heading.unit {
+                    Some(unit) => phrase!("why-in-unit", why, unit),
+                    None => why.clone(),
+                };
+                self.take(*at, meaning(axis), why);
+            }
+        }
+    }
+
+    /// Finds the sets whose difference is a third one in all rows: commanded and measured values
+    /// with their deviation, if the headings do not say which is which.
+    fn related_sets(&mut self, sets: &mut [Set], table: &Table) {
+        let unnamed = |set: &Set| matches!(set.kind, Kind::Plain | Kind::Named);
+        let triples = (0..sets.len()).flat_map(|a| (0..sets.len()).map(move |b| (a, b)));
+        let triples = triples.flat_map(|(a, b)| (0..sets.len()).map(move |c| [a, b, c]));
+        let is_related = |[a, b, c]: &[usize; 3]| {
+            let kinds = [Kind::Plain, Kind::Named];
+            let fits = |at: usize, more: Kind| kinds.contains(&sets[at].kind) || sets[at].kind == more;
+            a != b
+                && b != c
+                && a != c
+                && (unnamed(&sets[*a]) || unnamed(&sets[*b]) || unnamed(&sets[*c]))
+                && fits(*a, Kind::Commanded)
+                && fits(*b, Kind::Measured)
+                && fits(*c, Kind::Difference)
+                && are_differences(table, [*a, *b, *c].map(|at| &sets[at].points))
+        };
+        let Some([a, b, c]) = triples.clone().find(is_related) else { return };
+        (sets[a].kind, sets[b].kind, sets[c].kind) = (Kind::Commanded, Kind::Measured, Kind::Difference);
+        let columns = |at: usize| sets[at].points.columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+        self.doubt(phrase!(
+            "doubt-sets-by-difference",
+            commanded = columns(a),
+            measured = columns(b),
+            difference = columns(c)
+        ));
+    }
+
+    /// Asks which of several points is the measured one, if their headings are equal or their
+    /// coordinates nearly agree in all rows.
+    fn ask_about_sets(&mut self, table: &Table) {
+        let alike = |i: usize, j: usize| {
+            let (a, b) = (&self.points[i], &self.points[j]);
+            target_name(&a.tag) == target_name(&b.tag) || nearly_agree(table, a, b)
+        };
+        let count = self.points.len();
+        let pair = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).find(|(i, j)| alike(*i, *j));
+        let columns = |at: usize| self.points[at].columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+        if let Some((i, j)) = pair {
+            self.ask(phrase!("ask-sets-alike", first = columns(i), second = columns(j)));
+        }
+    }
+
+    /// Gives each point the quaternion of its body; a quaternion of another body is not taken.
+    pub(crate) fn own_orientations(&mut self) {
+        let quaternions = std::mem::take(&mut self.quaternions);
+        let mut left: Vec<(String, [usize; 4])> = quaternions.clone();
+        for number in 0..self.points.len() {
+            let of_point: Vec<String> = body(&self.points[number].tag).into_iter().map(str::to_owned).collect();
+            let same = |(tag, _): &(String, [usize; 4])| body(tag) == of_point;
+            // a heading that names no body is of the only point
+            let alone = |(tag, _): &Quaternion| {
+                number == 0 && (body(tag).is_empty() || of_point.is_empty()) && !self.is_of_another_body(tag)
+            };
+            // of equal headings those next to the coordinates
+            let own = &self.points[number].columns;
+            let gap = |columns: &[usize; 4]| {
+                own.iter().flatten().flat_map(|at| columns.map(|of| of.abs_diff(*at))).min().unwrap_or(0)
+            };
+            let nearest = |fits: &dyn Fn(&Quaternion) -> bool| {
+                (0..left.len()).filter(|at| fits(&left[*at])).min_by_key(|at| gap(&left[*at].1))
+            };
+            let Some(at) = nearest(&same).or_else(|| nearest(&alone)) else { continue };
+            let (tag, columns) = left.remove(at);
+            if body(&tag) != of_point && !body(&tag).is_empty() {
+                self.doubt(phrase!("doubt-orientation-of-body", body = tag));
+            }
+            if number > 0 {
+                self.turned_points.push((number, columns));
+            } else {
+                self.quaternions.push((tag, columns));
+            }
+        }
+        if self.points.is_empty() {
+            self.quaternions = quaternions;
+            return;
+        }
+        for (k, at) in left.iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
+            self.take(*at, Meaning::OtherOrientation(k), phrase!("why-other-body"));
+        }
+        for (k, at) in self.turned_points.clone().iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
+            self.take(*at, Meaning::OtherOrientation(k), phrase!("why-heading-and-four"));
+        }
+    }
+
+    /// `true` if the words before a component of an orientation name a body whose coordinates are
+    /// another set than the measured point.
+    pub(crate) fn is_of_another_body(&self, words: &str) -> bool {
+        let named = body(words);
+        let Some(point) = self.points.first().filter(|_| !named.is_empty()) else { return false };
+        let is_named = |tag: &str| body(tag) == named;
+        !is_named(&point.tag) && self.bodies.iter().any(|tag| is_named(tag))
+            || !body(&point.tag).is_empty() && !is_named(&point.tag) && self.points.len() > 1
+    }
+
+    /// Adds doubts and questions about the coordinates.
+    fn judge(&mut self, sets: &[Set], table: &Table) {
+        self.ask_about_sets(table);
+        let one = |kind: Kind| sets.iter().find(|set| set.kind == kind).map(|set| set.points.clone());
+        if self.points.is_empty()
+            && let Some(commanded) = one(Kind::Commanded)
+        {
+            self.difference = one(Kind::Difference);
+            if self.difference.is_some() {
+                self.ask(phrase!("ask-sign-of-difference"));
+            }
+            self.commanded = Some(commanded);
+        }
+        let left: Vec<String> = sets
+            .iter()
+            .filter(|set| matches!(set.kind, Kind::Plain | Kind::Named) && !self.points.contains(&set.points))
+            .map(|set| match set.points.tag.as_str() {
+                "" => "x, y, z".to_owned(),
+                tag => format!("`{tag}`"),
+            })
+            .collect();
+        if !left.is_empty() && !self.points.is_empty() {
+            self.doubt(phrase!("doubt-coordinates-left", left));
+        }
+        let computed = |set: &&PointSet| {
+            let mut words = set.tag.split(' ');
+            words.clone().any(|word| OF_CONTROLLER.contains(&word))
+                && !words.any(|word| word.len() > 1 && stands_for(word, Word::Measured))
+        };
+        if let Some(body) = self.points.iter().find(computed).map(|set| set.tag.clone()) {
+            self.doubt(phrase!("doubt-controller-pose", body));
+        }
+        let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
+        if self.points.iter().any(bare) {
+            self.doubt(phrase!("doubt-bare-metre"));
+        }
+    }
+
+    /// Interprets columns without headings.
+    ///
+    /// Texts in front are the label. Values identify quaternions, rotation matrices, directions and
+    /// times. The first other numbers are x, y and z.
+    pub(crate) fn by_position(&mut self, table: &Table) {
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: Phrase| found.take(at, meaning, why);
+        let numeric: Vec<usize> = (0..table.columns.len()).filter(|i| table.columns[*i].is_numeric()).collect();
+        let leading = numeric.first().copied().unwrap_or(0);
+        for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
+            if column.clock && column.texts != [""] && !column.texts.is_empty() {
+                self.clock(i, column);
+                continue;
+            }
+            let (meaning, why) = match () {
+                () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, phrase!("why-empty")),
+                () if i < leading => (Meaning::Label, phrase!("why-text-before")),
+                () => (Meaning::Text, phrase!("why-text-behind")),
+            };
+            let number = |cell: &str| cell.trim().replace(',', ".").parse::<f64>().is_ok();
+            let count = column.cells.iter().filter(|cell| number(cell)).count();
+            if 2 * count > column.cells.len() {
+                let text = column.cells.iter().find(|cell| !number(cell)).map_or("", |cell| cell);
+                self.doubt(phrase!("doubt-numbers-and-text", column = i + 1, count, rows = column.cells.len(), text));
+            }
+            set(self, i, meaning, why);
+        }
+        // a text between the numbers divides them: they are not the joints of one robot
+        let is_divided = numeric.windows(2).any(|pair| pair[1] - pair[0] > 1);
+        let mut rest = numeric;
+        if table.rows == 1 && rest.len() > MOST_IN_ROW {
+            return self.doubt(phrase!("doubt-one-row", count = rest.len()));
+        }
+        if self.matrices_by_position(table, &rest) {
+            return;
+        }
+        self.constants_in_front(table, &mut rest);
+        // a running number or a time in front
+        let before = rest.len() % 3 == 1 && rest.len() > 3 || rest.len() == 8 || rest.len() == 5;
+        let first = rest.first().map(|i| &table.columns[*i]);
+        let increases =
+            |column: &&Column| column.is_increasing() || column.is_ordered() && column.epoch_unit().is_some();
+        if let Some(column) = first.filter(|column| before && increases(column) && !column.is_constant()) {
+            let quaternion = rest.len() == 7 && table.are_unit([rest[3], rest[4], rest[5], rest[6]]);
+            let cloud = self.are_scanned(table, &rest);
+            if !quaternion && !cloud {
+                match column.is_counter() || column.counts_mostly() {
+                    true => set(self, rest[0], Meaning::Count, phrase!("why-counts")),
+                    false => {
+                        set(self, rest[0], Meaning::Time, phrase!("why-increases"));
+                        self.doubt(phrase!("doubt-first-increases"));
+                    }
+                }
+                rest.remove(0);
+            }
+        } else if (rest.len() % 3 == 1 || is_divided && rest.len() > 3)
+            && first.is_some_and(Column::is_whole)
+            && rest[1..].iter().take(3).all(|i| !table.columns[*i].is_whole())
+        {
+            set(self, rest[0], Meaning::Count, phrase!("why-whole-before-decimals"));
+            rest.remove(0);
+        }
+        self.by_count(table, &rest, is_divided);
+    }
+
+    /// Recognises running numbers and constants in front of many numbers.
+    fn constants_in_front(&mut self, table: &Table, rest: &mut Vec<usize>) {
+        while let Some(at) = rest.first().copied().filter(|_| rest.len() > FEWEST_OF_POINTS) {
+            let column = &table.columns[at];
+            match () {
+                () if column.is_counter() => self.take(at, Meaning::Count, phrase!("why-counts")),
+                () if column.is_whole() && column.is_constant() => {
+                    self.take(at, Meaning::Count, phrase!("why-constant"));
+                }
+                () => return,
+            }
+            rest.remove(0);
+        }
+    }
+
+    /// Takes many numbers for the points of a row, three numbers each, as a question.
+    fn points_in_row(&mut self, rest: &[usize]) {
+        for (number, at) in rest.chunks_exact(3).enumerate() {
+            at.iter()
+                .enumerate()
+                .for_each(|(axis, at)| self.take(*at, Meaning::Point(number, axis), phrase!("why-place")));
+            let columns = [Some(at[0]), Some(at[1]), Some(at[2])];
+            self.points.push(PointSet { tag: (number + 1).to_string(), columns });
+        }
+        self.ask(phrase!("ask-points-in-row", count = rest.len() / 3, numbers = rest.len()));
+    }
+
+    /// Interprets the numbers of a row by their count and values; a text may divide them.
+    fn by_count(&mut self, table: &Table, rest: &[usize], is_divided: bool) {
+        if self.are_scanned(table, rest) {
+            self.point_at(&rest[..3]);
+            rest[3..].iter().for_each(|at| self.take(*at, Meaning::Appearance, phrase!("why-colours")));
+            return self.doubt(phrase!("doubt-scanned"));
+        }
+        let set = |found: &mut Self, at: usize, meaning: Meaning, why: Phrase| found.take(at, meaning, why);
+        match *rest {
+            [x, y, z, a, b, c, d] if table.are_unit([a, b, c, d]) => {
+                self.point_at(&[x, y, z]);
+                for (k, at) in [d, a, b, c].into_iter().enumerate() {
+                    set(self, at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
+                }
+                self.doubt_until(Evidence::Orientations, phrase!("doubt-quaternion-order"));
+            }
+            [x, y, z, i, j, k] if table.are_unit([i, j, k]) => {
+                self.point_at(&[x, y, z]);
+                for (n, at) in [i, j, k].into_iter().enumerate() {
+                    set(self, at, Meaning::Direction(n), phrase!("why-three-of-length-one"));
+                }
+            }
+            [x, y, z, a, b, c]
+                if [x, y, z].iter().any(|i| table.columns[*i].largest() > 361.0) && self.has_no_text() =>
+            {
+                self.point_at(&[x, y, z]);
+                for (n, at) in [a, b, c].into_iter().enumerate() {
+                    set(self, at, Meaning::Rotation(n), phrase!("why-behind-lengths"));
+                }
+                self.ask_until(Evidence::Orientations, phrase!("ask-rotation"));
+                self.doubt_until(Evidence::JointOrder, phrase!("doubt-six-without-headings"));
+            }
+            [_, _, _, _, _, _] | [_, _, _, _, _, _, _] if self.has_no_text() && !is_divided => {
+                for (k, at) in rest.iter().enumerate() {
+                    set(self, *at, Meaning::Joint(k), phrase!("why-as-many-as-joints"));
+                }
+                self.doubt_until(Evidence::JointOrder, phrase!("doubt-joints-without-headings", count = rest.len()));
+            }
+            [_, _] | [_, _, _] => self.point_at(rest),
+            [..] if rest.len() >= FEWEST_OF_POINTS && rest.len().is_multiple_of(3) => self.points_in_row(rest),
+            [x, y, z, ..] => {
+                self.point_at(&[x, y, z]);
+                self.ask_about_copies(table, &rest[3..]);
+                if rest.len().is_multiple_of(3) {
+                    self.doubt_until(
+                        Evidence::JointOrder,
+                        phrase!("doubt-points-without-headings", count = rest.len()),
+                    );
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Asks which three numbers were measured, if further ones nearly agree with the point:
+    /// commanded and measured coordinates, or two measurements.
+    fn ask_about_copies(&mut self, table: &Table, others: &[usize]) {
+        let Some(point) = self.points.first().cloned() else { return };
+        let set = |at: &[usize]| PointSet { tag: String::new(), columns: [0, 1, 2].map(|k| at.get(k).copied()) };
+        let copy = others.windows(3).map(set).find(|set| nearly_agree(table, &point, set));
+        if let Some(copy) = copy {
+            let columns = |set: &PointSet| set.columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
+            self.ask(phrase!("ask-sets-alike", first = columns(&point), second = columns(&copy)));
+        }
+    }
+
+    /// `true` for the numbers of a scanned point: its coordinates, its intensity or none, and three
+    /// whole numbers up to 255, its colour.
+    fn are_scanned(&self, table: &Table, rest: &[usize]) -> bool {
+        let [.., r, g, b] = *rest else { return false };
+        let is_colour = |at: usize| {
+            let (low, high) = table.columns[at].range();
+            table.columns[at].is_whole() && low >= 0.0 && high <= 255.0
+        };
+        let fractional = |at: &usize| !table.columns[*at].is_whole();
+        let varied = [r, g, b].iter().any(|at| !table.columns[*at].is_constant());
+        let number = matches!(rest.len(), 6 | 7) && [r, g, b].into_iter().all(is_colour) && varied;
+        number && self.has_no_text() && rest[..3].iter().all(fractional)
+    }
+
+    fn has_no_text(&self) -> bool {
+        !self.taken.iter().any(|taken| taken.meaning == Meaning::Label)
+    }
+
+    fn point_at(&mut self, at: &[usize]) {
+        let mut columns = [None; 3];
+        for (axis, at) in at.iter().enumerate() {
+            columns[axis] = Some(*at);
+            self.take(*at, Meaning::Point(0, axis), phrase!("why-place"));
+        }
+        self.points.push(PointSet { tag: String::new(), columns });
+    }
+
+    /// Finds a 4×4 or 3×4 matrix (row by row), or a point and a 3×3 matrix, at the end of the row.
+    fn matrices_by_position(&mut self, table: &Table, numeric: &[usize]) -> bool {
+        let at = |from: usize, k: usize| numeric[from + k];
+        for (length, step) in [(16, 4), (12, 4), (9, 3)] {
+            let Some(from) = numeric.len().checked_sub(length) else { continue };
+            let rotation: [usize; 9] = std::array::from_fn(|k| at(from, step * (k / 3) + k % 3));
+            if !table.are_rotations(rotation) {
+                continue;
+            }
+            for (k, column) in rotation.into_iter().enumerate() {
+                self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-orthonormal"));
+            }
+            match step {
+                4 => self.point_at(&[at(from, 3), at(from, 7), at(from, 11)]),
+                _ if from >= 3 => self.point_at(&[numeric[0], numeric[1], numeric[2]]),
+                _ => {}
+            }
+            if length == 16 {
+                for k in 12..16 {
+                    self.take(at(from, k), Meaning::MatrixEnd, phrase!("why-row-0001"));
+                }
+            }
+            self.doubt_until(Evidence::JointOrder, phrase!("doubt-matrix-order"));
+            return true;
+        }
+        false
+    }
+}

@@ -1,0 +1,947 @@
+//! Meaning of each column of a table with its reason: headings, their units, values, and relations
+//! between columns.
+
+use crate::propose::headings::{Heading, Word, stands_for};
+use crate::propose::table::{Column, Table, heading_axis};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
+use etalon_tables::guess::Guess;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Meaning of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meaning {
+    Unknown,
+    Text,
+    Label,
+    Target,
+    Pose,
+    Cycle,
+    Count,
+    Time,
+    /// Date and time of day.
+    Clock,
+    /// Time of day alone.
+    TimeOfDay,
+    /// Date alone.
+    Day,
+    /// Coordinate of a measured point: number of the point, and axis.
+    Point(usize, usize),
+    Commanded(usize),
+    Difference(usize),
+    Direction(usize),
+    /// Component of a quaternion: w, x, y, z.
+    Quaternion(usize),
+    /// Component of a rotation vector, or angle.
+    Rotation(usize),
+    Matrix(usize, usize),
+    /// Last row of a 4×4 matrix.
+    MatrixEnd,
+    Joint(usize),
+    OtherJoint,
+    Uncertainty(usize),
+    ExpandedUncertainty(usize),
+    Azimuth,
+    Zenith,
+    Elevation,
+    Distance,
+    Temperature,
+    Deleted,
+    Motion,
+    /// Component of a quaternion of another body than the first measured point.
+    OtherOrientation(usize),
+    /// Intensity or colour of a scanned point.
+    Appearance,
+}
+
+impl Meaning {
+    /// Returns the meaning in words.
+    pub fn words(self) -> Phrase {
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        let axis = |at: usize| AXES.get(at).copied().unwrap_or("?");
+        match self {
+            Self::Unknown => phrase!("means-unknown"),
+            Self::Text => phrase!("means-text"),
+            Self::Label => phrase!("means-label"),
+            Self::Target => phrase!("means-target"),
+            Self::Pose => phrase!("means-pose"),
+            Self::Cycle => phrase!("means-cycle"),
+            Self::Count => phrase!("means-count"),
+            Self::Time => phrase!("means-time"),
+            Self::Clock => phrase!("means-clock"),
+            Self::TimeOfDay => phrase!("means-time-of-day"),
+            Self::Day => phrase!("means-day"),
+            Self::Point(0, at) => phrase!("means-measured", axis = axis(at)),
+            Self::Point(set, at) => phrase!("means-measured-of-point", axis = axis(at), number = set + 1),
+            Self::Commanded(at) => phrase!("means-commanded", axis = axis(at)),
+            Self::Difference(at) => phrase!("means-difference", axis = axis(at)),
+            Self::Direction(at) => phrase!("means-direction", component = ["i", "j", "k"][at.min(2)]),
+            Self::Quaternion(at) => phrase!("means-quaternion", component = ["qw", "qx", "qy", "qz"][at.min(3)]),
+            Self::Rotation(at) => phrase!("means-rotation", number = at + 1),
+            Self::Matrix(i, j) => phrase!("means-matrix", row = i + 1, column = j + 1),
+            Self::MatrixEnd => phrase!("means-matrix-end"),
+            Self::Joint(at) => phrase!("means-joint", number = at + 1),
+            Self::OtherJoint => phrase!("means-other-joint"),
+            Self::Uncertainty(at) => phrase!("means-uncertainty", number = at + 1),
+            Self::ExpandedUncertainty(at) => phrase!("means-expanded-uncertainty", axis = axis(at)),
+            Self::Azimuth => phrase!("means-azimuth"),
+            Self::Zenith => phrase!("means-zenith"),
+            Self::Elevation => phrase!("means-elevation"),
+            Self::Distance => phrase!("means-distance"),
+            Self::Temperature => phrase!("means-temperature"),
+            Self::Deleted => phrase!("means-deleted"),
+            Self::Motion => phrase!("means-motion"),
+            Self::OtherOrientation(at) => {
+                phrase!("means-other-orientation", component = ["qw", "qx", "qy", "qz"][at.min(3)])
+            }
+            Self::Appearance => phrase!("means-appearance"),
+        }
+    }
+
+    /// Returns the number of the joint, from 1, of a column of joint values.
+    pub fn joint_number(self) -> Option<usize> {
+        if let Self::Joint(at) = self { Some(at + 1) } else { None }
+    }
+}
+
+/// Meaning of a column, and its reason.
+#[derive(Clone, Debug)]
+pub(crate) struct Taken {
+    pub meaning: Meaning,
+    pub why: Option<Phrase>,
+}
+
+/// Point in each row: its name in the headings, and its columns.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PointSet {
+    pub tag: String,
+    pub columns: [Option<usize>; 3],
+}
+
+/// Form of three numbers of a rotation, as far as it is known.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct RotationForm {
+    /// Value of `rotation`: an order of angles, or a rotation vector.
+    pub order: Option<String>,
+    /// Unit: `deg` or `rad`.
+    pub unit: Option<&'static str>,
+}
+
+/// Interpretation of a table.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Interpretation {
+    /// Meaning of each column.
+    pub taken: Vec<Taken>,
+    /// Measured points.
+    pub points: Vec<PointSet>,
+    /// Commanded point, from which the measured point is computed with the difference.
+    pub commanded: Option<PointSet>,
+    /// Difference between commanded and measured point.
+    pub difference: Option<PointSet>,
+    /// Words of the headings of all sets of coordinates, without the axis.
+    pub bodies: Vec<String>,
+    /// Quaternions: words of their headings, and columns, the scalar first.
+    pub quaternions: Vec<(String, [usize; 4])>,
+    /// Quaternions of further measured points: number of the point, and columns.
+    pub turned_points: Vec<(usize, [usize; 4])>,
+    /// Form of the columns of a rotation.
+    pub rotation: RotationForm,
+    /// Unit of the column of times, if its heading or its values state one.
+    pub time_unit: Option<&'static str>,
+    /// `true` if the unit of the times is not known.
+    pub time_unit_open: bool,
+    /// Names of the joints in robot.toml; empty if no robot was given.
+    pub joint_names: Vec<String>,
+    /// Columns of joints that count in the opposite direction.
+    pub reversed: Vec<usize>,
+    /// `true` if a log of joints stands beside the file: its points are measured.
+    pub is_beside_log: bool,
+    /// `true` if the kinematics of the nominal robot support the units.
+    pub by_kinematics: bool,
+    pub doubts: Vec<Doubt>,
+    pub questions: Vec<Doubt>,
+}
+
+/// Doubt or question about an interpretation.
+#[derive(Clone, Debug)]
+pub(crate) struct Doubt {
+    pub text: Phrase,
+    /// Evidence that resolves the doubt, if the nominal robot can give any.
+    settled_by: Option<Evidence>,
+}
+
+/// Evidence of a nominal robot that reproduces the points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Evidence {
+    /// Columns and order of the joints.
+    JointOrder,
+    /// Orientations of the flange, which fit one order of the components of a quaternion, or one
+    /// form of three numbers of a rotation.
+    Orientations,
+}
+
+impl Interpretation {
+    /// Adds a doubt.
+    pub fn doubt(&mut self, text: Phrase) {
+        self.doubts.push(Doubt { text, settled_by: None });
+    }
+
+    /// Adds a doubt that the kinematics of the robot can resolve.
+    pub fn doubt_until(&mut self, evidence: Evidence, text: Phrase) {
+        self.doubts.push(Doubt { text, settled_by: Some(evidence) });
+    }
+
+    /// Adds a question.
+    pub fn ask(&mut self, text: Phrase) {
+        self.questions.push(Doubt { text, settled_by: None });
+    }
+
+    /// Adds a question that the kinematics of the robot can resolve.
+    pub fn ask_until(&mut self, evidence: Evidence, text: Phrase) {
+        self.questions.push(Doubt { text, settled_by: Some(evidence) });
+    }
+
+    /// `true` if a doubt or a question waits for this evidence.
+    pub fn waits_for(&self, evidence: Evidence) -> bool {
+        self.doubts.iter().chain(&self.questions).any(|doubt| doubt.settled_by == Some(evidence))
+    }
+
+    /// Removes the doubts and questions that this evidence resolves.
+    pub fn settle(&mut self, evidence: Evidence) {
+        for list in [&mut self.doubts, &mut self.questions] {
+            list.retain(|doubt| doubt.settled_by != Some(evidence));
+        }
+    }
+
+    /// Interpretation of a table whose columns are not yet known.
+    pub fn unknown(table: &Table) -> Self {
+        let nothing = Taken { meaning: Meaning::Unknown, why: None };
+        Self { taken: vec![nothing; table.columns.len()], ..Self::default() }
+    }
+
+    /// Interprets a table.
+    pub fn new(table: &Table) -> Self {
+        let mut found = Self::unknown(table);
+        if table.columns.iter().any(|column| column.name.is_some()) {
+            found.texts(table);
+            found.matrix(table);
+            found.quaternion(table);
+            found.joints(table);
+            found.coordinates(table);
+            found.own_orientations();
+            found.rotations(table);
+            found.singles(table);
+            found.rest(table);
+        } else {
+            found.by_position(table);
+        }
+        found.clock_unit(table);
+        found.number_with_gaps(table);
+        found
+    }
+
+    /// Gives coordinates without a unit in their heading the unit of length in the head of the
+    /// file; two different units are a doubt.
+    pub fn unit_of_head(&mut self, table: &mut Table, guess: &Guess) {
+        let Some(first) = guess.stated_units.first() else { return };
+        if let Some(other) = guess.stated_units.iter().find(|stated| stated.unit != first.unit) {
+            let (line, unit, second, of_second) = (first.line, first.unit, other.line, other.unit);
+            return self.doubt(phrase!("doubt-units-differ", line, unit, second, of_second));
+        }
+        for (column, taken) in table.columns.iter_mut().zip(&self.taken) {
+            let is_length = matches!(
+                taken.meaning,
+                Meaning::Point(..) | Meaning::Commanded(_) | Meaning::Difference(_) | Meaning::Distance
+            );
+            if is_length && column.heading.unit.is_none() {
+                column.heading.unit = Some(first.unit);
+            }
+        }
+    }
+
+    /// `true` if coordinates or joints stand behind a text that opens a bracket, up to the text
+    /// that closes it: they are numbers of a list.
+    pub fn is_within_lists(&self, table: &Table) -> bool {
+        const OPEN: [char; 3] = ['[', '(', '{'];
+        const CLOSED: [char; 3] = [']', ')', '}'];
+        let bracketed = |column: &Column| {
+            column.cells.iter().find(|cell| cell.contains(OPEN) || cell.contains(CLOSED)).map(ToString::to_string)
+        };
+        let texts = table.columns.iter().enumerate().filter_map(|(at, column)| Some((at, bracketed(column)?)));
+        let mut open: Option<usize> = None;
+        let mut lists: Vec<(usize, usize)> = Vec::new();
+        for (at, text) in texts {
+            let (opened, closed) = (text.matches(OPEN).count(), text.matches(CLOSED).count());
+            if let Some(from) = open.filter(|_| closed > 0) {
+                lists.push((from, at));
+                open = None;
+            }
+            // a number directly behind the bracket: a list that another row closes
+            let is_number = |rest: &str| rest.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '-' | '.'));
+            let is_list = text.split(OPEN).skip(1).any(is_number);
+            open = open.or(Some(at).filter(|_| opened > closed && is_list));
+        }
+        lists.extend(open.map(|from| (from, self.taken.len())));
+        let is_used = |at: usize| matches!(self.taken[at].meaning, Meaning::Point(..) | Meaning::Joint(_));
+        (0..self.taken.len()).any(|at| is_used(at) && lists.iter().any(|(from, to)| (*from..*to).contains(&at)))
+    }
+
+    /// Returns the columns for which `number` gives a number, in the order of the numbers.
+    pub fn columns(&self, number: impl Fn(Meaning) -> Option<usize>) -> Vec<usize> {
+        let mut all: Vec<(usize, usize)> =
+            self.taken.iter().enumerate().filter_map(|(i, taken)| Some((number(taken.meaning)?, i))).collect();
+        all.sort_unstable();
+        all.into_iter().map(|(_, i)| i).collect()
+    }
+
+    /// Returns the first column with this meaning.
+    pub fn first(&self, meaning: Meaning) -> Option<usize> {
+        self.taken.iter().position(|taken| taken.meaning == meaning)
+    }
+
+    /// Returns the columns of the joints in order.
+    pub fn joint_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Joint(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Returns the columns of the quaternion, w first.
+    pub fn quaternion_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Quaternion(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Returns the columns of a rotation vector or of angles.
+    pub fn rotation_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Rotation(k) = meaning { Some(k) } else { None })
+    }
+
+    /// Returns the columns of a rotation matrix, row by row.
+    pub fn matrix_columns(&self) -> Vec<usize> {
+        self.columns(|meaning| if let Meaning::Matrix(i, j) = meaning { Some(3 * i + j) } else { None })
+    }
+
+    pub(crate) fn take(&mut self, at: usize, meaning: Meaning, why: Phrase) {
+        self.taken[at] = Taken { meaning, why: Some(why) };
+    }
+
+    fn is_free(&self, at: usize) -> bool {
+        self.taken[at].meaning == Meaning::Unknown
+    }
+
+    /// Returns the columns of numbers without a meaning so far.
+    fn free<'a>(&'a self, table: &'a Table) -> impl Iterator<Item = (usize, &'a Column)> + 'a {
+        table.columns.iter().enumerate().filter(|(i, column)| self.is_free(*i) && column.is_numeric())
+    }
+
+    /// Interprets a column of dates or times of day.
+    pub(crate) fn clock(&mut self, at: usize, column: &Column) {
+        let all = |mark: &str| column.texts.iter().all(|text| text.contains(mark));
+        let dated = column.texts.iter().all(|text| text.matches(['.', '-', '/']).count() >= 2);
+        let meaning = match (all(":"), dated) {
+            (true, true) => Meaning::Clock,
+            (true, false) => Meaning::TimeOfDay,
+            (false, _) => Meaning::Day,
+        };
+        if all("/") {
+            self.doubt(phrase!("doubt-dates"));
+            return self.take(at, Meaning::Text, phrase!("why-ambiguous-dates"));
+        }
+        self.take(at, meaning, phrase!("why-dates"));
+    }
+
+    /// Interprets columns of text.
+    fn texts(&mut self, table: &Table) {
+        for (i, column) in table.columns.iter().enumerate().filter(|(_, column)| !column.is_numeric()) {
+            let heading = &column.heading;
+            let single = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
+            let by_name = || phrase!("why-heading");
+            match () {
+                () if column.texts.is_empty() || column.texts == [""] => {
+                    self.take(i, Meaning::Text, phrase!("why-empty"));
+                }
+                () if column.clock => self.clock(i, column),
+                () if heading.has(Word::Deleted) => self.take(i, Meaning::Deleted, by_name()),
+                () if heading.has(Word::Pose) => self.take(i, Meaning::Pose, by_name()),
+                () if single(Word::Target) || heading.is_only(&[Word::Target]) => {
+                    self.take(i, Meaning::Target, by_name());
+                }
+                () if heading.has(Word::Label) && !self.taken.iter().any(|t| t.meaning == Meaning::Label) => {
+                    self.take(i, Meaning::Label, by_name());
+                }
+                () if heading.has(Word::Cycle) => self.take(i, Meaning::Text, phrase!("why-repeats-as-texts")),
+                () => self.take(i, Meaning::Text, phrase!("why-nothing-known")),
+            }
+        }
+        let named = |meanings: &[Meaning]| self.taken.iter().any(|t| meanings.contains(&t.meaning));
+        if !named(&[Meaning::Label, Meaning::Target, Meaning::Pose])
+            && let Some(first) = table.columns.iter().position(|c| !c.is_numeric() && !c.clock && c.texts != [""])
+            && table.columns[..first].iter().all(|c| c.is_numeric() && c.is_whole())
+            && table.columns[first].texts.len() > 1.max(table.rows.min(4) / 2)
+        {
+            self.take(first, Meaning::Label, phrase!("why-texts-differ"));
+        }
+    }
+
+    /// Finds the elements of a matrix: headings that end in two digits, `m_00` or `r11`.
+    fn matrix(&mut self, table: &Table) {
+        let place = |column: &Column| -> Option<(String, usize, usize)> {
+            let words = &column.heading.words;
+            let last = words.last()?;
+            let mut digits: Vec<usize> = last.chars().map_while(|c| c.to_digit(10)).map(|d| d as usize).collect();
+            let mut tag = &words[..words.len() - 1];
+            if digits.len() == 1 && tag.last().is_some_and(|word| word.len() == 1 && word.parse::<u8>().is_ok()) {
+                // `r_1_1`
+                digits.insert(0, tag.last()?.parse().ok()?);
+                tag = &tag[..tag.len() - 1];
+            }
+            (digits.len() == 2 && !tag.is_empty()).then(|| (tag.join(" "), digits[0], digits[1]))
+        };
+        let places: Vec<(usize, (String, usize, usize))> =
+            self.free(table).filter_map(|(i, column)| Some((i, place(column)?))).collect();
+        let mut tags: Vec<&String> = places.iter().map(|(_, (tag, ..))| tag).collect();
+        tags.dedup();
+        for tag in tags {
+            for base in [0, 1] {
+                let at = |i: usize, j: usize| {
+                    let found = places.iter().find(|(_, (t, r, c))| t == tag && (*r, *c) == (i + base, j + base));
+                    found.map(|(column, _)| *column)
+                };
+                let rotation: Option<Vec<usize>> = (0..9).map(|k| at(k / 3, k % 3)).collect();
+                let Some(rotation) = rotation.and_then(|all| <[usize; 9]>::try_from(all).ok()) else { continue };
+                if !table.are_rotations(rotation) {
+                    continue;
+                }
+                for (k, column) in rotation.into_iter().enumerate() {
+                    self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-nine-orthonormal"));
+                }
+                let moved = [0, 1, 2].map(|i| at(i, 3));
+                if moved.iter().all(Option::is_some) {
+                    self.points.push(PointSet { tag: tag.clone(), columns: moved });
+                    for (axis, column) in moved.into_iter().flatten().enumerate() {
+                        self.take(column, Meaning::Point(0, axis), phrase!("why-last-of-matrix"));
+                    }
+                }
+                for column in (0..4).filter_map(|j| at(3, j)) {
+                    self.take(column, Meaning::MatrixEnd, phrase!("why-row-0001"));
+                }
+                return;
+            }
+        }
+    }
+
+    /// Finds the quaternions: four columns each, by their headings or by their values.
+    fn quaternion(&mut self, table: &Table) {
+        while self.next_quaternion(table) {}
+        if self.quaternions.is_empty() {
+            while self.quaternion_by_values(table) {}
+        }
+    }
+
+    /// Takes the first four free columns whose headings name the components of a quaternion.
+    fn next_quaternion(&mut self, table: &Table) -> bool {
+        const FORMS: [[&str; 4]; 4] = [
+            ["qw", "qx", "qy", "qz"],
+            ["w", "x", "y", "z"],
+            ["q 0", "q 1", "q 2", "q 3"],
+            ["q w", "q x", "q y", "q z"],
+        ];
+        let mut tags: Vec<String> = Vec::new();
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        let joined = |i: usize| component_last(&table.columns[i].heading.words);
+        for form in FORMS {
+            for i in &free {
+                let joined = joined(*i);
+                let tag = joined.strip_suffix(form[0]).map(str::to_owned);
+                tags.extend(tag.filter(|tag| tag.is_empty() || tag.ends_with(' ')));
+            }
+            for tag in &tags {
+                let column = |name: &str| free.iter().copied().find(|i| joined(*i) == format!("{tag}{name}"));
+                let Some(all) = form.iter().map(|name| column(name)).collect::<Option<Vec<usize>>>() else { continue };
+                let Ok(all) = <[usize; 4]>::try_from(all) else { continue };
+                let unit = table.are_unit(all);
+                let numbered = form[0] == "q 0";
+                if !unit && (numbered || form[0] == "w") {
+                    continue;
+                }
+                let why = match unit {
+                    true if numbered => {
+                        phrase!("why-quaternion-not-joints")
+                    }
+                    true => phrase!("why-heading-and-four"),
+                    false => phrase!("why-heading"),
+                };
+                if !unit {
+                    self.doubt(phrase!("doubt-quaternion-length"));
+                }
+                if numbered && table.columns.len() == 4 {
+                    self.doubt(phrase!("doubt-four-joints"));
+                }
+                for (k, at) in all.into_iter().enumerate() {
+                    self.take(at, Meaning::Quaternion(k), why.clone());
+                }
+                self.quaternions.push((tag.trim().to_owned(), all));
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Takes four neighbouring columns as a quaternion if the sum of their squares is 1 in all
+    /// rows, whatever their headings are. Returns `true` if there are such columns.
+    fn quaternion_by_values(&mut self, table: &Table) -> bool {
+        let normal = ["nx", "ny", "nz", "n x", "n y", "n z", "normal x", "normal y", "normal z"];
+        let without_unit = |(i, column): (usize, &Column)| {
+            let is_free = column.heading.unit.is_none() || column.component_letter().is_some();
+            (is_free && !normal.contains(&column.heading.joined().as_str())).then_some(i)
+        };
+        let free: Vec<usize> = self.free(table).filter_map(without_unit).collect();
+        let neighbours = free.windows(4).filter_map(|four| <[usize; 4]>::try_from(four).ok());
+        for all in neighbours.filter(|all| all[3] - all[0] == 3) {
+            let named = components(all.map(|at| &table.columns[at]));
+            let varies = || {
+                all.iter().any(|at| !table.columns[*at].is_constant())
+                    && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
+            };
+            // further quaternions are named
+            let unsure = named.is_none() && (!self.quaternions.is_empty() || !varies());
+            if table.rows < FEWEST_ROWS || !table.are_unit(all) || unsure {
+                continue;
+            }
+            // without a name of the scalar it is the first, as a question
+            let mut ordered = all;
+            for (at, k) in all.into_iter().zip(named.unwrap_or([0, 1, 2, 3])) {
+                self.take(at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
+                ordered[k] = at;
+            }
+            let words = &table.columns[ordered[1]].heading.words;
+            self.quaternions.push((words[..words.len().saturating_sub(1)].join(" "), ordered));
+            if named.is_none() {
+                let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
+                self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns));
+            }
+            return true;
+        }
+        false
+    }
+}
+
+/// Returns the words of a heading with the component of a quaternion last: `1 qx` for `qx1`.
+fn component_last(words: &[String]) -> String {
+    match words {
+        [before @ .., component, number]
+            if ["qw", "qx", "qy", "qz"].contains(&component.as_str()) && number.parse::<usize>().is_ok() =>
+        {
+            [before, &[number.clone(), component.clone()]].concat().join(" ")
+        }
+        _ => words.join(" "),
+    }
+}
+
+/// Minimum number of rows for a quaternion: in fewer rows, four numbers can have length 1 by
+/// chance.
+const FEWEST_ROWS: usize = 3;
+/// Maximum magnitude of a column that holds no component: three others of length 1 are a direction.
+const UNUSED: f64 = 1e-3;
+
+/// Returns the component (w, x, y, z) that each of four headings names.
+///
+/// Three axes beside any fourth heading make it the scalar; numbers from 0 to 3 begin with the
+/// scalar. Numbers from 1 to 4 do not give which is the scalar.
+fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
+    let number = |column: &Column| column.heading.words.last()?.parse::<usize>().ok();
+    let numbers = columns.map(number);
+    if (0..4).all(|k| numbers.contains(&Some(k))) {
+        return Some(numbers.map(|number| number.unwrap_or(0)));
+    }
+    let component = |column: &Column| {
+        match column.component_letter() {
+            Some('k') => return Some(3),
+            Some(_) => return None,
+            None => {}
+        }
+        let last = column.heading.words.last()?;
+        let axis = |word: &str| ["x", "y", "z"].iter().position(|axis| *axis == word).map(|axis| axis + 1);
+        let imaginary = |word: &str| ["i", "j", "k"].iter().position(|unit| *unit == word).map(|unit| unit + 1);
+        axis(last).or_else(|| axis(last.strip_prefix('q')?)).or_else(|| imaginary(last))
+    };
+    let mut found = columns.map(component);
+    let holds = |found: &[Option<usize>; 4], k: usize| found.iter().filter(|at| **at == Some(k)).count() == 1;
+    let axes = (1..4).all(|k| holds(&found, k));
+    let other = found.iter_mut().find(|at| at.is_none()).filter(|_| axes)?;
+    *other = Some(0);
+    Some(found.map(|k| k.unwrap_or(0)))
+}
+
+/// Words in the names of joints that have no number.
+const NAMED_JOINTS: [&str; 13] = [
+    "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
+    "gelenk",
+];
+
+/// Words of a position or a value between a joint and its number.
+const POSITIONS: [&str; 8] = ["pos", "position", "positions", "angle", "angles", "winkel", "value", "wert"];
+
+/// Returns the words and the number of a joint in a heading.
+fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
+    if heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w)) {
+        return None;
+    }
+    let numbers: Vec<usize> = (0..heading.words.len()).filter(|i| heading.words[*i].parse::<usize>().is_ok()).collect();
+    let number = numbers.last().and_then(|i| heading.words[*i].parse().ok()).filter(|n| *n < 100);
+    let tag = numbers.last().map_or(heading.words.clone(), |i| heading.without(*i));
+    let named = heading.words.iter().any(|word| NAMED_JOINTS.contains(&word.as_str()));
+    // `axis pos act 1`: words of the state and of positions stand between the joint and its number
+    let before = heading.words[..numbers.last().copied().unwrap_or(0)].iter().map(String::as_str);
+    let is_state = |word: &&str| {
+        word.len() > 1 && (stands_for(word, Word::Measured) || stands_for(word, Word::Commanded))
+            || POSITIONS.contains(word)
+    };
+    let before = before.rev().find(|word| !is_state(word));
+    let is_joint = named || number.is_some() && before.is_some_and(|word| stands_for(word, Word::Joint));
+    is_joint.then(|| (tag.join(" "), number))
+}
+
+/// Returns the names of the parts of an arm whose coordinates the table has: three headings differ
+/// in x, y and z alone, and no word names a joint.
+fn measured_parts(table: &Table) -> BTreeSet<String> {
+    let mut axes: BTreeMap<String, [bool; 3]> = BTreeMap::new();
+    for column in table.columns.iter().filter(|column| !column.heading.has(Word::Joint)) {
+        if let Some((axis, tag)) = heading_axis(column) {
+            axes.entry(tag).or_default()[axis] = true;
+        }
+    }
+    axes.into_iter().filter(|(tag, has)| !tag.is_empty() && *has == [true; 3]).map(|(tag, _)| tag).collect()
+}
+
+/// `true` for words of velocities, forces and currents that are longer than a letter.
+fn is_motion(word: &str) -> bool {
+    word.len() > 1 && stands_for(word, Word::Motion)
+}
+
+impl Interpretation {
+    /// Finds columns of joints.
+    fn joints(&mut self, table: &Table) {
+        let parts = measured_parts(table);
+        let is_measured = |column: &Column| heading_axis(column).is_some_and(|(_, tag)| parts.contains(&tag));
+        let mut joints: Vec<(usize, String, Option<usize>)> = self
+            .free(table)
+            .filter(|(_, column)| !is_measured(column))
+            .filter_map(|(i, column)| joint_name(&column.heading).map(|(tag, number)| (i, tag, number)))
+            .collect();
+        let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
+        let measured = |i: usize| table.columns[i].heading.has(Word::Measured);
+        if joints.iter().any(|(i, ..)| commanded(*i)) && joints.iter().any(|(i, ..)| measured(*i) || !commanded(*i)) {
+            for (i, ..) in joints.iter().filter(|(i, ..)| commanded(*i) && !measured(*i)) {
+                self.take(*i, Meaning::OtherJoint, phrase!("why-others-measured"));
+            }
+            joints.retain(|(i, ..)| self.is_free(*i));
+        }
+        self.one_family(table, &mut joints);
+        if joints.len() < 2 {
+            joints = self.unnamed_joints(table);
+        }
+        if joints.len() < 2 {
+            return;
+        }
+        let tags: Vec<&String> = joints.iter().map(|(_, tag, _)| tag).collect();
+        let one = tags.iter().all(|tag| *tag == tags[0]);
+        let mut numbers: Vec<usize> = joints.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let numbered = one && numbers.len() == joints.len();
+        let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
+        if numbered && !sorted {
+            joints.sort_by_key(|(.., number)| *number);
+            self.doubt_until(Evidence::JointOrder, phrase!("doubt-order-of-joints"));
+        }
+        for (k, (i, ..)) in joints.into_iter().enumerate() {
+            let (low, high) = table.columns[i].range();
+            let unit = match table.columns[i].heading.unit {
+                Some(unit) => phrase!("why-in-unit", why = phrase!("why-heading"), unit),
+                None if low.abs().max(high.abs()) <= 6.6 => {
+                    phrase!("why-range-of-rad", low, high)
+                }
+                None => phrase!("why-range-of-deg", low, high),
+            };
+            self.take(i, Meaning::Joint(k), unit);
+        }
+    }
+
+    /// Keeps one family of numbered joints if several have the same numbers: the measured family,
+    /// or the first. Families with other numbers are parts of one chain: a torso and an arm.
+    fn one_family(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
+        let mut tags: Vec<String> = joints.iter().map(|(_, tag, _)| tag.clone()).collect();
+        tags.dedup();
+        let numbers = |tag: &String| {
+            joints.iter().filter(|(_, t, _)| t == tag).filter_map(|(.., n)| *n).collect::<BTreeSet<usize>>()
+        };
+        let state = |tag: &String| {
+            let is_state = |word: &str| stands_for(word, Word::Measured) || stands_for(word, Word::Commanded);
+            tag.split(' ').any(|word| word.len() > 1 && is_state(word))
+        };
+        let again = tags.iter().enumerate().any(|(k, tag)| {
+            let own = numbers(tag);
+            let is_same = |other: &String| match state(tag) || state(other) {
+                true => numbers(other).intersection(&own).count() > 1,
+                false => numbers(other) == own,
+            };
+            own.len() > 1 && tags[..k].iter().any(is_same)
+        });
+        if !again {
+            return;
+        }
+        let measured = |tag: &&String| tag.split(' ').any(|word| stands_for(word, Word::Measured));
+        let kept = tags.iter().find(measured).unwrap_or(&tags[0]).clone();
+        for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
+            self.take(*i, Meaning::OtherJoint, phrase!("why-other-family", kept));
+        }
+        let names: Vec<String> =
+            joints.iter().filter(|(_, tag, _)| *tag != kept).map(|(i, ..)| table.called(*i)).take(4).collect();
+        self.doubt(phrase!("doubt-two-families", names, kept));
+        joints.retain(|(_, tag, _)| *tag == kept);
+    }
+
+    /// Finds a run of unknown columns of one letter and a number each: `C1`, `L2`, `T1`.
+    fn unnamed_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
+        let parts = |column: &Column| -> Option<(String, usize)> {
+            match &column.heading.words[..] {
+                [letter, number] if letter.len() <= 2 && letter.chars().all(char::is_alphabetic) => {
+                    let known = [Word::Uncertainty, Word::Motion, Word::Difference, Word::Normal];
+                    let axis = ["x", "y", "z", "w", "p", "q"].contains(&letter.as_str());
+                    let number = number.parse().ok()?;
+                    (!axis && !known.iter().any(|of| stands_for(letter, *of))).then(|| (letter.clone(), number))
+                }
+                _ => None,
+            }
+        };
+        let found: Vec<(usize, String, Option<usize>)> = self
+            .free(table)
+            .filter_map(|(i, column)| parts(column).map(|(letter, number)| (i, letter, Some(number))))
+            .collect();
+        let mut numbers: Vec<usize> = found.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        let from_start =
+            numbers.first().is_some_and(|n| *n < 2) && numbers.windows(2).all(|pair| pair[1] == pair[0] + 1);
+        let one = from_start && found.len() >= 2 && found.iter().all(|(_, letter, _)| *letter == found[0].1);
+        if one {
+            let names: Vec<String> = found.iter().map(|(i, ..)| table.called(*i)).collect();
+            self.doubt(phrase!("doubt-unnamed-joints", names));
+        }
+        if one { found } else { Vec::new() }
+    }
+
+    /// Finds three columns of a rotation vector or of angles.
+    fn rotations(&mut self, table: &Table) {
+        const FORMS: [[&str; 3]; 13] = [
+            ["rx", "ry", "rz"],
+            ["phix", "phiy", "phiz"],
+            ["roll", "pitch", "yaw"],
+            ["yaw", "pitch", "roll"],
+            ["alpha", "beta", "gamma"],
+            ["phi", "theta", "psi"],
+            ["rot x", "rot y", "rot z"],
+            ["rotation x", "rotation y", "rotation z"],
+            ["r x", "r y", "r z"],
+            ["a", "b", "c"],
+            ["w", "p", "r"],
+            ["omega", "phi", "kappa"],
+            ["orientation x", "orientation y", "orientation z"],
+        ];
+        if self.taken.iter().any(|taken| matches!(taken.meaning, Meaning::Quaternion(_) | Meaning::Matrix(..))) {
+            return;
+        }
+        let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
+        let found = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &|i| !commanded(i)));
+        if let Some(all) = found {
+            for (k, at) in all.into_iter().enumerate() {
+                self.take(at, Meaning::Rotation(k), phrase!("why-heading"));
+            }
+            let units = all.map(|at| table.columns[at].heading.unit);
+            self.rotation.unit = units[0].filter(|unit| units == [units[0]; 3] && ["deg", "rad"].contains(unit));
+            self.ask_until(Evidence::Orientations, phrase!("ask-rotation"));
+        }
+        while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
+            all.into_iter().for_each(|at| self.take(at, Meaning::Motion, phrase!("why-commanded-rotation")));
+        }
+    }
+
+    /// Returns the columns of three headings; a heading may have a word for measured or commanded.
+    fn rotation_at(&self, table: &Table, form: [&str; 3], allowed: &dyn Fn(usize) -> bool) -> Option<[usize; 3]> {
+        let state = |word: &str| stands_for(word, Word::Measured) || stands_for(word, Word::Commanded);
+        let at = |name: &str| {
+            let fits = |(i, column): &(usize, &Column)| {
+                let words = column.heading.joined();
+                // the number of the only point: `phix1` beside `x1`
+                let number = self.points.first().filter(|_| self.points.len() == 1).map(|point| point.tag.as_str());
+                let words = number.and_then(|tag| words.strip_suffix(tag)).map_or(&*words, str::trim_end);
+                let stated = |(first, last): (&str, &str)| first == name && state(last) || last == name && state(first);
+                let alone = words == name
+                    || name.len() > 1 && words.ends_with(&format!(" {name}"))
+                    || words.split_once(' ').is_some_and(stated);
+                let body = words.strip_suffix(name).unwrap_or("");
+                allowed(*i) && alone && !self.is_of_another_body(body)
+            };
+            self.free(table).find(fits).map(|(i, _)| i)
+        };
+        let [a, b, c] = form.map(at);
+        Some([a?, b?, c?])
+    }
+
+    /// Interprets single columns: names, times, angles of an instrument, temperatures.
+    fn singles(&mut self, table: &Table) {
+        let has = |found: &Self, meaning: Meaning| found.taken.iter().any(|taken| taken.meaning == meaning);
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        // `az` beside `ax` and `ay` is a component
+        let is_axis = |heading: &Heading| {
+            let has = |name: &str| table.columns.iter().any(|column| column.heading.joined() == name);
+            heading.joined() == "az" && has("ax") && has("ay")
+        };
+        for i in free {
+            let column = &table.columns[i];
+            let heading = &column.heading;
+            let whole = column.is_whole();
+            let last = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
+            let first = |meaning: Word| heading.words.first().is_some_and(|word| stands_for(word, meaning));
+            let meaning = match () {
+                () if heading.has(Word::Temperature) || heading.unit == Some("C") => Meaning::Temperature,
+                () if heading.has(Word::Azimuth) && !is_axis(heading) => Meaning::Azimuth,
+                () if heading.has(Word::Zenith) => Meaning::Zenith,
+                () if heading.has(Word::Elevation) => Meaning::Elevation,
+                () if heading.has(Word::Deleted) => Meaning::Deleted,
+                () if whole && (heading.has(Word::Pose) || *heading.words == ["p"]) && !has(self, Meaning::Pose) => {
+                    Meaning::Pose
+                }
+                () if whole && (first(Word::Cycle) || last(Word::Cycle)) && !has(self, Meaning::Cycle) => {
+                    Meaning::Cycle
+                }
+                () if (first(Word::Time) || last(Word::Time))
+                    && !has(self, Meaning::Time)
+                    && !heading.has(Word::Distance) =>
+                {
+                    Meaning::Time
+                }
+                () if whole && heading.is_only(&[Word::Label]) && !has(self, Meaning::Label) => Meaning::Label,
+                () if whole && heading.is_only(&[Word::Count, Word::Label, Word::Target, Word::Measured]) => {
+                    Meaning::Count
+                }
+                () if heading.has(Word::Distance) || *heading.words == ["l"] || *heading.words == ["d"] => {
+                    Meaning::Distance
+                }
+                () if heading.has(Word::Uncertainty) => self.uncertainty(heading),
+                () if heading.words.iter().any(|word| is_motion(word)) => Meaning::Motion,
+                () if whole && heading.has(Word::Count) => Meaning::Count,
+                () => continue,
+            };
+            let why = match meaning {
+                Meaning::Time if column.is_increasing() => phrase!("why-heading-increases"),
+                Meaning::Time if column.is_ordered() => phrase!("why-heading-ordered"),
+                Meaning::Time => phrase!("why-heading-unordered"),
+                _ => phrase!("why-heading"),
+            };
+            self.take(i, meaning, why);
+            if meaning == Meaning::Time && !column.is_ordered() && table.rows > 2 {
+                self.doubt(phrase!("doubt-time-decreases", column = table.called(i)));
+            }
+        }
+        self.directions(table);
+        let of = |meaning: Meaning| self.first(meaning);
+        let polar = of(Meaning::Azimuth).is_some() && of(Meaning::Distance).is_some();
+        if polar && self.points.is_empty() && of(Meaning::Zenith).or(of(Meaning::Elevation)).is_none() {
+            self.doubt(phrase!("doubt-polar"));
+        }
+    }
+
+    /// Returns the meaning of a column of uncertainties: standard or expanded, and its coordinate.
+    fn uncertainty(&self, heading: &Heading) -> Meaning {
+        let axis = ["x", "y", "z"].iter().position(|axis| heading.words.iter().any(|word| word == axis));
+        let number =
+            || heading.words.iter().find_map(|word| word.parse::<usize>().ok()).filter(|n| (1..=3).contains(n));
+        let expanded = heading.words.iter().any(|word| word == "95");
+        match (axis, expanded) {
+            (Some(axis), true) => Meaning::ExpandedUncertainty(axis),
+            (Some(axis), false) => Meaning::Uncertainty(axis),
+            (None, _) => number().map_or(Meaning::Motion, |n| Meaning::Uncertainty(n - 1)),
+        }
+    }
+
+    /// Finds directions `i j k` and `nx ny nz` of length 1.
+    fn directions(&mut self, table: &Table) {
+        const FORMS: [[&str; 3]; 5] = [
+            ["i", "j", "k"],
+            ["nx", "ny", "nz"],
+            ["n x", "n y", "n z"],
+            ["ni", "nj", "nk"],
+            ["normal x", "normal y", "normal z"],
+        ];
+        for form in FORMS {
+            let at = |name: &str| {
+                let free = |(i, column): (usize, &Column)| {
+                    (column.is_numeric()
+                        && matches!(self.taken[i].meaning, Meaning::Unknown | Meaning::Motion | Meaning::Joint(_))
+                        && column.heading.joined() == name)
+                        .then_some(i)
+                };
+                table.columns.iter().enumerate().find_map(free)
+            };
+            let [Some(i), Some(j), Some(k)] = form.map(at) else { continue };
+            let unit = table.are_unit([i, j, k]);
+            let why = if unit { phrase!("why-heading-and-three") } else { phrase!("why-heading") };
+            for (n, column) in [i, j, k].into_iter().enumerate() {
+                self.take(column, Meaning::Direction(n), why.clone());
+            }
+            if !unit {
+                self.doubt(phrase!("doubt-direction-length"));
+            }
+            return;
+        }
+    }
+
+    /// Finds the unit of the times: in the heading, or by the size and the step of the values. A
+    /// unit that neither shows is a question.
+    pub(crate) fn clock_unit(&mut self, table: &Table) {
+        let Some(at) = self.first(Meaning::Time) else { return };
+        let column = &table.columns[at];
+        let known = column.heading.unit.filter(|unit| ["s", "ms", "us", "ns"].contains(unit));
+        self.time_unit = known.or_else(|| column.epoch_unit());
+        if self.time_unit.is_some() {
+            if column.heading.unit.is_none()
+                && let Some(unit) = self.time_unit
+                && let Some(why) = self.taken[at].why.take()
+            {
+                self.taken[at].why = Some(phrase!("why-epoch", why, unit));
+            }
+            return;
+        }
+        if column.has_step_of_seconds() {
+            return;
+        }
+        self.time_unit_open = true;
+        let (column, step) = (table.called(at), column.usual_step());
+        self.ask(phrase!("ask-time-unit", column, step));
+    }
+
+    /// Proposes a running number with gaps, or out of order, as the number of the pose, with a
+    /// question: the row numbers differ from it.
+    fn number_with_gaps(&mut self, table: &Table) {
+        let named = [Meaning::Label, Meaning::Pose, Meaning::Time, Meaning::Clock, Meaning::TimeOfDay];
+        if named.iter().any(|meaning| self.first(*meaning).is_some()) {
+            return;
+        }
+        let gap = |at: &usize| table.columns[*at].first_gap().or_else(|| table.columns[*at].first_out_of_order());
+        let counted = |at: &usize| self.taken[*at].meaning == Meaning::Count;
+        let Some(at) = (0..table.columns.len()).filter(counted).find(|at| gap(at).is_some()) else { return };
+        let Some([before, after]) = gap(&at) else { return };
+        self.take(at, Meaning::Pose, phrase!("why-counts-with-gaps"));
+        self.ask(phrase!("ask-number-with-gaps", column = table.called(at), before, after));
+    }
+
+    /// Interprets the remaining columns by their values.
+    fn rest(&mut self, table: &Table) {
+        let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
+        for i in free {
+            let column = &table.columns[i];
+            if column.is_whole() && column.is_increasing() && i == 0 {
+                self.take(i, Meaning::Count, phrase!("why-counts-first"));
+            }
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! What the observations show of the model: significance, outliers, excitation, stability.
+
+pub(crate) mod chi_square;
+pub(crate) mod excitation;
+pub(crate) mod loads;
+pub(crate) mod ratio;
+pub(crate) mod reliability;
+pub(crate) mod robust;
+pub(crate) mod significance;
+pub(crate) mod stability;

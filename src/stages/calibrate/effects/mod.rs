@@ -1,0 +1,6 @@
+//! Which effects and parameters are identified: selection, left-out poses, recommendation.
+
+pub mod cross_validation;
+pub mod recommendation;
+pub mod selection;
+pub(super) mod undescribed_effects;
