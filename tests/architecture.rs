@@ -196,15 +196,36 @@ fn modules(root: &Path) -> BTreeMap<String, PathBuf> {
     named.filter(|(name, _)| !name.starts_with("tests::")).collect()
 }
 
-/// The file that a path leads to: the longest part of it that is a module.
+/// The file that a path leads to: the longest part of it that is a module, or a module of a group that its folder re-exports.
 fn target<'a>(modules: &'a BTreeMap<String, PathBuf>, path: &str) -> Option<&'a str> {
     let mut part = path;
     loop {
         if let Some((name, _)) = modules.get_key_value(part) {
             return Some(name);
         }
+        if let Some(name) = re_exported(modules, part) {
+            return Some(name);
+        }
         part = part.rsplit_once("::")?.0;
     }
+}
+
+/// The module `above::group::own` of a path `above::own`, if the file of `above` contains `use group::own`.
+fn re_exported<'a>(modules: &'a BTreeMap<String, PathBuf>, path: &str) -> Option<&'a str> {
+    let (above, own) = path.rsplit_once("::").unwrap_or(("", path));
+    let text = std::fs::read_to_string(modules.get(if above.is_empty() { "lib" } else { above })?).ok()?;
+    let group = |name: &str| {
+        let inside = if above.is_empty() { name } else { name.strip_prefix(above)?.strip_prefix("::")? };
+        let (group, last) = inside.split_once("::")?;
+        (last == own).then(|| group.to_owned())
+    };
+    let uses = |group: String| {
+        text.split(&format!("use {group}::"))
+            .skip(1)
+            .filter_map(|rest| rest.split(';').next())
+            .any(|names| names.split(|c: char| !c.is_alphanumeric() && c != '_').any(|name| name == own))
+    };
+    modules.keys().find(|name| group(name).is_some_and(uses)).map(String::as_str)
 }
 
 #[test]
@@ -289,6 +310,14 @@ fn paths_are_found_in_braces_and_not_in_comments() {
 }
 
 /// A function is a verb or the noun that it returns: `of`, `of_points` and `point_of` say neither. Tests are sentences.
+#[test]
+fn modules_of_a_group_are_found_where_they_are_re_exported() {
+    let modules = modules(&root().join("src/base"));
+    assert_eq!(target(&modules, "message::Problems"), Some("text::message"));
+    assert_eq!(target(&modules, "date::Date"), Some("date"));
+    assert_eq!(target(&modules, "no_module"), None);
+}
+
 #[test]
 fn functions_are_named_by_what_they_do_or_return() {
     let mut wrong = String::new();

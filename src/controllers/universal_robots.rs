@@ -51,6 +51,11 @@ impl Exporter for UniversalRobots {
         Some(warning!("file-of-other-structure", format = self.name(), difference))
     }
 
+    /// The driver in ROS reads the file; the controller does not.
+    fn is_for_controllers(&self) -> bool {
+        false
+    }
+
     fn states_controller_hash(&self) -> bool {
         true
     }

@@ -255,9 +255,15 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     }
     Some(match () {
         () if starts("Position residuals: RMS #") => {
-            let rms = number(&documents.statistics("calibration", "position")?["after"]["rms"]);
+            let rms = number(&documents.read("parameters.json")["residuals"]["position_rms_mm"]);
             vec![rms, rms / documents.ratio()]
         }
+        () if starts("Test the loaded file at pose #") => {
+            let files = documents.read("campaign.json")["controller_files"].as_array()?.clone();
+            vec![files.iter().map(|file| &file["check"]["pose"]).find(|pose| !pose.is_null()).map(number)?]
+        }
+        // the name of a hash
+        () if s.template.contains(" its SHA-#") => vec![256.0],
         () if starts("Residuals are # ×") || s.template.contains("residuals are # ×") => vec![documents.ratio()],
         () if starts("Within the limit of #") => {
             let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();

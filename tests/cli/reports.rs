@@ -106,7 +106,8 @@ fn every_report_speaks_one_language_and_has_no_number_that_means_nothing() {
             let sentences: Vec<_> = english.iter().filter(|t| *t != "TOML" && !t.starts_with("{ ")).collect();
             assert!(sentences.is_empty(), "{sample}, {language}: not translated: {sentences:#?}");
             // what the campaign itself names
-            let named = |text: &&String| !["(table 2.", "thesis table"].iter().any(|part| text.contains(part));
+            let named =
+                |text: &&String| !["(table 2.", "thesis table", "thesis, ETS"].iter().any(|part| text.contains(part));
             let points: Vec<_> = own.iter().filter(|t| has_point(t)).filter(named).collect();
             assert!(points.is_empty(), "{sample}, {language}: {points:#?}");
             assert!(own.iter().any(|t| t.contains("0,")));

@@ -8,12 +8,13 @@ use std::path::Path;
 use std::process::Command;
 
 /// Errors of a fragment that the rest of its file and the files that it names would remove.
-const OF_THE_REST: [&str; 10] = [
+const OF_THE_REST: [&str; 11] = [
     "key-missing",
     "input-missing",
     "export-files-missing",
     "cannot-read-file",
     "limit-without-result",
+    "no-target",
     "target-not-exported",
     "column-unknown",
     "feature-unknown",

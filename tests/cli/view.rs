@@ -584,6 +584,7 @@ fn dropped_files_become_the_campaign_that_init_proposes() {
             "name" => "Tracker",
             "expanded_uncertainty_um" => "20",
             "unit" | "UNIT" => "mm",
+            "as_exported" => "true",
             _ => panic!("{question}"),
         };
         answers.insert(id.to_owned(), json!(answer));

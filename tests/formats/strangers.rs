@@ -26,10 +26,13 @@ fn log_text(rows: &[(Vec<f64>, [f64; 3], [f64; 4])], signs: [f64; 6]) -> String 
     log
 }
 
+/// Angles (rad) of an orientation as a file has them.
+type Angles<'a> = &'a dyn Fn(&Pose) -> [f64; 3];
+
 #[test]
 fn angles_of_a_second_file_are_used_in_the_order_that_the_robot_shows() {
     let order: AngleOrder = "fixed xyz".parse().unwrap();
-    let forms: [(&str, &dyn Fn(&Pose) -> [f64; 3]); 3] = [
+    let forms: [(&str, Angles); 3] = [
         ("zyx", &|pose| AngleOrder::default().angles(pose)),
         ("fixed xyz", &|pose| order.angles(pose)),
         ("vector", &Pose::rotation_vector_rad),

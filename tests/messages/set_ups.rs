@@ -124,8 +124,8 @@ fn of_poses_swapped_across_the_sets() {
     all[50].joints = std::mem::replace(&mut all[9].joints, other);
     let validation = all.split_off(45);
     let found = messages_validated((robot, all), validation);
-    let pair = phrase!("pair-of-poses", first = PoseName::from(10), second = PoseName::from(51));
-    assert!(found.iter().any(|m| m.is("poses-exchanged", &[("count", &1), ("pairs", &[pair.clone()])])), "{found:?}");
+    let pairs = [phrase!("pair-of-poses", first = PoseName::from(10), second = PoseName::from(51))];
+    assert!(found.iter().any(|m| m.is("poses-exchanged", &[("count", &1), ("pairs", &pairs)])), "{found:?}");
     let texts: Vec<String> = found.iter().map(ToString::to_string).collect();
     let innocent = (1..=60).filter(|k| *k != 10 && *k != 51).map(|k| format!("pose {k},"));
     let accused: Vec<String> = innocent.filter(|name| texts.iter().any(|text| text.contains(name))).collect();

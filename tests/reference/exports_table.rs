@@ -78,7 +78,7 @@ pub const TABLE: &[(&str, As, &str)] = &[
     ("exports/faro_tracker_abb_irb120/commanded_joints.txt", Log("blank", 1, "deg", 1000), "commanded"),
     ("exports/faro_tracker_abb_irb120/processed_joints.txt", Log("blank", 1, "deg", 982), "18 rows removed"),
     ("exports/faro_tracker_abb_irb120/basic_joints_SMR_tool.txt", Log("blank", 1, "deg", 8), "eight poses"),
-    ("exports/faro_tracker_abb_irb120/FARO_TEST_OUT.txt", Nothing("no reading"), "a console of Matlab"),
+    ("exports/faro_tracker_abb_irb120/FARO_TEST_OUT.txt", Nothing("[numbers-in-brackets]"), "a console of Matlab"),
     // plates, points with normals
     ("exports/xyzijk_cmm_plain/C3-76-018726-1-A21-00*.xyz", Points(XYZIJK, "mm", 121, 0), "121 points each"),
     ("exports/xyzijk_cmm_plain/C3-69-12345-6-P21-*.xyz", Points(XYZIJK, "mm", 121, 0), "the same"),

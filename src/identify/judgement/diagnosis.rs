@@ -28,12 +28,14 @@ pub(crate) fn diagnose_failure(estimation: &Estimation, start: &[f64], terminati
     {
         return too_little(robot, observations, &all, start);
     }
-    // a few readings that the others contradict explain an extent, and no set-up
-    if let Some(readings) = wrong_readings(robot, observations, settings, wanted, start) {
+    let cause = cause(robot, observations, start);
+    // a few readings that the others contradict explain an extent, and no set-up; a mode that fits
+    // explains the readings
+    let is_mode = matches!(cause, Some(Cause::AssemblyMode { .. }));
+    if let Some(readings) = wrong_readings(robot, observations, settings, wanted, start).filter(|_| !is_mode) {
         return Error::Failed { termination, cause: Some(readings), set_up: None };
     }
-    let (cause, set_up) = (cause(robot, observations, start), set_up_error(robot, observations, settings));
-    Error::Failed { termination, cause, set_up }
+    Error::Failed { termination, cause, set_up: set_up_error(robot, observations, settings) }
 }
 
 /// Maximum share of readings that are wrong among correct ones.
@@ -187,7 +189,7 @@ pub struct Reading {
 
 impl Reading {
     /// Residual over its standard deviation.
-    pub(crate) fn over_deviation(&self) -> f64 {
+    pub fn over_deviation(&self) -> f64 {
         self.left / self.deviation
     }
 }

@@ -7,7 +7,6 @@ pub(crate) mod identifiability;
 pub(crate) mod locate;
 pub(crate) mod observability;
 pub(crate) mod placing;
-mod recombined;
 pub(crate) mod scatter;
 pub(crate) mod solver;
 pub(crate) mod start;

@@ -67,7 +67,10 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         let tip = tr!(words, "pose-tooltip", pose, x, y, z);
         map.svg.mark(CALIBRATION, map.at(*p), 4.0, &tip);
         if places.len() <= NAMED {
-            map.svg.text("start over", map.at(*p).beside(7.0, -5.0), &format!("P{pose}"));
+            let name = pose.to_string();
+            // a number alone is no name
+            let label = if name.parse::<i64>().is_ok() { format!("P{name}") } else { name };
+            map.svg.text("start over", map.at(*p).beside(7.0, -5.0), &label);
         }
     }
     let description = match cube {

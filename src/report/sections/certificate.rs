@@ -105,6 +105,9 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
         section.table(title, "", Table::new(words, group, columns));
     }
     section.push(Block::note(tr!(words, "certificate-coverage")));
+    if document.parameters.iter().any(|p| p.standard_uncertainty.is_none()) {
+        section.push(Block::note(tr!(words, "certificate-held")));
+    }
     let sha256 = etalon_documents::to_json(document).ok().map(|bytes| files::sha256(&bytes));
     section.push(Block::facts(vec![(tr!(words, "certificate-parameters-hash"), sha256.into())]));
     section.whole()

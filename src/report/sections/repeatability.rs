@@ -144,13 +144,16 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
     let of =
         |met: bool| document.poses.iter().filter(move |p| p.quarter_rule_met == Some(met)).map(|p| p.pose.to_string());
     let (met, missed): (Vec<String>, Vec<String>) = (of(true).collect(), of(false).collect());
-    match (met.is_empty(), missed.is_empty()) {
-        (true, true) => String::new(),
+    let sentence = match (met.is_empty(), missed.is_empty()) {
+        (true, true) => return String::new(),
         (_, true) => tr!(words, "instrument-good-for-all"),
-        (true, _) => {
-            tr!(words, "instrument-good-for-none")
-        }
+        (true, _) => tr!(words, "instrument-good-for-none"),
         _ => tr!(words, "instrument-good-for-some", good = met.join(", "), poor = missed.join(", ")),
+    };
+    // the rule of 25 % is applied to positions
+    match document.poses.iter().any(|p| p.rp_a_deg.is_some()) {
+        true => format!("{sentence} {}", tr!(words, "orientations-without-quarter-rule")),
+        false => sentence,
     }
 }
 

@@ -61,6 +61,15 @@ pub fn gather(campaign: &Campaign) -> Result<Gathered> {
     Ok(imported)
 }
 
+/// Remarks on the points that remain.
+fn remarks(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
+    let mut messages = Vec::from_iter(mislabelling::misplaced(campaign, points));
+    messages.extend(mislabelling::drifting(campaign, points));
+    messages.extend(decimals::misplaced_marks(points));
+    messages.extend(temperature::contradicted(campaign, points));
+    messages
+}
+
 /// Reads all readable rows of the exports and logs of a campaign, and reports all errors. Points
 /// with an unreadable coordinate are kept without it.
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
@@ -133,11 +142,7 @@ pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
             Err(more) => problems.0.extend(more.0),
         }
         forget_lines(&mut columns.points, &sources);
-        // of the remaining points
-        messages.extend(mislabelling::misplaced(campaign, &columns.points));
-        messages.extend(mislabelling::drifting(campaign, &columns.points));
-        messages.extend(decimals::misplaced_marks(&columns.points));
-        messages.extend(temperature::contradicted(campaign, &columns.points));
+        messages.extend(remarks(campaign, &columns.points));
     }
     let document = ImportDocument {
         schema: "etalon/import/1".to_owned(),

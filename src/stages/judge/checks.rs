@@ -1,5 +1,5 @@
 //! Checks of the model from its residuals: trends, mutual control of readings, and influential
-//! poses.
+//! poses; and of targets against their given positions.
 
 use crate::stages::truncated;
 use etalon_base::message::Message;
@@ -11,17 +11,42 @@ use etalon_documents::{
     RobustPose, RobustSummary,
 };
 use etalon_identify::{
-    ALPHA_0, BETA_0, CRITICAL_W, PoseInfluence, PoseWeight, Reliability, RobustChange, RobustComparison, Variance, holm,
+    ALPHA_0, BETA_0, CRITICAL_W, Identification, PoseInfluence, PoseWeight, Reliability, RobustChange,
+    RobustComparison, Variance, holm,
 };
 use etalon_math::statistics::median;
-use etalon_robots::Robot;
+use etalon_robots::{Robot, Role};
 use nalgebra::DVector;
 use std::collections::BTreeMap;
 
 /// Maximum number of poses in a summary.
 const NAMED: usize = 5;
+/// Distance (mm) of an identified target from its given position that a drawing of a tool explains.
+const DRAWN_MM: f64 = 10.0;
+/// Standard uncertainties of the identified position within which it is not far.
+const CERTAIN: f64 = 3.0;
 /// Minimum number of poses for a test of trends.
 const FEWEST: usize = 10;
+
+/// Warnings of targets that are far from their given positions. A target at the origin of the
+/// flange has no given position.
+pub(crate) fn far_targets(robot: &dyn Robot, found: &Identification) -> Vec<Message> {
+    let parameters = robot.parameters();
+    let target = |target: &String| {
+        let index = |axis: &str| robot.index(&format!("{target}_{axis}"));
+        let axes = [index("x")?, index("y")?, index("z")?];
+        if robot.free_base().is_none() || axes.iter().any(|&i| parameters[i].role != Role::Target) {
+            return None;
+        }
+        let (stated, identified) = (axes.map(|i| parameters[i].nominal), axes.map(|i| found.values[i]));
+        let uncertainty = norm(axes.map(|i| found.standard_uncertainty(i).unwrap_or(0.0)));
+        let distance_mm = norm(minus(identified, stated));
+        let is_far = norm(stated) > 0.0 && distance_mm > DRAWN_MM.max(CERTAIN * uncertainty);
+        let ([x_mm, y_mm, z_mm], [sx_mm, sy_mm, sz_mm]) = (identified, stated);
+        is_far.then(|| warning!("target-far-from-given", target, distance_mm, x_mm, y_mm, z_mm, sx_mm, sy_mm, sz_mm))
+    };
+    robot.targets().iter().filter_map(target).collect()
+}
 
 /// Reliability in the form of a document.
 pub fn reliability_summary(robot: &dyn Robot, found: &Reliability) -> Option<ReliabilitySummary> {

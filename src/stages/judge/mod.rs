@@ -10,6 +10,5 @@ pub mod frame_checks;
 pub mod plausible;
 pub(crate) mod readings;
 pub(crate) mod set_up;
-pub(crate) mod stated_targets;
 pub(crate) mod undescribed;
 pub mod validation_distance;

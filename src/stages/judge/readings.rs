@@ -17,6 +17,9 @@ const NAMED: usize = 8;
 /// Ratio of the smallest outlier to the largest other reading, both in standard deviations, from
 /// which outliers are no tail of the misfit of the model.
 const APART: f64 = 1.5;
+/// Size of an outlier, in standard deviations, from which it is a mistake. Errors that the model
+/// leaves out have no such tails.
+const GROSS: f64 = 20.0;
 /// Change of a parameter, in its standard uncertainties, beyond which excluded readings decide it.
 const DECISIVE: f64 = 1.0;
 
@@ -48,13 +51,15 @@ impl RobustReadings {
         Some(Self { fit, slips })
     }
 
-    /// The solution without the outliers, if they decide it: a few readings, without which a
-    /// parameter of the robot changes by more than its standard uncertainty.
+    /// The solution without the outliers, if they decide it: a few readings, one of them far beyond
+    /// all others, without which a parameter of the robot changes by more than its standard
+    /// uncertainty.
     pub fn settled(&self, robot: &dyn Robot, solution: &Solution) -> Option<Settled> {
         let sets = &solution.basis.sets;
         let outliers = self.fit.outliers();
         let is_few = outliers.len() as f64 <= MOST_OUTLIERS * self.fit.readings.len() as f64;
-        if outliers.is_empty()
+        let is_gross = outliers.first().is_some_and(|reading| reading.over_deviation() > GROSS);
+        if !is_gross
             || !is_few
             || !self.fit.is_separated(APART)
             || !self.fit.is_possible(robot, &sets.calibration, &solution.basis.settings)

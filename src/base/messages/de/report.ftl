@@ -191,6 +191,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } Warnungen schränken das Ergebnis ein
     }
 certificate-coverage = U: erweiterte Messunsicherheit, Erweiterungsfaktor k = 2, Überdeckungswahrscheinlichkeit etwa 95 % bei Normalverteilung.
+certificate-held = Die Werte gelten gemeinsam. U setzt voraus, dass die festgehaltenen Werte exakt sind. Ein einzelner Wert ist kein Maß eines Teils des Roboters.
 certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
@@ -658,9 +659,10 @@ instrument = Messgerät
 instrument-calibration = Kalibrierung des Messgeräts
 instrument-expanded-uncertainty = erweiterte Messunsicherheit des Messgeräts
 instrument-good-enough = Eignung des Messgeräts
-instrument-good-for-all = Geeignet: Die Messunsicherheit übersteigt an keiner Pose 25 % von AP und RP.
+instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen übersteigt an keiner Pose 25 % von AP und RP.
 instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+orientations-without-quarter-rule = Die Messunsicherheit der Orientierungen wird nicht ausgewertet.
 instrument-uncertainty = Unsicherheit des Messgeräts
 instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
 instrument-uncertainty-with-k = U = { $uncertainty } µm je Koordinate (k = { $k })

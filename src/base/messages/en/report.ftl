@@ -182,6 +182,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } warnings limit the answer
     }
 certificate-coverage = U: expanded uncertainty, coverage factor k = 2, coverage probability about 95 % for a normal distribution.
+certificate-held = The values apply as one set. U assumes that the held values are exact. A single value is not the dimension of a part of the robot.
 certificate-parameters = Parameters, identified and held
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
@@ -628,9 +629,10 @@ instrument = instrument
 instrument-calibration = instrument's calibration
 instrument-expanded-uncertainty = instrument's expanded uncertainty
 instrument-good-enough = Suitability of the instrument
-instrument-good-for-all = Suitable: the measurement uncertainty is within 25 % of AP and RP at every pose.
+instrument-good-for-all = Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.
 instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
+orientations-without-quarter-rule = The measurement uncertainty of orientations is not evaluated.
 instrument-uncertainty = instrument's uncertainty
 instrument-uncertainty-of-position = U = { $uncertainty } µm for a position
 instrument-uncertainty-with-k = U = { $uncertainty } µm per coordinate (k = { $k })

@@ -194,6 +194,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } avertissements limitent le résultat
     }
 certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
+certificate-held = Les valeurs s’appliquent ensemble. U suppose que les valeurs fixées sont exactes. Une valeur seule n’est pas la cote d’une pièce du robot.
 certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
@@ -661,9 +662,10 @@ instrument = instrument de mesure
 instrument-calibration = étalonnage de l’instrument
 instrument-expanded-uncertainty = incertitude de mesure élargie de l’instrument
 instrument-good-enough = Aptitude de l’instrument
-instrument-good-for-all = Apte : l’incertitude de mesure est au plus 25 % de AP et de RP à toutes les poses.
+instrument-good-for-all = Apte : l’incertitude de mesure des positions est au plus 25 % de AP et de RP à toutes les poses.
 instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
+orientations-without-quarter-rule = L’incertitude de mesure des orientations n’est pas évaluée.
 instrument-uncertainty = incertitude de l’instrument
 instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
 instrument-uncertainty-with-k = U = { $uncertainty } µm par coordonnée (k = { $k })

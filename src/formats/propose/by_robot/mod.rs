@@ -1,4 +1,4 @@
-//! What a robot shows of a file: directions, branches, kinematics, motion.
+//! Properties of a file that a robot shows: directions, branches, kinematics, motion.
 
 pub(super) mod against;
 pub(super) mod branches;

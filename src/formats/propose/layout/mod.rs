@@ -1,4 +1,4 @@
-//! What the text of a file shows: lines, headings, coordinates, their meaning.
+//! Layout of a file: lines, headings, coordinates, their meaning.
 
 pub(super) mod arrays;
 pub(super) mod coordinates;

@@ -1,4 +1,4 @@
-//! What the observations show of the model: significance, outliers, excitation, stability.
+//! Evidence of the observations about the model: significance, outliers, excitation, stability.
 
 pub(crate) mod chi_square;
 pub(crate) mod excitation;

@@ -1,4 +1,4 @@
-//! What the installation is compared with, one file a subject.
+//! Comparisons of the installation with reference values, one file a subject.
 
 pub(super) mod code;
 pub(super) mod coverage;

@@ -1,4 +1,4 @@
-//! Which effects and parameters are identified: selection, left-out poses, recommendation.
+//! Choice of effects and parameters: selection, left-out poses, recommendation.
 
 pub mod cross_validation;
 pub mod recommendation;

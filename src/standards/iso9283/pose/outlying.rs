@@ -103,11 +103,11 @@ impl Group {
         if far.len() as f64 > most {
             return Vec::new();
         }
-        far.into_iter().filter(|&i| self.from_neighbours(i) > least_mm).collect()
+        far.into_iter().filter(|&i| self.deviation_from_neighbours(i) > least_mm).collect()
     }
 
     /// Distance (mm) from the centre of the two nearest readings in time.
-    fn from_neighbours(&self, i: usize) -> f64 {
+    fn deviation_from_neighbours(&self, i: usize) -> f64 {
         let last = self.cycles.len() - 1;
         let beside = match i {
             0 => [1, 2],
