@@ -288,13 +288,14 @@ fn a_thousand_connections_leave_the_server_alive() {
             Err(_) => idle.truncate(idle.len() / 2),
         }
     }
-    for stream in idle.iter_mut().rev().take(20) {
-        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    // the refusals arrive; a connection that was accepted answers nothing yet
+    std::thread::sleep(Duration::from_millis(500));
+    for stream in &mut idle {
+        stream.set_nonblocking(true).unwrap();
         let mut begun = [0; 12];
         refused += usize::from(stream.read_exact(&mut begun).is_ok() && begun == *b"HTTP/1.1 503");
     }
-    // on a slow machine the first ones have ended before the last begin
-    assert!(refused > 0, "connections beyond the bound are refused at once: `view-busy`");
+    assert!(refused > 10, "connections beyond the bound are refused at once: `view-busy`");
     drop(idle);
     let begun = Instant::now();
     // the connections that were answered end after their time for a head
