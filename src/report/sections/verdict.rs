@@ -562,8 +562,7 @@ mod tests {
             "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
             "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. According to guarded acceptance \
              (ILAC-G8:09/2019, 4.2.2): all 2 poses conform.",
-            "Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose. \
-             The measurement uncertainty of orientations is not evaluated.",
+            "Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.",
             "Undecided (limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance \
              (ILAC-G8:09/2019, 4.2.2).",
         ];
