@@ -50,7 +50,7 @@ class Robot:
         targets: Nominal positions (mm) of targets at the flange, in addition to ``[nominal]``: ``{"SMR": (80, 0, 25)}``.
 
     Raises:
-        Error: The file does not read, or there is no robot of this name.
+        Error: The file cannot be read, or no robot has this name.
 
     Warns:
         MessageWarning: ``urdf-chain-chosen``: a URDF has several chains; :attr:`chain` is the one with the most moving joints.

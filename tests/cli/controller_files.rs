@@ -253,6 +253,24 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
 }
 
 /// Zeros make up for gains at the calibration poses, and miss on the other side at the validation poses.
+/// A format of other robots is a mistake of campaign.toml, not a failed verdict of the robot.
+#[test]
+fn a_format_of_other_robots_is_rejected_before_anything_is_computed() {
+    let scratch = crate::support::scratch::copy_sample("hexapod");
+    let path = scratch.path().join("campaign.toml");
+    let mut campaign: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+    for (format, is_suited) in [("linuxcnc", false), ("urdf", false), ("linuxcnc-hexapod", true)] {
+        campaign.insert("controllers".to_owned(), vec![format].into());
+        std::fs::write(&path, toml::to_string(&campaign).unwrap()).unwrap();
+        for command in ["check", "run"] {
+            let ended = etalon(scratch.root(), &[command, "campaign"]);
+            let said = text(&ended.stderr);
+            assert_eq!(ended.status.code(), Some(if is_suited { 0 } else { 2 }), "{command} {format}: {said}");
+            assert_eq!(said.contains("error[format-for-other-robots]"), !is_suited, "{command} {format}: {said}");
+        }
+    }
+}
+
 #[test]
 fn a_file_that_is_hardly_better_than_nominal_says_so() {
     let twin =
