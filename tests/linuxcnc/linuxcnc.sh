@@ -30,8 +30,8 @@ trap end EXIT
 chmod 755 "$D"
 for sample in hexapod contacts dextar prexyt-cmm; do
     cp -r "$here/../../samples/$sample" "$D/$sample"
-    # genserkins holds less than was identified: the run says which values it holds
-    [ "$sample" != contacts ] || sed -i '1i controllers = ["linuxcnc"]' "$D/$sample/campaign.toml"
+    # genserkins holds less than was identified: the run says which values it holds, and the sample's limit is for all of them
+    [ "$sample" != contacts ] || sed -i -e '1i controllers = ["linuxcnc"]' -e '/^\[limits\]/,$d' "$D/$sample/campaign.toml"
     "$etalon" run "$D/$sample" >"$D/$sample.log" 2>&1 || { cat "$D/$sample.log"; exit 1; }
 done
 /usr/bin/python3 "$here/cases.py" "$etalon" "$D" "$here/drive.py" "$user"
