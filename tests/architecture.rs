@@ -309,7 +309,6 @@ fn paths_are_found_in_braces_and_not_in_comments() {
     assert_eq!(paths, expected.into_iter().map(|(line, path)| (line, path.to_owned())).collect::<Vec<_>>());
 }
 
-/// A function is a verb or the noun that it returns: `of`, `of_points` and `point_of` say neither. Tests are sentences.
 #[test]
 fn modules_of_a_group_are_found_where_they_are_re_exported() {
     let modules = modules(&root().join("src/base"));
@@ -318,6 +317,7 @@ fn modules_of_a_group_are_found_where_they_are_re_exported() {
     assert_eq!(target(&modules, "no_module"), None);
 }
 
+/// A function is a verb or the noun that it returns: `of`, `of_points` and `point_of` say neither. Tests are sentences.
 #[test]
 fn functions_are_named_by_what_they_do_or_return() {
     let mut wrong = String::new();

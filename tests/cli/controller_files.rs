@@ -252,7 +252,6 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
     assert!(stated(&yaml, "this file ") > stated(&yaml, "nominal "));
 }
 
-/// Zeros make up for gains at the calibration poses, and miss on the other side at the validation poses.
 /// A format of other robots is a mistake of campaign.toml, not a failed verdict of the robot.
 #[test]
 fn a_format_of_other_robots_is_rejected_before_anything_is_computed() {
@@ -271,6 +270,7 @@ fn a_format_of_other_robots_is_rejected_before_anything_is_computed() {
     }
 }
 
+/// Zeros make up for gains at the calibration poses, and miss on the other side at the validation poses.
 #[test]
 fn a_file_that_is_hardly_better_than_nominal_says_so() {
     let twin =

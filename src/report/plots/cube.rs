@@ -68,7 +68,7 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         map.svg.mark(CALIBRATION, map.at(*p), 4.0, &tip);
         if places.len() <= NAMED {
             let name = pose.to_string();
-            // a number alone is no name
+            // a number without a letter could be taken for a value
             let label = if name.parse::<i64>().is_ok() { format!("P{name}") } else { name };
             map.svg.text("start over", map.at(*p).beside(7.0, -5.0), &label);
         }

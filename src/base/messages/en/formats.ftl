@@ -816,7 +816,7 @@ stations-several = the instrument was set up again at line { $line }: directions
 # Matters: Each row would be read as a point, and the poses would be lost.
 # Do: Write each matrix in one row of 16 numbers, row by row, for example by
 # `numpy.savetxt(file, poses.reshape(-1, 16))`.
-# Example: four rows of a matrix, the last of which is `0 0 0 1`
+# Example: a matrix in four rows, with `0 0 0 1` in the last one
 matrices-in-blocks = the rows are 4×4 matrices, one below the other
     .expected = a row for each point or pose
     .hint = write each matrix in one row of 16 numbers, row by row
