@@ -77,7 +77,7 @@ use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, 
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
 use solution::estimation::Estimation;
-use solution::solver::{Identifiable, solve_again, solve_identifiable};
+use solution::solver::{Identifiable, solve_identifiable};
 
 /// Result of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -411,23 +411,6 @@ impl Fitted {
         Self::evaluated(robot, observations, settings, found)
     }
 
-    /// [`Fitted::from_start`], with fewer steps: beginning at an identification from more or fewer
-    /// observations.
-    ///
-    /// # Errors
-    /// Fails like [`Fitted::new`].
-    pub fn near(
-        robot: &dyn Robot,
-        observations: &[Observation],
-        settings: &Settings,
-        start: &[f64],
-        found: &Identification,
-    ) -> Result<Self> {
-        let wanted = wanted_parameters(robot, observations, settings)?;
-        let estimation = Estimation { robot, observations, settings, wanted: &wanted };
-        Self::evaluated(robot, observations, settings, solve_again(estimation, start, found)?)
-    }
-
     fn evaluated(
         robot: &dyn Robot,
         observations: &[Observation],
@@ -482,11 +465,18 @@ pub fn identify_again(
     solved_from(&problem, &found.free_values())
 }
 
-/// All parameters of the solution of `problem`; `None` if the solver fails or the problem does not
-/// determine them.
+/// All parameters of the solution of `problem`, which is near `x`; `None` if the solver fails or the
+/// problem does not determine them.
 fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
+    let regular = |factor: &Factor| svd(factor).rank(RANK_TOLERANCE) == x.len();
+    let linearised = Linearised::new(problem, x);
+    if regular(&linearised.factor)
+        && let Some(x) = solve_near(problem, x, &linearised, true, LAST_STEP)
+    {
+        return Some(problem.all(&x));
+    }
     let solution = solve(problem, x, Options::default());
-    let regular = solution.factor.as_ref().is_some_and(|f| svd(f).rank(RANK_TOLERANCE) == x.len());
+    let regular = solution.factor.as_ref().is_some_and(regular);
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
 }
 
@@ -560,7 +550,7 @@ pub struct Repeated<'a> {
 }
 
 /// Convergence tolerance: step length relative to the first step. The next step, at most a tenth of
-/// it, would be less than a ten-thousandth of the drawn errors.
+/// it, would be less than a ten-thousandth of the change by drawn errors or omitted poses.
 const LAST_STEP: f64 = 1e-3;
 
 impl<'a> Repeated<'a> {

@@ -7,7 +7,7 @@ use crate::model::residuals::Residuals;
 use crate::solution::estimation::Estimation;
 use crate::solution::evidence::most_probable;
 use crate::solution::identifiability::{Analysis, Group};
-use crate::{Error, Identification, Result};
+use crate::{Error, Result};
 use crate::{Observation, Settings};
 use etalon_base::angle::Turn;
 use etalon_base::pattern::matches_pattern;
@@ -83,12 +83,6 @@ pub(crate) fn solve_identifiable(
         near = Estimation { observations: &subset, ..estimation }.near(start).ok();
     }
     estimation.whole(start, near)
-}
-
-/// Like [`solve_identifiable`], beginning at the solution of more or fewer observations.
-pub(crate) fn solve_again(estimation: Estimation, start: &[f64], found: &Identification) -> Result<Identifiable> {
-    let held = held_by(&found.identifiability.groups);
-    estimation.whole(start, Some(Near { values: found.values.clone(), held: Some(held), prior: found.prior }))
 }
 
 /// Chooses the angles nearest to nominal: a whole turn more or less is the same robot. Components

@@ -61,9 +61,6 @@ pub(crate) struct Study<'a> {
     pub poses: usize,
 }
 
-/// Function that returns the names of parameters to hold, from those that the previous ones
-/// identified.
-type Again<'a> = &'a (dyn Fn(&Identification) -> Vec<String> + Sync);
 /// Squared position errors of poses: mean of each, mm².
 pub(crate) type Squares = BTreeMap<PoseName, f64>;
 
@@ -139,23 +136,15 @@ impl<'a> Study<'a> {
         etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
-    /// Tries a choice of parameters, which may be made again in each fold from its identification.
-    pub fn tried(&self, settings: &Settings, again: Option<Again>) -> Result<Tried> {
-        let choose = |observations: &[Observation], settings: &Settings| -> Result<Identification> {
-            let found = self.identify_from(observations, settings)?;
-            match again {
-                Some(again) => self.identify_from(observations, &with_held(settings, again(&found))),
-                None => Ok(found),
-            }
-        };
-        let found = choose(&self.sets.calibration, settings)?;
-        // parameters of a fold alone need no uncertainties, and are near those of all poses
+    /// Tries a choice of parameters.
+    pub fn tried(&self, settings: &Settings) -> Result<Tried> {
+        let found = self.identify_from(&self.sets.calibration, settings)?;
+        // parameters of a fold alone need no uncertainties, and are near the parameters of all poses
         let values = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
-            match again {
-                Some(_) => Ok(choose(observations, settings)?.values),
+            match etalon_identify::identify_again(self.robot, observations, settings, &found) {
+                Some(values) => Ok(values),
                 None => {
-                    let near = Fitted::near(self.robot, observations, settings, &self.before, &found);
-                    Ok(near.map_err(remedied)?.values)
+                    Ok(Fitted::from_start(self.robot, observations, settings, &self.before).map_err(remedied)?.values)
                 }
             }
         };
@@ -184,17 +173,15 @@ impl<'a> Study<'a> {
         let mut last: Option<Tried> = None;
         loop {
             let before = last.as_ref().unwrap_or(none);
-            let left = Effect::ALL
-                .into_iter()
-                .filter(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
-            let mut tried = Vec::new();
-            for effect in left {
-                // an effect that these poses do not suffice to identify is not tried
-                if let Ok(found) = self.tried(&self.settings_with_effects(&[&chosen[..], &[effect]].concat()), None) {
-                    tried.push((effect, found));
-                }
-                one_more();
-            }
+            let mut left: Vec<Effect> = Effect::ALL.to_vec();
+            left.retain(|effect| !chosen.contains(effect) && self.effects.contains(&Some(*effect)));
+            // an effect that these poses do not suffice to identify is not tried
+            let try_one = |effect: &Effect| {
+                let settings = self.settings_with_effects(&[&chosen[..], &[*effect]].concat());
+                Some((*effect, self.tried(&settings).ok()?))
+            };
+            let mut tried: Vec<(Effect, Tried)> = left.par_iter().filter_map(try_one).collect();
+            left.iter().for_each(|_| one_more());
             // effects of the temperature that other temperatures do not confirm come last
             let unconfirmed = |(effect, of): &(Effect, Tried)| effect.is_thermal() && !of.holds_by_block(before);
             let order = |of: &(Effect, Tried)| (unconfirmed(of), of.1.mean_square());
@@ -378,7 +365,7 @@ impl Tried {
 /// Fails like [`Study::new`], or if the identification fails.
 pub(crate) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Result<(Vec<Effect>, Vec<EffectProof>)> {
     let study = Study::new(robot, sets, settings.clone())?;
-    let none = study.tried(&study.settings_with_effects(&[]), None)?;
+    let none = study.tried(&study.settings_with_effects(&[]))?;
     let (steps, chosen) = study.steps(&none, &mut || ())?;
     let accepted: Vec<&EffectStep> = steps.iter().filter(|step| step.accepted).collect();
     let proof = |pair: &[&EffectStep]| {

@@ -56,7 +56,7 @@ impl Recommendation<'_> {
             ended += 1;
             report(ended.min(most - 1), most);
         };
-        let none = study.tried(&study.settings_with_effects(&[]), None)?;
+        let none = study.tried(&study.settings_with_effects(&[]))?;
         one_more();
         let (mut steps, _) = study.steps(&none, &mut one_more)?;
         let of_run = self.run_parameters();
@@ -64,10 +64,10 @@ impl Recommendation<'_> {
             .filter(|i| study.effects[*i].is_some_and(|effect| self.is_answered(of_run.contains(i), effect)))
             .collect();
         let holding = |free: &[usize]| study.holding(study.held(|i| free.contains(&i)));
-        let all = study.tried(&holding(&of_run), None)?;
+        let all = study.tried(&holding(&of_run))?;
         one_more();
         let model = holding(&answer);
-        let other = if answer == of_run { None } else { Some(study.tried(&model, None)?) };
+        let other = if answer == of_run { None } else { Some(study.tried(&model)?) };
         let recommended = other.as_ref().unwrap_or(&all);
         report(most, most);
         let held_out =
