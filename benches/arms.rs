@@ -6,7 +6,7 @@
 use etalon::base::noise::Noise;
 use etalon::campaign::read_robot;
 use etalon::identify::{Observation, Settings, identify};
-use etalon::robots::{Parameter, Quantity, Robot, Role, State};
+use etalon::robots::{PUBLISHED, Parameter, Quantity, Robot, Role, State};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -16,16 +16,6 @@ use std::time::Instant;
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Of the Franka Research 3: alpha and theta in degrees, a and d in mm, modified Denavit-Hartenberg.
-const FRANKA: [[f64; 4]; 7] = [
-    [0.0, 0.0, 0.0, 333.0],
-    [-90.0, 0.0, 0.0, 0.0],
-    [90.0, 0.0, 0.0, 316.0],
-    [90.0, 82.5, 0.0, 0.0],
-    [-90.0, -82.5, 0.0, 384.0],
-    [90.0, 0.0, 0.0, 0.0],
-    [90.0, 88.0, 0.0, 107.0],
-];
 /// Configurations of the seven-axis arm.
 const CONFIGURATIONS: usize = 10_000;
 /// Poses of the six-axis arm, of which seven in ten are identified on.
@@ -77,14 +67,18 @@ fn truth(robot: &dyn Robot, noise: &mut Noise) -> Vec<f64> {
 fn kinematics() {
     let folder = tempfile::tempdir().expect("folder");
     let mut text = "name = \"Franka\"\nmodel = \"serial\"\n".to_owned();
-    for [alpha, a, theta, d] in FRANKA {
+    let published = PUBLISHED.iter().find(|arm| arm.name == "panda").expect("Franka Research 3");
+    let mut franka = published.rows.to_vec();
+    // up to the flange
+    franka[6][3] = 107.0;
+    for [alpha, a, theta, d] in &franka {
         let _ = write!(text, "[[joint]]\nalpha_deg = {alpha}\na_mm = {a}\ntheta_deg = {theta}\nd_mm = {d}\n");
     }
     let file = folder.path().join("robot.toml");
     std::fs::write(&file, text).expect("robot");
     let robot = read_robot(&file).expect("robot").build(&["tool".to_owned()]).expect("robot");
     let (parameters, mut noise) = (robot.nominal(), Noise::new(1, 0));
-    let joints: Vec<Vec<f64>> = (0..CONFIGURATIONS).map(|_| drawn(&mut noise, FRANKA.len())).collect();
+    let joints: Vec<Vec<f64>> = (0..CONFIGURATIONS).map(|_| drawn(&mut noise, franka.len())).collect();
     let (mut at, mut by_joint) = ([0.0; 3], [0.0; 21]);
     let mut by_parameter = vec![0.0; 3 * parameters.len()];
     let (mut positions, mut jacobians) = (0.0, 0.0);
@@ -115,7 +109,7 @@ fn kinematics() {
         parameters.len()
     );
     let files = ["arm.csv", "joints.csv"].map(|name| folder.path().join(name));
-    let rows = FRANKA.map(|[alpha, a, theta, d]| vec![alpha.to_radians(), a, theta.to_radians(), d]);
+    let rows = franka.iter().map(|[alpha, a, theta, d]| vec![alpha.to_radians(), *a, theta.to_radians(), *d]);
     std::fs::write(&files[0], csv(rows)).expect("arm");
     std::fs::write(&files[1], csv(joints.iter().cloned())).expect("joints");
     let Some(&[theirs, calls, p, j]) = python("arms_pinocchio.py", &[&files[0], &files[1]]).as_deref() else {

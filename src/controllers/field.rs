@@ -81,8 +81,3 @@ pub fn field_code(field: &FieldDocument) -> Result<Vec<(&'static str, Vec<u8>)>>
     };
     FILES.into_iter().map(render).collect()
 }
-
-/// Names of the files.
-pub fn field_files() -> impl Iterator<Item = &'static str> {
-    FILES.into_iter().map(|(name, _)| name)
-}

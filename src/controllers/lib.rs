@@ -43,7 +43,7 @@ pub use targets::{places, targets};
 pub use template_format::TemplateFormat;
 
 pub use dcc::FILE as CERTIFICATE;
-pub use field::{field_code, field_files};
+pub use field::field_code;
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::files;

@@ -20,7 +20,8 @@ pub struct ControllerFormats {
 }
 
 enum Format {
-    Known(&'static dyn Exporter),
+    /// A format with the place where the campaign names it; `None` for a usual one.
+    Known(&'static dyn Exporter, Option<Place>),
     Template(TemplateFormat),
 }
 
@@ -33,34 +34,35 @@ impl ControllerFormats {
     /// Finds the formats of a campaign, and reads its templates; reports unknown formats and
     /// templates that cannot be used.
     pub fn read(campaign: &Campaign, problems: &mut Problems) -> Self {
-        let known = |name: &str| etalon_controllers::by_name(name).map(Format::Known);
         let mut found =
             Self { sources: problems.keep(backup(campaign)).flatten().into_iter().collect(), ..Self::default() };
         let Some(stated) = &campaign.file.controllers else {
-            found.formats.extend(etalon_controllers::usual().filter_map(known));
+            let usual = etalon_controllers::usual().filter_map(etalon_controllers::by_name);
+            found.formats.extend(usual.map(|format| Format::Known(format, None)));
             return found;
         };
         for name in stated {
+            let place = campaign.place(name);
             if is_template(name.get_ref()) {
                 let Some((format, source)) = problems.keep(template(campaign, name)) else { continue };
                 found.sources.push(source);
                 found.formats.push(Format::Template(format));
-            } else if let Some(format) = known(name.get_ref()) {
-                found.formats.push(format);
+            } else if let Some(format) = etalon_controllers::by_name(name.get_ref()) {
+                found.formats.push(Format::Known(format, Some(place)));
             } else {
-                problems.0.push(etalon_controllers::unknown(name.get_ref()).at(campaign.place(name)));
+                problems.0.push(etalon_controllers::unknown(name.get_ref()).at(place));
             }
         }
         found
     }
 
     /// Rejects formats that do not describe the robot of the campaign, before anything is computed.
-    pub fn check(campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
+    pub fn check(&self, campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
         let has_urdf = campaign.robot.description().is_some();
-        for name in campaign.file.controllers.iter().flatten() {
-            let format = etalon_controllers::by_name(name.get_ref());
-            let unsuited = format.and_then(|format| format.unsuited_robot(robot, has_urdf));
-            problems.0.extend(unsuited.map(|message| message.at(campaign.place(name))));
+        for format in &self.formats {
+            let Format::Known(exporter, Some(place)) = format else { continue };
+            let unsuited = exporter.unsuited_robot(robot, has_urdf);
+            problems.0.extend(unsuited.map(|message| message.at(place.clone())));
         }
     }
 
@@ -73,7 +75,7 @@ impl ControllerFormats {
 impl Format {
     fn named(&self) -> (&str, &dyn Exporter) {
         match self {
-            Self::Known(exporter) => (exporter.name(), *exporter),
+            Self::Known(exporter, _) => (exporter.name(), *exporter),
             Self::Template(format) => (format.name(), format),
         }
     }

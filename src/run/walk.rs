@@ -182,7 +182,7 @@ impl Walk {
         walk.robot = problems.keep(built);
         if let Some(robot) = &walk.robot {
             names::robot(campaign, robot.as_ref(), &not_exported, problems);
-            ControllerFormats::check(campaign, robot.as_ref(), problems);
+            inputs.formats.check(campaign, robot.as_ref(), problems);
             let before = problems.0.len();
             names::logs(campaign, robot.as_ref(), problems);
             let all_read = !gathered.has_rows_without_pose && gathered.refused_targets.is_empty();

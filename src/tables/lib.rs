@@ -15,7 +15,7 @@ pub use reading::{guess, lexer, sheet};
 pub use expression::Expression;
 pub use form::{Form, TableLayout, is_topic};
 pub use from_row::FromRow;
-pub use head::{Head, StatedUnit, first_data_line, stated_units};
+pub use head::{Head, StatedUnit, stated_units};
 pub use marks::{Decimal, Delimiter, Thousands, two_commas};
 pub use source::{Cells, ColumnSource, Constant};
 pub use text::{Encoding, Header, Missing, NOT_MEASURED};

@@ -652,7 +652,7 @@ fn decomposed(rows: &[f64], n: usize) -> (DVector<f64>, Vec<DVector<f64>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{AxisLine, Kinematics, SerialJoint};
+    use crate::{AxisLine, Kinematics, PUBLISHED, SerialJoint};
     use std::f64::consts::PI;
 
     fn table(modified: bool, rows: &[[f64; 4]], limits: Option<f64>) -> Serial {
@@ -669,19 +669,13 @@ mod tests {
         arm.with_limits(vec![limits.map(|limit| [-limit, limit]); rows.len()])
     }
 
+    fn published(name: &str, limits: Option<f64>) -> Serial {
+        let arm = PUBLISHED.iter().find(|arm| arm.name == name).unwrap();
+        table(arm.modified, arm.rows, limits)
+    }
+
     fn ur5e(limits: Option<f64>) -> Serial {
-        table(
-            false,
-            &[
-                [90.0, 0.0, 0.0, 162.5],
-                [0.0, -425.0, 0.0, 0.0],
-                [0.0, -392.2, 0.0, 0.0],
-                [90.0, 0.0, 0.0, 133.3],
-                [-90.0, 0.0, 0.0, 99.7],
-                [0.0, 0.0, 0.0, 99.6],
-            ],
-            limits,
-        )
+        published("ur5e", limits)
     }
 
     fn panda() -> Serial {
@@ -694,20 +688,7 @@ mod tests {
             [-0.0175, 3.7525],
             [-2.8973, 2.8973],
         ];
-        table(
-            true,
-            &[
-                [0.0, 0.0, 0.0, 333.0],
-                [-90.0, 0.0, 0.0, 0.0],
-                [90.0, 0.0, 0.0, 316.0],
-                [90.0, 82.5, 0.0, 0.0],
-                [-90.0, -82.5, 0.0, 384.0],
-                [90.0, 0.0, 0.0, 0.0],
-                [90.0, 88.0, 0.0, 0.0],
-            ],
-            None,
-        )
-        .with_limits(limits.map(Some).to_vec())
+        published("panda", None).with_limits(limits.map(Some).to_vec())
     }
 
     fn irb120() -> Serial {

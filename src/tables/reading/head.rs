@@ -2,7 +2,7 @@
 //! the unit of lengths that the head gives.
 
 use crate::Form;
-use crate::lexer::{Row, lines, row};
+use crate::lexer::{Row, row};
 use crate::units::{unit_cell, unit_word};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -276,11 +276,6 @@ pub fn stated_units(text: &str, form: &Form, first: usize, columns: &dyn Fn(usiz
         last = Some(cells);
     }
     stated
-}
-
-/// Returns the line of the first data row of a text whose head has this number of rows.
-pub fn first_data_line(text: &str, form: &Form, header: usize) -> Option<usize> {
-    lines(text, form).nth(header).map(|(line, _)| line)
 }
 
 /// Unit that a line gives in words, and the place of the statement: `units: mm`, `UNITS=MM`,

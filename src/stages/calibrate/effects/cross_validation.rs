@@ -10,7 +10,7 @@ use crate::stages::evaluate::sets::Sets;
 use crate::stages::judge::circumstances::temperature;
 use crate::stages::remedies::remedied;
 use etalon_base::error;
-use etalon_base::message::Result;
+use etalon_base::message::{Problems, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
@@ -148,14 +148,7 @@ impl<'a> Study<'a> {
                 }
             }
         };
-        let of_fold = |fold: &BTreeSet<PoseName>| -> Result<Squares> {
-            let (sets, settings) = split(self.robot, self.sets, settings, fold);
-            let values = values(&sets.calibration, &settings)?;
-            Ok(self.squares_at(&sets.validation, &sets.validation_conditions, &values))
-        };
-        let squares = |folds: &[BTreeSet<PoseName>]| -> Result<Squares> {
-            Ok(mean_squares(folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?))
-        };
+        let squares = |folds: &[BTreeSet<PoseName>]| left_out_squares(self.robot, self.sets, settings, folds, &values);
         let (left_out, by_block) = (squares(&self.folds)?, squares(&self.blocks)?);
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
         Ok(Tried { found, left_out, by_block, fitted })
@@ -534,12 +527,10 @@ impl Trial<'_> {
     /// Fits to all poses, and to all but the poses of each fold.
     pub(crate) fn cross_validate(&self, settings: &Settings) -> Option<CrossValidated> {
         let fit = NestedFit::new(self.robot, &self.sets.calibration, settings, self.start).ok()?;
-        let of_fold = |fold: &BTreeSet<PoseName>| -> Option<Squares> {
-            let (sets, settings) = split(self.robot, self.sets, settings, fold);
-            let values = fit.again(self.robot, &sets.calibration, &settings)?;
-            Some(squares_at(self.robot, &sets.validation, &sets.validation_conditions, &values))
+        let again = |observations: &[Observation], settings: &Settings| {
+            fit.again(self.robot, observations, settings).ok_or_else(Problems::default)
         };
-        let left_out = self.left_out(of_fold)?;
+        let left_out = left_out_squares(self.robot, self.sets, settings, self.folds, again).ok()?;
         let quality =
             ModelFit { squares: fit.squares, degrees_of_freedom: fit.degrees_of_freedom, parameters: fit.determined };
         Some(CrossValidated { fit: quality, left_out })
@@ -547,15 +538,26 @@ impl Trial<'_> {
 
     /// Errors at the poses of each fold by an identification from all other poses.
     pub(crate) fn identify(&self, settings: &Settings) -> Option<Squares> {
-        self.left_out(|fold| {
-            let (sets, settings) = split(self.robot, self.sets, settings, fold);
-            let before = etalon_identify::fit_frames(self.robot, &sets.calibration, &settings).ok()?;
-            let found = Fitted::from_start(self.robot, &sets.calibration, &settings, &before).ok()?;
-            Some(squares_at(self.robot, &sets.validation, &sets.validation_conditions, &found.values))
-        })
+        let identify = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
+            let before = etalon_identify::fit_frames(self.robot, observations, settings).map_err(remedied)?;
+            Ok(Fitted::from_start(self.robot, observations, settings, &before).map_err(remedied)?.values)
+        };
+        left_out_squares(self.robot, self.sets, settings, self.folds, identify).ok()
     }
+}
 
-    fn left_out(&self, of_fold: impl Fn(&BTreeSet<PoseName>) -> Option<Squares> + Sync + Send) -> Option<Squares> {
-        Some(mean_squares(self.folds.par_iter().map(of_fold).collect::<Option<Vec<_>>>()?))
-    }
+/// Errors at the poses of each fold with the values that `fitted` finds from all other poses.
+fn left_out_squares(
+    robot: &dyn Robot,
+    sets: &Sets,
+    settings: &Settings,
+    folds: &[BTreeSet<PoseName>],
+    fitted: impl Fn(&[Observation], &Settings) -> Result<Vec<f64>> + Sync,
+) -> Result<Squares> {
+    let of_fold = |fold: &BTreeSet<PoseName>| {
+        let (sets, settings) = split(robot, sets, settings, fold);
+        let values = fitted(&sets.calibration, &settings)?;
+        Ok(squares_at(robot, &sets.validation, &sets.validation_conditions, &values))
+    };
+    Ok(mean_squares(folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?))
 }
