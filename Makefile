@@ -81,15 +81,17 @@ RUN := cargo $(if $(NEXTEST),nextest run,test) --locked --release
 WHOLE := $(RUN) --test laws --test etalon
 # a test that fails stops no other
 KEEP := --no-fail-fast
+# tests of single files derive the schemas from the types; the program contains those of schemas/
+DERIVED := --features schemas
 SINGLE := env CARGO_INCREMENTAL=1 $(RUN) $(UNOPTIMISED)
 # examples of the documentation: nextest runs none
-EXAMPLES := env CARGO_INCREMENTAL=1 cargo test --locked --release $(UNOPTIMISED) --doc --workspace
+EXAMPLES := env CARGO_INCREMENTAL=1 cargo test --locked --release $(UNOPTIMISED) --doc --workspace $(DERIVED)
 
 test:
 	[ -n "$${ETALON_REFERENCE:-}" ] || echo "ETALON_REFERENCE is not set: tests on outside data (NIST, PreXYT, IRB 120) are skipped"
 	$(WHOLE) --no-run
 	@# those of single files are compiled while the others run, which hold the folder of the build no longer after a second
-	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) $(KEEP) --workspace --lib) >$$log 2>&1 & single=$$!; \
+	log=$$(mktemp); trap "rm -f $$log" EXIT; (sleep 3; exec $(SINGLE) $(KEEP) --workspace $(DERIVED) --lib) >$$log 2>&1 & single=$$!; \
 	$(WHOLE) $(KEEP) || { kill $$single; exit 1; }; \
 	wait $$single && code=0 || code=$$?; cat $$log; $(EXAMPLES) $(KEEP) || code=$$?; exit $$code
 
@@ -97,11 +99,11 @@ laws:
 	$(RUN) $(KEEP) --test laws $(if $(NEXTEST),--run-ignored only,-- --ignored)
 
 unit:
-	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE),--workspace) $(T)
+	$(SINGLE) $(KEEP) --lib $(if $(CRATE),-p etalon-$(CRATE) --features etalon-$(CRATE)/schemas,--workspace $(DERIVED)) $(T)
 
 quick:
-	$(SINGLE) $(KEEP) --workspace --lib
-	$(SINGLE) $(KEEP) --test etalon -- architecture golden
+	$(SINGLE) $(KEEP) --workspace $(DERIVED) --lib
+	$(SINGLE) $(KEEP) $(DERIVED) --test etalon -- architecture golden
 	$(EXAMPLES) $(KEEP)
 
 # six parts of the time: two for attacks on files and processes, one each for drawn files, for mutants of statements and of data, and for readers

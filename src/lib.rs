@@ -45,6 +45,9 @@
 #![forbid(unsafe_code)]
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+#[cfg(not(feature = "schemas"))]
+extern crate etalon_schemaless as schemars;
+
 pub use etalon_base as base;
 pub use etalon_campaign as campaign;
 pub use etalon_compare as compare;

@@ -12,6 +12,9 @@ const PURE: [&str; 5] = ["math", "fit", "robots", "identify", "standards"];
 const IMPURE: [&str; 9] =
     ["serde", "serde_json", "schemars", "toml", "polars", "polars-io", "csv", "clap", "quick-xml"];
 
+/// Derives of schemas: with an effect in tests, without one in the program.
+const SCHEMAS: [&str; 2] = ["schemars", "etalon-schemaless"];
+
 /// Modules of the root package, from below: each may name those before it.
 const PROGRAM: [&str; 6] = ["stages", "simulate", "run", "tasks", "session", "cli"];
 
@@ -34,6 +37,25 @@ fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
 
 /// Dependencies of every crate of the workspace, inside the workspace and external, without those of tests.
 fn dependencies() -> BTreeMap<String, [BTreeSet<String>; 2]> {
+    let mut found = BTreeMap::new();
+    for package in packages() {
+        let mut dependencies = [BTreeSet::new(), BTreeSet::new()];
+        for dependency in package["dependencies"].as_array().unwrap().iter().filter(|d| d["kind"].is_null()) {
+            let name = dependency["name"].as_str().unwrap();
+            if !SCHEMAS.contains(&name) {
+                dependencies[usize::from(!name.starts_with("etalon-"))].insert(name.to_owned());
+            }
+        }
+        let name = package["name"].as_str().unwrap();
+        if !SCHEMAS.contains(&name) {
+            found.insert(name.to_owned(), dependencies);
+        }
+    }
+    found
+}
+
+/// Packages of the workspace, as cargo states them.
+fn packages() -> Vec<serde_json::Value> {
     let metadata = Command::new(env!("CARGO"))
         .args(["metadata", "--locked", "--offline", "--no-deps", "--format-version", "1"])
         .current_dir(root())
@@ -41,16 +63,22 @@ fn dependencies() -> BTreeMap<String, [BTreeSet<String>; 2]> {
         .unwrap();
     assert!(metadata.status.success(), "{}", String::from_utf8_lossy(&metadata.stderr));
     let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout).unwrap();
-    let mut found = BTreeMap::new();
-    for package in metadata["packages"].as_array().unwrap() {
-        let mut dependencies = [BTreeSet::new(), BTreeSet::new()];
-        for dependency in package["dependencies"].as_array().unwrap().iter().filter(|d| d["kind"].is_null()) {
-            let name = dependency["name"].as_str().unwrap();
-            dependencies[usize::from(!name.starts_with("etalon-"))].insert(name.to_owned());
+    metadata["packages"].as_array().unwrap().clone()
+}
+
+/// The program derives no schema: only the feature `schemas`, which no other feature contains, brings `schemars`.
+#[test]
+fn the_program_derives_no_schema() {
+    for package in packages() {
+        let name = package["name"].as_str().unwrap();
+        for dependency in package["dependencies"].as_array().unwrap().iter().filter(|d| d["name"] == "schemars") {
+            assert_eq!(dependency["optional"], true, "{name}");
         }
-        found.insert(package["name"].as_str().unwrap().to_owned(), dependencies);
+        for (feature, brought) in package["features"].as_object().unwrap().iter().filter(|(name, _)| *name != "schemas")
+        {
+            assert!(!brought.to_string().contains("schema"), "{name}: {feature}");
+        }
     }
-    found
 }
 
 #[test]

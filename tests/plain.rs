@@ -31,7 +31,7 @@ const TERMS: [(&str, &str); 14] = [
 const OF_MESSAGES: [(&str, usize); 3] = [("beside", 0), ("those of", 0), ("um", 0)];
 
 /// Remaining long sentences of each page; a number may only be lowered, and the goal is zero.
-const REMAINING: [(&str, usize); 16] = [
+const REMAINING: [(&str, usize); 15] = [
     ("benches/README.md", 25),
     ("docs/decisions/0001-chart-layer.md", 1),
     ("docs/decisions/0003-own-least-squares.md", 2),
@@ -44,7 +44,6 @@ const REMAINING: [(&str, usize); 16] = [
     ("docs/decisions/0013-effective-parameters.md", 4),
     ("docs/decisions/0016-xacro.md", 2),
     ("docs/decisions/0017-scans.md", 3),
-    ("docs/decisions/0018-schemas.md", 3),
     ("docs/decisions/0019-judge.md", 7),
     ("samples/reference/README.md", 7),
     ("tests/real/README.md", 5),

@@ -5,10 +5,8 @@ use super::message::Message;
 use crate::catalogue::{Argument, IntoArgument};
 use crate::error;
 use crate::phrase;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
-use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -279,19 +277,7 @@ impl<'de> Deserialize<'de> for PoseName {
     }
 }
 
-impl JsonSchema for PoseName {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "PoseName".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "type": "integer" }, { "type": "string" }] })
-    }
-}
+crate::schema_by_hand!(inline PoseName, _ => schemars::json_schema!({ "anyOf": [{ "type": "integer" }, { "type": "string" }] }));
 
 #[cfg(test)]
 mod tests {

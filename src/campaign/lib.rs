@@ -1,6 +1,9 @@
 //! A campaign: one measurement session of one robot, as given in `campaign.toml` and `robot.toml`.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+#[cfg(not(feature = "schemas"))]
+extern crate etalon_schemaless as schemars;
+
 mod edit;
 mod named_files;
 mod open;
@@ -28,16 +31,16 @@ pub use types::*;
 use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result, SourceText};
-use etalon_documents::schema::schema;
 use etalon_documents::{Source, SourceKind};
 use etalon_identify::{FrameError, Settings, Systematic, UncertaintyBound};
 use etalon_robots::{Joint, Quantity, Robot, TreeChain};
 use open::open_questions;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml_file::Recovered;
-pub use toml_file::parse;
+pub use toml_file::{parse, schema};
 
 /// A campaign with its folder and text.
 ///
@@ -108,7 +111,8 @@ impl Campaign {
         if !questions.0.is_empty() {
             return Ok((None, questions));
         }
-        let Recovered { value, mut problems, mut unread } = toml_file::recover::<CampaignFile>(&name, &text);
+        let Recovered { value, mut problems, mut unread } =
+            toml_file::recover::<CampaignFile>(&name, &text, &schema("campaign.toml", SCHEMAS));
         let Some(mut file) = value else { return Ok((None, problems)) };
         let (forms, wrong) = file.name_files(&folder, SourceText { name: &name, text: &text });
         if !wrong.is_empty() {
@@ -434,15 +438,19 @@ pub fn read_urdf_chains(path: &Path) -> Result<(Vec<TreeChain>, String)> {
 /// Reads only the true parameters of a simulation, by name (mm, deg or 1), from a truth or from a
 /// file without other keys.
 pub fn read_true_parameters(path: &Path) -> Result<BTreeMap<String, f64>> {
-    #[derive(serde::Deserialize, schemars::JsonSchema)]
+    #[derive(serde::Deserialize)]
     struct Parameters {
         parameters: BTreeMap<String, f64>,
     }
+    let numbers = json!({ "type": "object", "additionalProperties": { "type": "number" } });
+    let schema = json!({ "type": "object", "properties": { "parameters": numbers }, "required": ["parameters"] });
     let text = files::read_text(path)?;
-    Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text)?.parameters)
+    Ok(toml_file::parse::<Parameters>(&path.display().to_string(), &text, &schema)?.parameters)
 }
 
-/// Name and JSON Schema of all input files, as in `schemas/`.
-pub fn schemas() -> Vec<(&'static str, String)> {
-    vec![("campaign.toml", schema::<CampaignFile>()), ("robot.toml", schema::<RobotFile>())]
+etalon_documents::schemas! {
+    /// Name and JSON Schema of the files of a campaign.
+    SCHEMAS in "../../schemas":
+    "campaign.toml" CampaignFile,
+    "robot.toml" RobotFile,
 }

@@ -4,10 +4,8 @@
 use etalon_base::catalogue::{Argument, IntoArgument, Phrase};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::{error, phrase};
-use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -67,25 +65,31 @@ fn paths_overlap(keys: &[String], path: &[&str]) -> bool {
     keys.iter().zip(path).all(|(a, b)| a == b)
 }
 
-/// Reads `text` as a `T`, or reports all entries that do not fit.
-pub fn parse<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Result<T> {
-    let Recovered { value, problems, .. } = recover(file, text);
+/// Reads `text` as a `T` with this schema, or reports all entries that do not fit.
+pub fn parse<T: DeserializeOwned>(file: &str, text: &str, schema: &Value) -> Result<T> {
+    let Recovered { value, problems, .. } = recover(file, text, schema);
     value.filter(|_| problems.0.is_empty()).ok_or(problems)
 }
 
 /// Like [`parse`], but also returns the value without the entries that do not fit.
-pub(super) fn recover<T: DeserializeOwned + JsonSchema>(file: &str, text: &str) -> Recovered<T> {
-    let schema = kept_schema(T::schema_id(), || schemars::schema_for!(T).to_value());
-    recover_with(file, text, &schema, |root| T::deserialize(Deserializer::from(root)))
+pub(super) fn recover<T: DeserializeOwned>(file: &str, text: &str, schema: &Value) -> Recovered<T> {
+    recover_with(file, text, schema, |root| T::deserialize(Deserializer::from(root)))
 }
 
-/// JSON Schemas by id, for the next file of the same kind: a schema takes longer than a file.
-static SCHEMAS: Mutex<BTreeMap<Cow<'static, str>, Arc<Value>>> = Mutex::new(BTreeMap::new());
+/// JSON Schemas by name, for the next file of the same kind.
+static KEPT: Mutex<BTreeMap<&str, Arc<Value>>> = Mutex::new(BTreeMap::new());
 
-/// Returns the schema with this id, from `make` if it is needed for the first time.
-pub(super) fn kept_schema(id: Cow<'static, str>, make: impl FnOnce() -> Value) -> Arc<Value> {
-    let mut schemas = SCHEMAS.lock().unwrap_or_else(PoisonError::into_inner);
-    schemas.entry(id).or_insert_with(|| Arc::new(make())).clone()
+/// Returns the schema of this name, from `make` if it is needed for the first time.
+pub(super) fn kept_schema(name: &'static str, make: impl FnOnce() -> Value) -> Arc<Value> {
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    kept.entry(name).or_insert_with(|| Arc::new(make())).clone()
+}
+
+/// Returns the schema of this name in a list of names and texts; without it, one that allows every
+/// value.
+pub fn schema(name: &'static str, all: &[(&str, &str)]) -> Arc<Value> {
+    let text = all.iter().find(|(listed, _)| *listed == name).map(|(_, text)| *text);
+    kept_schema(name, || text.and_then(|text| serde_json::from_str(text).ok()).unwrap_or(Value::Bool(true)))
 }
 
 /// Like [`recover`], with a given schema and reader.
@@ -620,9 +624,10 @@ fn unknown_keys(file: &str, text: &str, top: &[String], mut unknown: Vec<Unknown
     groups.filter_map(message).collect()
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "schemas"))]
 mod tests {
     use super::*;
+    use schemars::{JsonSchema, schema_for};
     use serde::Deserialize;
 
     #[derive(Debug, Deserialize, JsonSchema)]
@@ -646,7 +651,7 @@ mod tests {
     #[test]
     fn all_problems_at_once_with_their_places() {
         let text = "nmae = \"x\"\n[part]\nlength = \"long\"\nunit = 3\ncolour = 1\n[[list]]\nlength = 1.0\n";
-        let problems = parse::<Outer>("f.toml", text).unwrap_err();
+        let problems = parse::<Outer>("f.toml", text, schema_for!(Outer).as_value()).unwrap_err();
         let said: Vec<String> =
             problems.0.iter().map(|m| format!("{} {:?}", m.what, m.place.as_ref().and_then(|p| p.line))).collect();
         for part in [
@@ -683,7 +688,7 @@ mod tests {
     #[test]
     fn a_value_that_does_not_fit_is_told_with_what_the_schema_asks_for() {
         let text = "unit = \"milimetre\"\npoint = [1, 2]\ndate = 2026-01-01\ncount = -1\n";
-        let Recovered { value, problems, unread } = recover::<Kinds>("f.toml", text);
+        let Recovered { value, problems, unread } = recover::<Kinds>("f.toml", text, schema_for!(Kinds).as_value());
         let said: Vec<String> = problems.0.iter().map(Message::to_string).collect();
         for parts in [
             ["f.toml:1", "unknown value `milimetre`", "`millimetre` or `metre`", "did you mean `millimetre`?"],
@@ -701,7 +706,7 @@ mod tests {
 
     #[test]
     fn syntax_errors_have_places() {
-        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n").unwrap_err();
+        let problems = parse::<Outer>("f.toml", "name = \n[part\nlength 3\n", &Value::Bool(true)).unwrap_err();
         assert!(!problems.0.is_empty() && problems.0.iter().all(|m| m.place.is_some()));
     }
 }

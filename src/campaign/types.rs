@@ -9,7 +9,7 @@ use etalon_documents::{ResidualKind, ToolFrame};
 use etalon_formats::{Export, Log, TableReading};
 use etalon_identify::{Effects, Prior, RigidPart, ToolPoint};
 use etalon_tables::{Constant, TableLayout};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -778,15 +778,17 @@ pub struct ReportDefinition {
     pub external_results: Option<String>,
 }
 
-fn one_or_many_observations(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn one_or_many_observations(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let one = generator.subschema_for::<ObservationsDefinition>();
     let many = generator.subschema_for::<Vec<ObservationsDefinition>>();
-    json_schema!({ "anyOf": [one, many] })
+    schemars::json_schema!({ "anyOf": [one, many] })
 }
 
-fn one_or_many_logs(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+fn one_or_many_logs(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let (one, many) = (generator.subschema_for::<Log>(), generator.subschema_for::<Vec<Log>>());
-    json_schema!({ "anyOf": [one, many] })
+    schemars::json_schema!({ "anyOf": [one, many] })
 }
 
 /// A table, or an array of tables.

@@ -7,7 +7,7 @@ use etalon_base::message::Problems;
 /// Print the JSON Schema of an input file or of a JSON document.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Input files, for editors and other programs that write campaigns:
-  campaign.toml, robot.toml
+  campaign.toml, robot.toml, study.toml, truth.toml (of a simulation)
 
 Documents of the output folder, by the name of the file without `.json`:
   accuracy, campaign (what the campaign states about itself), controllers, features, field, frames, geometric, import,
@@ -26,7 +26,7 @@ pub struct Schema {
 
 impl Schema {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
-        let all = [etalon_campaign::schemas(), etalon_documents::schema::all()].concat();
+        let all = [etalon_campaign::SCHEMAS, crate::simulate::SCHEMAS, etalon_documents::schema::SCHEMAS].concat();
         let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
             let message = error!("schema-unknown", name = self.name);
             Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))

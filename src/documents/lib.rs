@@ -4,6 +4,9 @@
 //! own.
 #![allow(non_snake_case)] // frames in names, such as `world_T_base`
 
+#[cfg(not(feature = "schemas"))]
+extern crate etalon_schemaless as schemars;
+
 mod accuracy;
 mod actions;
 mod answer;

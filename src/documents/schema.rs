@@ -1,53 +1,79 @@
-//! JSON Schema of every document, generated from its type.
+//! JSON Schemas of documents and input files: the committed files of `schemas/`. Tests with the
+//! feature `schemas` derive them from the types.
 
-use crate::*;
-use schemars::JsonSchema;
+/// Defines a list of names and JSON Schemas, and the test that derives the schemas from the types.
+#[macro_export]
+macro_rules! schemas {
+    ($(#[$doc:meta])* $all:ident in $folder:literal: $($name:literal $type:ty,)*) => {
+        $(#[$doc])*
+        pub const $all: &[(&str, &str)] =
+            &[$(($name, include_str!(concat!($folder, "/", $name, ".schema.json"))),)*];
 
-/// Name and schema of every document, as in `schemas/`.
-pub fn all() -> Vec<(&'static str, String)> {
-    vec![
-        ("accuracy", schema::<AccuracyDocument>()),
-        ("axes", schema::<AxesDocument>()),
-        ("batch", schema::<BatchDocument>()),
-        ("benchmark-score", schema::<BenchmarkScoreDocument>()),
-        ("campaign", schema::<CampaignSummary>()),
-        ("cell", schema::<CellDocument>()),
-        ("check", schema::<CheckDocument>()),
-        ("compare", schema::<CompareDocument>()),
-        ("compensation", schema::<CompensationDocument>()),
-        ("controllers", schema::<ControllersDocument>()),
-        ("explanation", schema::<ExplanationDocument>()),
-        ("field", schema::<FieldDocument>()),
-        ("fit", schema::<FitDocument>()),
-        ("features", schema::<FeaturesDocument>()),
-        ("formats", schema::<FormatsDocument>()),
-        ("frames", schema::<FramesDocument>()),
-        ("geometric", schema::<GeometricDocument>()),
-        ("import", schema::<ImportDocument>()),
-        ("iso230", schema::<AxisDocument>()),
-        ("iso9283", schema::<Iso9283Document>()),
-        ("iso9283-compliance", schema::<Iso9283ComplianceDocument>()),
-        ("iso9283-plan", schema::<Iso9283PlanDocument>()),
-        ("iso9283-stream", schema::<Iso9283StreamDocument>()),
-        ("iso9283-streams", schema::<Iso9283StreamsDocument>()),
-        ("kinematics", schema::<KinematicsDocument>()),
-        ("manifest", schema::<ManifestDocument>()),
-        ("parameters", schema::<ParametersDocument>()),
-        ("plan", schema::<PlanDocument>()),
-        ("predictions", schema::<PredictionsDocument>()),
-        ("recommendation", schema::<RecommendationDocument>()),
-        ("selftest", schema::<SelftestDocument>()),
-        ("study", schema::<StudiesDocument>()),
-        ("uncertainty", schema::<UncertaintyDocument>()),
-        ("verdict", schema::<VerdictDocument>()),
-        ("verification", schema::<VerificationDocument>()),
-        ("verification-plan", schema::<VerificationPlanDocument>()),
-        ("written", schema::<WrittenDocument>()),
-    ]
+        #[cfg(all(test, feature = "schemas"))]
+        #[test]
+        fn committed_schemas_are_current() {
+            $($crate::schema::compare::<$type>($name);)*
+        }
+    };
 }
 
-/// Returns the schema of a type as text.
-pub fn schema<T: JsonSchema>() -> String {
-    // a schema is plain JSON, which can always be written
-    serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n"
+schemas! {
+    /// Name and schema of every document.
+    SCHEMAS in "../../schemas":
+    "accuracy" AccuracyDocument,
+    "axes" AxesDocument,
+    "batch" BatchDocument,
+    "benchmark-score" BenchmarkScoreDocument,
+    "campaign" CampaignSummary,
+    "cell" CellDocument,
+    "check" CheckDocument,
+    "compare" CompareDocument,
+    "compensation" CompensationDocument,
+    "controllers" ControllersDocument,
+    "explanation" ExplanationDocument,
+    "features" FeaturesDocument,
+    "field" FieldDocument,
+    "fit" FitDocument,
+    "formats" FormatsDocument,
+    "frames" FramesDocument,
+    "geometric" GeometricDocument,
+    "import" ImportDocument,
+    "iso230" AxisDocument,
+    "iso9283" Iso9283Document,
+    "iso9283-compliance" Iso9283ComplianceDocument,
+    "iso9283-plan" Iso9283PlanDocument,
+    "iso9283-stream" Iso9283StreamDocument,
+    "iso9283-streams" Iso9283StreamsDocument,
+    "kinematics" KinematicsDocument,
+    "manifest" ManifestDocument,
+    "parameters" ParametersDocument,
+    "plan" PlanDocument,
+    "predictions" PredictionsDocument,
+    "recommendation" RecommendationDocument,
+    "selftest" SelftestDocument,
+    "study" StudiesDocument,
+    "uncertainty" UncertaintyDocument,
+    "verdict" VerdictDocument,
+    "verification" VerificationDocument,
+    "verification-plan" VerificationPlanDocument,
+    "written" WrittenDocument,
+}
+
+#[cfg(all(test, feature = "schemas"))]
+use crate::*;
+
+/// Compares the schema of a type with the committed file; `ETALON_UPDATE=1` writes the file.
+///
+/// # Panics
+/// Panics if the two differ.
+#[cfg(feature = "schemas")]
+pub fn compare<T: schemars::JsonSchema>(name: &str) {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas");
+    let path = folder.join(format!("{name}.schema.json"));
+    let derived = serde_json::to_string_pretty(&schemars::schema_for!(T)).unwrap_or_default() + "\n";
+    if std::env::var_os("ETALON_UPDATE").is_some() {
+        let _ = std::fs::write(&path, &derived);
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(committed == derived, "{} is not current: run with ETALON_UPDATE=1", path.display());
 }

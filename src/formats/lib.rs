@@ -5,6 +5,9 @@
 //! run reports all errors.
 #![allow(non_snake_case)] // world_T_base: frames in names
 
+#[cfg(not(feature = "schemas"))]
+extern crate etalon_schemaless as schemars;
+
 mod cloud;
 mod containers;
 pub mod dialect;

@@ -28,6 +28,15 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector};
 use etalon_campaign::Campaign;
 use etalon_robots::Robot;
+#[cfg(all(test, feature = "schemas"))]
+use study::StudyFile;
+
+etalon_documents::schemas! {
+    /// Name and JSON Schema of the input files of simulations.
+    SCHEMAS in "../../schemas":
+    "study.toml" StudyFile,
+    "truth.toml" Truth,
+}
 
 /// Time between two poses in the log.
 const INTERVAL_S: f64 = 10.0;

@@ -2,7 +2,7 @@
 //! which they refer.
 
 use super::Truth;
-use crate::stages::kinds::{self, ByColumn, Cell, Cells, Others, Simulated, stated_schema, text};
+use crate::stages::kinds::{self, ByColumn, Cell, Cells, Others, Simulated, text};
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
@@ -26,7 +26,7 @@ pub struct Observe {
     pub poses: Option<StatedPoses>,
     /// Objects to which the kind refers, by column.
     #[serde(flatten)]
-    #[schemars(schema_with = "stated_schema")]
+    #[schemars(schema_with = "kinds::stated_schema")]
     pub to: ByColumn,
     /// For a `point`: measured coordinates, e.g. `"z"` for a dial gauge; all coordinates if absent.
     pub coordinates: Option<String>,
@@ -48,7 +48,7 @@ pub struct KnownRow {
     pub target: String,
     /// Objects to which the kind refers, by column.
     #[serde(flatten)]
-    #[schemars(schema_with = "stated_schema")]
+    #[schemars(schema_with = "kinds::stated_schema")]
     pub to: ByColumn,
     /// Approximate position of a point on a surface, from which the true position follows.
     pub near_mm: Option<Vector>,

@@ -14,7 +14,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
-use etalon_campaign::parse;
+use etalon_campaign::{parse, schema};
 use etalon_documents::{DesignError, DesignParameter, ResidualKind, Spread, StudiedDesign};
 use etalon_identify::{Observation, Settings, identify_from};
 use etalon_math::statistics::rms;
@@ -359,7 +359,7 @@ impl StudyFile {
     /// Reports errors of the file.
     pub fn read(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
-        let study: Self = parse(&file, &files::read_text(path)?)?;
+        let study: Self = parse(&file, &files::read_text(path)?, &schema("study.toml", super::SCHEMAS))?;
         study.bounded().map_err(|problems| problems.at(&Place::file(file)))?;
         Ok(study)
     }

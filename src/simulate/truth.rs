@@ -7,7 +7,7 @@ use etalon_base::message::{Place, Result};
 use etalon_base::noise::Noise;
 use etalon_base::pose::Vector;
 use etalon_base::{error, phrase};
-use etalon_campaign::parse;
+use etalon_campaign::{parse, schema};
 use etalon_robots::{Circumstance, PlanarPose, Robot};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -80,7 +80,7 @@ impl Truth {
     /// Reads `truth.toml`.
     pub fn read(path: &Path) -> Result<Self> {
         let file = path.display().to_string();
-        let truth: Self = parse(&file, &files::read_text(path)?)?;
+        let truth: Self = parse(&file, &files::read_text(path)?, &schema("truth.toml", super::SCHEMAS))?;
         truth.bounded().map_err(|problems| problems.at(&Place::file(file)))?;
         Ok(truth)
     }

@@ -1,10 +1,14 @@
 //! Tables: the form that a file has, and its rows. Every section of a campaign and every command
 //! with a table contains its form by the same keys, and reads it by the same rules.
 
+#[cfg(not(feature = "schemas"))]
+extern crate etalon_schemaless as schemars;
+
 mod expression;
 pub mod filter;
 mod form;
 mod reading;
+#[cfg(feature = "schemas")]
 pub mod schema;
 mod source;
 mod units;

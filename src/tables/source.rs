@@ -1,9 +1,8 @@
 //! Sources of columns and filters of rows, for tables of every kind.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 
 /// Source of a column: a heading, a number from 1, or an expression of columns of the row, such as
@@ -22,16 +21,10 @@ impl From<&str> for ColumnSource {
     }
 }
 
-impl JsonSchema for ColumnSource {
-    fn schema_name() -> Cow<'static, str> {
-        "ColumnSource".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "A heading of the file, the number of a column from 1, or an expression of columns: `x_t - x_dif`, `25.4 * $3`.";
-        json_schema!({ "description": description, "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] })
-    }
-}
+etalon_base::schema_by_hand!(ColumnSource, _ => {
+    let description = "A heading of the file, the number of a column from 1, or an expression of columns: `x_t - x_dif`, `25.4 * $3`.";
+    schemars::json_schema!({ "description": description, "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] })
+});
 
 impl<'de> Deserialize<'de> for ColumnSource {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

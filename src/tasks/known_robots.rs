@@ -4,19 +4,23 @@ use etalon_base::message::{Message, Result, nearest};
 use etalon_base::{error, phrase, warning};
 use etalon_campaign::{parse, read_urdf, read_urdf_chains};
 use etalon_robots::{PUBLISHED, PublishedArm, TreeChain};
-use schemars::JsonSchema;
 use serde::Deserialize;
 use std::fmt::Write;
 use std::path::Path;
 
 const ROBOTS: &str = include_str!("known_robots.toml");
 
+/// Reads the table of robots.
+fn table() -> Result<Known> {
+    parse("robots.toml", ROBOTS, &true.into())
+}
+
 /// Names of the robots of the table.
 ///
 /// # Errors
 /// Fails if the table is invalid.
 pub fn known_names() -> Result<Vec<String>> {
-    let Known { robots } = parse("robots.toml", ROBOTS)?;
+    let Known { robots } = table()?;
     Ok(robots.into_iter().map(|robot| robot.name).collect())
 }
 
@@ -68,7 +72,7 @@ pub fn urdf_text(file: &str, chain: &TreeChain) -> String {
 /// Returns the robot of this name in the table, in capitals or small letters, with or without
 /// hyphens.
 pub(crate) fn known_robot(name: &str) -> Result<KnownRobot> {
-    let Known { mut robots } = parse("robots.toml", ROBOTS)?;
+    let Known { mut robots } = table()?;
     let is_meant = |robot: &KnownRobot| letters(&robot.name) == letters(name);
     let Some(at) = robots.iter().position(is_meant) else {
         let names: Vec<&str> = robots.iter().map(|robot| robot.name.as_str()).collect();
@@ -88,7 +92,7 @@ fn letters(name: &str) -> String {
 }
 
 /// Robots with known geometry.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
 struct Known {
     #[serde(rename = "robot")]
     robots: Vec<KnownRobot>,
@@ -96,7 +100,7 @@ struct Known {
 
 /// A robot described by a published table of Denavit-Hartenberg parameters, by screw axes, or by
 /// the text of its robot.toml.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct KnownRobot {
     pub name: String,
@@ -123,7 +127,7 @@ pub(crate) struct KnownRobot {
     toml: String,
 }
 
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Axis {
     direction: [f64; 3],
@@ -205,7 +209,7 @@ mod tests {
             [low, high] => format!("{low} to {high}"),
             _ => "none".to_owned(),
         };
-        let Known { robots } = parse("robots.toml", ROBOTS).unwrap();
+        let Known { robots } = table().unwrap();
         for robot in robots.iter().filter(|robot| robot.toml.is_empty()) {
             let limits: Vec<String> = robot.limits_deg.iter().map(ends).collect();
             assert_eq!(limits.len(), robot.joints().len(), "{}", robot.name);

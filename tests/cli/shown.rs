@@ -151,12 +151,12 @@ fn each_command_has_options_of_the_program() {
     assert!(read >= 40, "{read} commands");
 }
 
-/// Sections in the text of pages (`[frame.world]`, `[[export]]`) are sections of the schemas or of the truth of a simulation.
+/// Sections in the text of pages (`[frame.world]`, `[[export]]`) are sections of the schemas of input files.
 #[test]
 fn sections_named_in_prose_exist() {
     let (mut wrong, mut read) = (Vec::new(), 0);
-    let named: BTreeSet<String> =
-        etalon::campaign::schemas().into_iter().flat_map(|(_, text)| properties(&text)).collect();
+    let inputs = [etalon::campaign::SCHEMAS, etalon::simulate::SCHEMAS].concat();
+    let named: BTreeSet<String> = inputs.iter().flat_map(|(_, text)| properties(text)).collect();
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
         let prose: String = text.split("```").step_by(2).collect();
@@ -167,7 +167,7 @@ fn sections_named_in_prose_exist() {
                 |name: &&str| !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || "._".contains(c));
             for part in name.filter(is_name).into_iter().flat_map(|name| name.split('.')) {
                 read += 1;
-                if !named.contains(part) && !OF_TRUTHS.contains(&part) {
+                if !named.contains(part) {
                     wrong.push(format!("{}: `{code}`", shown(&page)));
                 }
             }
@@ -176,9 +176,6 @@ fn sections_named_in_prose_exist() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(read >= 100, "{read} names");
 }
-
-/// Sections of truth.toml and of a study, which have no schema.
-const OF_TRUTHS: [&str; 8] = ["observe", "known", "parameters", "torques", "unmodelled", "poses", "workspace", "sets"];
 
 /// All names of keys in a schema.
 fn properties(schema: &str) -> BTreeSet<String> {

@@ -59,8 +59,8 @@ struct Section<'a> {
 
 impl Schema {
     fn of(name: &str) -> Self {
-        let (_, text) = etalon::campaign::schemas().into_iter().find(|(n, _)| *n == name).unwrap();
-        Self(serde_json::from_str(&text).unwrap())
+        let (_, text) = etalon::campaign::SCHEMAS.iter().find(|(n, _)| *n == name).unwrap();
+        Self(serde_json::from_str(text).unwrap())
     }
 
     /// The schemas of which a value has to meet one; `null` is left out.

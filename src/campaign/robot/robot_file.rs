@@ -11,13 +11,12 @@ use etalon_robots::{
     At, Definition, FaultKind, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value,
     Values,
 };
-use schemars::generate::SchemaSettings;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, de};
 use serde_json::{Map, Value as Json};
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -95,36 +94,34 @@ fn model<'de, D: Deserializer<'de>>(deserializer: D) -> std::result::Result<&'st
     })
 }
 
-fn models(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "type": "string", "enum": MODELS.map(|model| model.name) })
+#[cfg(feature = "schemas")]
+fn models(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "type": "string", "enum": MODELS.map(|model| model.name) })
 }
 
-impl JsonSchema for RobotFile {
-    fn schema_name() -> Cow<'static, str> {
-        "RobotFile".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        keys(&MODELS)
-    }
-}
-
-/// Returns the schema of the keys of these models in one table.
-fn keys(models: &[&Model]) -> Schema {
-    let mut generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true).into_generator();
-    let mut whole = CommonKeys::json_schema(&mut generator);
-    for model in models {
-        let own = robot_keys::schema(&model.keys(), &mut generator);
-        merge(whole.ensure_object(), own.as_object());
+etalon_base::schema_by_hand!(RobotFile, _ => {
+    let settings = schemars::generate::SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
+    let mut whole = CommonKeys::json_schema(&mut settings.into_generator());
+    for model in MODELS {
+        merge(whole.ensure_object(), robot_keys::schema(&model.keys()).as_object());
     }
     whole
+});
+
+/// Returns the schema of the keys of all models in one table.
+fn all_keys() -> Arc<Json> {
+    toml_file::schema("robot.toml", crate::SCHEMAS)
 }
 
 /// Schema of the keys of one model, including mandatory keys, which allows keys of other models
 /// with any value, as these are reported separately.
-fn model_schema(model: &Model) -> Json {
-    let mut schema = keys(&[model]).to_value();
-    let own = robot_keys::schema(&model.keys(), &mut SchemaGenerator::default()).to_value();
+fn model_schema(model: &Model, all: &Json) -> Json {
+    let mut schema = all.clone();
+    if let Some(properties) = schema["properties"].as_object_mut() {
+        properties.retain(|key, _| COMMON.contains(&key.as_str()));
+    }
+    let own = robot_keys::schema(&model.keys());
+    schema.as_object_mut().into_iter().for_each(|whole| merge(whole, own.as_object()));
     if let (Some(required), Some(own)) = (schema["required"].as_array_mut(), own["required"].as_array()) {
         required.extend(own.iter().cloned());
     }
@@ -278,8 +275,11 @@ impl RobotFile {
         let written = toml_file::find(text, &["model"]).and_then(|span| text.get(span)).unwrap_or_default();
         let stated = MODELS.iter().find(|model| written.trim_matches(['"', '\'']) == model.name);
         let schema = match stated {
-            Some(model) => toml_file::kept_schema(format!("robot {}", model.name).into(), || model_schema(model)),
-            None => toml_file::kept_schema("robot".into(), || keys(&MODELS).to_value()),
+            Some(model) => {
+                let all = all_keys();
+                toml_file::kept_schema(model.name, || model_schema(model, &all))
+            }
+            None => all_keys(),
         };
         let Recovered { value, problems, unread } = toml_file::recover_with(&name, text, &schema, read);
         (value.map(|robot| Self { source: (name, text.to_owned()), unread, ..robot }), problems)

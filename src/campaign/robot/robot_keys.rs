@@ -1,7 +1,6 @@
 //! Keys of robot.toml that belong to a model: spelling with units, schema, and TOML form.
 
 use etalon_robots::{Absence, JointRef, Key, Quantity, Shape, Value, Values};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, DeserializeSeed, EnumAccess, Error as _, MapAccess, SeqAccess, VariantAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value as Json, json};
@@ -51,7 +50,7 @@ fn table_keys(key: &Key) -> &[Key] {
 }
 
 /// A joint, by number or name.
-#[derive(Deserialize, JsonSchema)]
+#[derive(Deserialize)]
 #[serde(untagged, expecting = "expected the number of a joint, from 1, or its name")]
 enum StatedJoint {
     /// Number, from 1.
@@ -70,7 +69,7 @@ impl From<StatedJoint> for JointRef {
 }
 
 /// Returns the JSON Schema of a table with these keys.
-pub(crate) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
+pub(crate) fn schema(keys: &[Key]) -> Json {
     let mut properties = Map::new();
     for key in keys {
         for (i, spelling) in spellings(key).into_iter().enumerate() {
@@ -79,51 +78,60 @@ pub(crate) fn schema(keys: &[Key], generator: &mut SchemaGenerator) -> Schema {
                 (_, Quantity::Angle) => "The same in radians.",
                 _ => "The same in metres.",
             };
-            let mut schema = key_schema(key, generator);
-            schema.insert("description".to_owned(), meaning.into());
+            let mut schema = key_schema(key);
+            schema["description"] = meaning.into();
             if let Absence::Default(value) = &key.absence {
-                schema.insert("default".to_owned(), default_json(value, &key.shape));
+                schema["default"] = default_json(value, &key.shape);
             }
-            properties.insert(spelling, schema.to_value());
+            properties.insert(spelling, schema);
         }
     }
     let required = keys.iter().filter(|key| matches!(key.absence, Absence::Error)).flat_map(spellings);
     let required: Vec<String> = required.collect();
-    let mut table = json_schema!({ "type": "object", "properties": properties, "additionalProperties": false });
+    let mut table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
     if !required.is_empty() {
-        table.insert("required".to_owned(), required.into());
+        table["required"] = required.into();
     }
     table
 }
 
-fn key_schema(key: &Key, generator: &mut SchemaGenerator) -> Schema {
-    fn typed_schema<T: JsonSchema>(key: &Key, generator: &mut SchemaGenerator) -> Schema {
-        match key.absence {
-            Absence::Nothing => Option::<T>::json_schema(generator),
-            _ => T::json_schema(generator),
+fn key_schema(key: &Key) -> Json {
+    let number = || json!({ "type": "number", "format": "double" });
+    let list = |items: Json| json!({ "type": "array", "items": items });
+    let exactly =
+        |count: usize, items: Json| json!({ "type": "array", "items": items, "minItems": count, "maxItems": count });
+    let joint = || {
+        let number = json!({ "description": "Number, from 1.", "type": "integer", "format": "uint", "minimum": 0 });
+        let name = json!({ "description": "Name, as at the start of its column.", "type": "string" });
+        json!({ "description": "A joint, by number or name.", "anyOf": [number, name] })
+    };
+    let mut schema = match &key.shape {
+        Shape::Number => number(),
+        Shape::Range => exactly(2, number()),
+        Shape::Triple => exactly(3, number()),
+        Shape::Flag => json!({ "type": "boolean" }),
+        Shape::Text | Shape::Tree => json!({ "type": "string" }),
+        Shape::Words => list(json!({ "type": "string" })),
+        Shape::Joints => list(joint()),
+        Shape::JointPairs => {
+            list(json!({ "type": "array", "prefixItems": [joint(), joint()], "minItems": 2, "maxItems": 2 }))
         }
-    }
-    match &key.shape {
-        Shape::Number => typed_schema::<f64>(key, generator),
-        Shape::Range => typed_schema::<[f64; 2]>(key, generator),
-        Shape::Triple => typed_schema::<[f64; 3]>(key, generator),
-        Shape::Flag => typed_schema::<bool>(key, generator),
-        Shape::Text | Shape::Tree => typed_schema::<String>(key, generator),
-        Shape::Words => typed_schema::<Vec<String>>(key, generator),
-        Shape::Joints => typed_schema::<Vec<StatedJoint>>(key, generator),
-        Shape::JointPairs => typed_schema::<Vec<(StatedJoint, StatedJoint)>>(key, generator),
         Shape::Choice(choices) => {
             let one =
                 |(name, meaning): &(&str, &str)| json!({ "description": meaning, "type": "string", "const": name });
-            json_schema!({ "oneOf": choices.iter().map(one).collect::<Vec<_>>() })
+            return json!({ "oneOf": choices.iter().map(one).collect::<Vec<_>>() });
         }
-        Shape::Table(own) => schema(own, generator),
+        Shape::Table(own) => return self::schema(own),
         Shape::Tables(meaning, own) => {
-            let mut each = schema(own, generator);
-            each.insert("description".to_owned(), (*meaning).into());
-            json_schema!({ "type": "array", "items": each })
+            let mut each = self::schema(own);
+            each["description"] = (*meaning).into();
+            return list(each);
         }
+    };
+    if let Absence::Nothing = key.absence {
+        schema["type"] = json!([schema["type"], "null"]);
     }
+    schema
 }
 
 /// JSON form of a default value.

@@ -1,9 +1,8 @@
 //! `[join]`: assignment of measurements to joint values.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 use toml::Spanned;
 
@@ -31,22 +30,15 @@ pub struct Join {
     pub interpolate: bool,
 }
 
-fn join_by(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "anyOf": [
+#[cfg(feature = "schemas")]
+fn join_by(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "anyOf": [
         { "enum": [["pose", "cycle"], ["cycle", "pose"], ["pose"]] },
         { "enum": ["pose", "row", "time", "label"] },
     ] })
 }
 
-impl JsonSchema for ClockOffset {
-    fn schema_name() -> Cow<'static, str> {
-        "ClockOffset".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["standstills", "motion"] }] })
-    }
-}
+etalon_base::schema_by_hand!(ClockOffset, _ => schemars::json_schema!({ "anyOf": [{ "type": "number" }, { "enum": ["standstills", "motion"] }] }));
 
 /// Rate of two clocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]

@@ -4,9 +4,7 @@
 use etalon_base::error;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -21,20 +19,10 @@ pub enum StatedPoses {
     List(Vec<PoseName>),
 }
 
-impl JsonSchema for StatedPoses {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "StatedPoses".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let name = generator.subschema_for::<PoseName>();
-        json_schema!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": name }] })
-    }
-}
+etalon_base::schema_by_hand!(inline StatedPoses, generator => {
+    let name = generator.subschema_for::<PoseName>();
+    schemars::json_schema!({ "anyOf": [{ "type": "string" }, { "type": "array", "items": name }] })
+});
 
 impl fmt::Display for StatedPoses {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

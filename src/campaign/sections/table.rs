@@ -2,10 +2,9 @@
 
 use etalon_base::phrase;
 use etalon_tables::TableLayout;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 use toml::Spanned;
 
@@ -24,16 +23,10 @@ pub struct TableKeys {
 #[derive(Clone, Debug)]
 pub struct TableFiles(Vec<Spanned<String>>);
 
-impl JsonSchema for TableFiles {
-    fn schema_name() -> Cow<'static, str> {
-        "TableFiles".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let list = json_schema!({ "type": "array", "items": { "type": "string" }, "minItems": 1 });
-        json_schema!({ "anyOf": [{ "type": "string" }, list] })
-    }
-}
+etalon_base::schema_by_hand!(TableFiles, _ => {
+    let list = schemars::json_schema!({ "type": "array", "items": { "type": "string" }, "minItems": 1 });
+    schemars::json_schema!({ "anyOf": [{ "type": "string" }, list] })
+});
 
 impl<'de> Deserialize<'de> for TableFiles {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -106,15 +99,7 @@ impl TableDefinition {
     }
 }
 
-impl JsonSchema for TableDefinition {
-    fn schema_name() -> Cow<'static, str> {
-        "TableDefinition".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "type": "string" }, generator.subschema_for::<TableKeys>()] })
-    }
-}
+etalon_base::schema_by_hand!(TableDefinition, generator => schemars::json_schema!({ "anyOf": [{ "type": "string" }, generator.subschema_for::<TableKeys>()] }));
 
 impl<'de> Deserialize<'de> for TableDefinition {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -3,10 +3,9 @@
 
 use etalon_base::phrase;
 use etalon_tables::ColumnSource;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 
 /// Role of a column.
@@ -262,24 +261,18 @@ impl Columns {
     }
 }
 
-impl JsonSchema for Columns {
-    fn schema_name() -> Cow<'static, str> {
-        "Columns".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let role = generator.subschema_for::<ColumnRole>();
-        let column = json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] });
-        json_schema!({ "anyOf": [
-            { "type": "array", "items": role },
-            {
-                "type": "object",
-                "propertyNames": role,
-                "additionalProperties": { "anyOf": [column, { "type": "array", "items": column }] },
-            },
-        ] })
-    }
-}
+etalon_base::schema_by_hand!(Columns, generator => {
+    let role = generator.subschema_for::<ColumnRole>();
+    let column = schemars::json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }] });
+    schemars::json_schema!({ "anyOf": [
+        { "type": "array", "items": role },
+        {
+            "type": "object",
+            "propertyNames": role,
+            "additionalProperties": { "anyOf": [column, { "type": "array", "items": column }] },
+        },
+    ] })
+});
 
 impl<'de> Deserialize<'de> for Columns {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -372,16 +365,10 @@ struct Stated {
     zero_count: Option<f64>,
 }
 
-impl JsonSchema for Column {
-    fn schema_name() -> Cow<'static, str> {
-        "Column".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let table = generator.subschema_for::<Stated>();
-        json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }, table] })
-    }
-}
+etalon_base::schema_by_hand!(Column, generator => {
+    let table = generator.subschema_for::<Stated>();
+    schemars::json_schema!({ "anyOf": [{ "type": "string" }, { "type": "integer", "minimum": 1 }, table] })
+});
 
 impl<'de> Deserialize<'de> for Column {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -43,10 +43,8 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
 use etalon_tables::lexer::{PlainColumn, written};
 use etalon_tables::{ColumnSource, Decimal, Delimiter, Form};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 
 /// Every named format. To add one: its file, and its line here.
@@ -393,18 +391,12 @@ impl fmt::Debug for Format {
     }
 }
 
-impl JsonSchema for Format {
-    fn schema_name() -> Cow<'static, str> {
-        "Format".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let commas = FORMATS.iter().map(|format| format.about()).filter(|about| about.decimal_comma);
-        let commas = commas.map(|about| format!("{}, decimal comma", about.name));
-        let names: Vec<String> = Self::names().map(str::to_owned).chain(commas).collect();
-        json_schema!({ "anyOf": [{ "enum": names }, generator.subschema_for::<Dialect>()] })
-    }
-}
+etalon_base::schema_by_hand!(Format, generator => {
+    let commas = FORMATS.iter().map(|format| format.about()).filter(|about| about.decimal_comma);
+    let commas = commas.map(|about| format!("{}, decimal comma", about.name));
+    let names: Vec<String> = Self::names().map(str::to_owned).chain(commas).collect();
+    schemars::json_schema!({ "anyOf": [{ "enum": names }, generator.subschema_for::<Dialect>()] })
+});
 
 impl<'de> Deserialize<'de> for Format {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

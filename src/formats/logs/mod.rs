@@ -29,9 +29,8 @@ use etalon_base::{error, phrase};
 use etalon_documents::{Refused, Source};
 use etalon_tables::sheet::Sheet;
 use etalon_tables::{Constant, Delimiter, Form, FromRow, Header};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
@@ -157,6 +156,7 @@ pub(crate) struct About {
     /// Title; empty for plain delimited text.
     pub title: &'static str,
     /// Description in one sentence.
+    #[cfg_attr(not(feature = "schemas"), expect(dead_code))]
     pub description: &'static str,
 }
 
@@ -331,18 +331,12 @@ impl Serialize for LogKind {
     }
 }
 
-impl JsonSchema for LogKind {
-    fn schema_name() -> Cow<'static, str> {
-        "LogFormat".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let one = |About { name, description, .. }| json_schema!({ "description": description, "type": "string", "const": name });
-        let all: Vec<Schema> = FORMATS.iter().map(|format| format.about()).map(one).collect();
-        let description = "Who wrote a log: what is known of its columns, units and clock.";
-        json_schema!({ "description": description, "oneOf": all })
-    }
-}
+etalon_base::schema_by_hand!(@ LogKind, "LogFormat", false, _ => {
+    let one = |About { name, description, .. }| schemars::json_schema!({ "description": description, "type": "string", "const": name });
+    let all: Vec<schemars::Schema> = FORMATS.iter().map(|format| format.about()).map(one).collect();
+    let description = "Who wrote a log: what is known of its columns, units and clock.";
+    schemars::json_schema!({ "description": description, "oneOf": all })
+});
 
 impl<'de> Deserialize<'de> for LogKind {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {

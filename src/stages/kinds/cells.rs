@@ -1,14 +1,11 @@
 //! Cells with the references of a row: of a table, or of a truth that is simulated.
 
-use super::KINDS;
 use etalon_base::message::{Message, Result};
 use etalon_base::{error, phrase};
 use etalon_formats::table::{ANGLE_ORDER, TEXTS, Table};
 use etalon_identify::Fixture;
 use etalon_robots::Robot;
-use schemars::{Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
-use serde_json::Map;
 use std::collections::BTreeMap;
 
 /// Column of the name of the station of the instrument that measured a point.
@@ -38,13 +35,15 @@ pub fn text<'a>(cells: &'a ByColumn, column: &str) -> Option<&'a str> {
 }
 
 /// Schema of the cells given by a truth, by column.
-pub fn stated_schema(generator: &mut SchemaGenerator) -> Schema {
+#[cfg(feature = "schemas")]
+pub fn stated_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let texts = names().map(|name| (name, generator.subschema_for::<Option<String>>()));
-    let mut properties: Map<String, _> = texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();
-    for name in KINDS.iter().flat_map(|kind| kind.facts().stated) {
+    let mut properties: serde_json::Map<String, _> =
+        texts.map(|(name, schema)| (name.to_owned(), schema.to_value())).collect();
+    for name in super::KINDS.iter().flat_map(|kind| kind.facts().stated) {
         properties.insert((*name).to_owned(), generator.subschema_for::<Option<f64>>().to_value());
     }
-    json_schema!({ "type": "object", "properties": properties })
+    schemars::json_schema!({ "type": "object", "properties": properties })
 }
 
 /// Columns of names, in addition to the columns of every kind.

@@ -16,7 +16,9 @@ mod pose;
 mod row;
 mod surface;
 
-pub use cells::{ByColumn, Cell, Cells, Others, names, stated_schema, text};
+#[cfg(feature = "schemas")]
+pub use cells::stated_schema;
+pub use cells::{ByColumn, Cell, Cells, Others, names, text};
 pub use kind::{Facts, Measurement, RowKind, Simulated, no_known};
 pub use measured::unmeasured_rows;
 pub use row::{Row, columns, numbers, target_index};

@@ -1,10 +1,8 @@
 //! Pose numbers from the order of the rows.
 
 use etalon_base::phrase;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de;
 use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 
 /// Pose number that follows from the number of the data row: `row`, or `row + 100` with an offset.
 /// Data rows count from 1; rejected rows count.
@@ -20,16 +18,10 @@ impl FromRow {
     }
 }
 
-impl JsonSchema for FromRow {
-    fn schema_name() -> Cow<'static, str> {
-        "FromRow".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "Number of the data row, from 1 (refused rows count), with an optional offset.";
-        json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
-    }
-}
+etalon_base::schema_by_hand!(FromRow, _ => {
+    let description = "Number of the data row, from 1 (refused rows count), with an optional offset.";
+    schemars::json_schema!({ "description": description, "type": "string", "pattern": "^row( *\\+ *[0-9]{1,9})?$" })
+});
 
 impl<'de> Deserialize<'de> for FromRow {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

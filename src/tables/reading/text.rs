@@ -2,10 +2,9 @@
 
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
-use std::borrow::Cow;
 use std::fmt;
 
 /// Character encoding. Default: the encoding of the byte-order mark, otherwise UTF-8.
@@ -90,20 +89,12 @@ impl Default for Header {
     }
 }
 
-impl JsonSchema for Header {
-    fn schema_name() -> Cow<'static, str> {
-        "Header".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [
-            { "type": "integer", "minimum": 0 },
-            { "type": "boolean" },
-            { "type": "string" },
-            { "type": "array", "items": { "type": "string" } },
-        ] })
-    }
-}
+etalon_base::schema_by_hand!(Header, _ => schemars::json_schema!({ "anyOf": [
+    { "type": "integer", "minimum": 0 },
+    { "type": "boolean" },
+    { "type": "string" },
+    { "type": "array", "items": { "type": "string" } },
+] }));
 
 impl<'de> Deserialize<'de> for Header {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -74,7 +74,7 @@ impl NamedRobot<'_> {
 /// Adds the schemas that the first lines name; the title of a campaign follows from its robot and
 /// its date.
 pub(crate) fn described_by(mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Vec<u8>)> {
-    let schemas = etalon_campaign::schemas();
+    let schemas = etalon_campaign::SCHEMAS;
     for (name, text) in &mut files {
         if !schemas.iter().any(|(of, _)| of == name) {
             continue;
@@ -86,7 +86,7 @@ pub(crate) fn described_by(mut files: Vec<(String, Vec<u8>)>) -> Vec<(String, Ve
         };
         *text = format!("#:schema ./{}\n{titled}", schema_file(name)).into_bytes();
     }
-    files.extend(schemas.iter().map(|(name, text)| (schema_file(name), text.clone().into_bytes())));
+    files.extend(schemas.iter().map(|(name, text)| (schema_file(name), text.as_bytes().to_vec())));
     files
 }
 
