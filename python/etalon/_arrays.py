@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._errors import Error
 
@@ -14,3 +15,12 @@ def refuse_masked(values: Any, name: str, remedy: str = "leave their rows out, o
     parts = values if isinstance(values, (list, tuple)) else [values]
     if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
         raise Error(f"`{name}` has masked values: {remedy}")
+
+
+def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
+    """Return an array of numbers in C order; masked values are refused."""
+    refuse_masked(values, name)
+    try:
+        return np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise Error(f"`{name}`: expected numbers: {error}") from error

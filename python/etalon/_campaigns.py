@@ -116,12 +116,19 @@ def check(folder: str | os.PathLike[str]) -> documents.CheckDocument:
     return found
 
 
-def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: Literal["refit", "given", "prior"] = "refit") -> documents.AccuracyDocument:
+def validate(
+    folder: str | os.PathLike[str],
+    parameters: Any = None,
+    *,
+    field: Any = None,
+    frames: Literal["refit", "given", "prior"] = "refit",
+) -> documents.AccuracyDocument:
     """Judge given parameters on the data of a campaign.
 
     Args:
         folder: Folder of the campaign.
         parameters: A parameters document, or the path of one; nominal values if None.
+        field: Residual field that belongs to the parameters: the document of the same run, or the path of its ``field.json``.
         frames: Where base and targets come from: ``"refit"``, ``"given"`` or ``"prior"``.
 
     Returns:
@@ -130,8 +137,10 @@ def validate(folder: str | os.PathLike[str], parameters: Any = None, *, frames: 
     Raises:
         Error: The campaign does not read, or the parameters belong to another robot.
     """
+    if field is not None and parameters is None:
+        raise Error("`field` needs `parameters`: a residual field belongs to identified parameters")
     with _keys():
-        text = _etalon.validate(_path(folder), json_of(parameters), frames)
+        text = _etalon.validate(_path(folder), json_of(parameters), json_of(field, "field"), json.dumps({"frames": frames}))
     return cast(documents.AccuracyDocument, with_warnings(load(text), in_campaign=True))
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
-from ._arrays import refuse_masked
+from ._arrays import numbers, refuse_masked
 from ._errors import Error, with_warnings
 from .documents import Document, FitContacts, FitProbe, FitSolver, Message, Records, load
 
@@ -260,7 +260,7 @@ def _fitted(kind: type[_Fitted], name: str, points: ArrayLike, **options: Any) -
         if value is None or isinstance(value, bool) or (option == "probe_side" and isinstance(value, str)):
             stated[option] = value
         else:
-            stated[option] = _number(value, option) if option.endswith("_mm") else _numbers(value, option)
+            stated[option] = _number(value, option) if option.endswith("_mm") else np.ravel(numbers(value, option)).tolist()
     if stated["weights"] is not None:
         stated["weights"] = np.array(stated["weights"])
         if len(stated["weights"]) != len(array):
@@ -433,11 +433,3 @@ def _number(value: float | None, name: str) -> float | None:
         return None if value is None else float(value)
     except (TypeError, ValueError) as error:
         raise Error(f"`{name}`: expected a number: {error}") from error
-
-
-def _numbers(values: ArrayLike, name: str) -> list[float]:
-    refuse_masked(values, name)
-    try:
-        return [float(value) for value in np.ravel(np.asarray(values))]
-    except (TypeError, ValueError) as error:
-        raise Error(f"`{name}`: expected numbers: {error}") from error

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
-from ._arrays import refuse_masked
+from ._arrays import numbers
 from ._errors import Error
 from ._robot import Robot, robot_of
 from ._tables import file_text
@@ -338,15 +338,15 @@ def _quaternion(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
     return signed.reshape(*rotation.shape[:-2], 4)
 
 
-def json_of(parameters: Any) -> str | None:
+def json_of(document: Any, name: str = "parameters") -> str | None:
     """Return the JSON text of a document or of the file at a path."""
-    if parameters is None:
+    if document is None:
         return None
-    if hasattr(parameters, "to_json"):
-        return str(parameters.to_json())
-    if isinstance(parameters, (str, os.PathLike)):
-        return file_text(parameters, "parameters")
-    raise Error(f"`parameters` is of type {type(parameters).__name__}: expected the document of identify, or the path of a parameters.json")
+    if hasattr(document, "to_json"):
+        return str(document.to_json())
+    if isinstance(document, (str, os.PathLike)):
+        return file_text(document, name)
+    raise Error(f"`{name}` is of type {type(document).__name__}: expected a document of etalon, or the path of its JSON file")
 
 
 def _needed(parameters: Any) -> str:
@@ -357,12 +357,8 @@ def _needed(parameters: Any) -> str:
 
 
 def _numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Return an array of numbers in C order; masked values are refused."""
-    refuse_masked(values, name)
-    try:
-        array = np.ascontiguousarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise Error(f"`{name}`: expected numbers: {error}") from error
+    """Return an array of numbers in C order, of at most three dimensions."""
+    array = numbers(values, name)
     # np.ascontiguousarray makes a single number an array of one
     if array.ndim > 3:
         raise Error(f"`{name}` has the shape {array.shape}")

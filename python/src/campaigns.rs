@@ -3,17 +3,15 @@
 use crate::computing::{compute, compute_long};
 use crate::errors::{failed, json, refused};
 use crate::tables::columns;
-use etalon::run::documents::{Documents, parse_parameters};
-use etalon::run::pipeline::{Wanted, run_for};
+use etalon::run::documents::Documents;
+use etalon::run::pipeline::Wanted;
 use etalon::run::{batch as batches, validation};
 use etalon::stages::evaluate::error_table::to_table;
 use etalon::stages::uncertainty::monte_carlo::Draws;
-use etalon::stages::verify::validation::Validation;
-use etalon::tasks;
-use etalon_base::folder::Durability;
-use etalon_base::message::{Message, Problems};
+use etalon::tasks::{self, Document, GivenParameters, Ran, parse_options};
+use etalon_base::message::Problems;
 use etalon_campaign::Campaign;
-use etalon_documents::{AccuracyDocument, FrameOrigin};
+use etalon_documents::AccuracyDocument;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -22,15 +20,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 #[pyfunction]
 pub fn run(py: Python<'_>, folder: PathBuf, reports: bool) -> PyResult<(bool, PathBuf, String)> {
     let wanted = if reports { Wanted::Reports } else { Wanted::Documents };
-    let outcome = compute_long(py, None, |_| {
-        let campaign = Campaign::read(&folder)?;
-        let outcome = run_for(&campaign, wanted, Durability::Now)?;
-        let results = outcome.results;
-        let messages: Vec<Message> = results.messages().cloned().collect();
-        Ok::<_, Problems>((results.verdict.passes(), campaign.output()?, messages))
-    });
-    let (met, output, messages) = outcome?.map_err(refused)?;
-    Ok((met, output, json(&messages)?))
+    let ran = compute_long(py, None, |_| tasks::run(&Campaign::read(&folder)?, wanted));
+    let Ran { folder, results, messages, .. } = ran?.map_err(refused)?;
+    Ok((results.verdict.passes(), folder, json(&messages)?))
 }
 
 /// Errors of the readings of a run as columns, from its output folder.
@@ -50,18 +42,21 @@ pub fn check(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
     json(&compute_long(py, None, |_| tasks::check(&folder))?)
 }
 
-/// Given parameters on the data of a campaign; nominal ones without.
+/// Given parameters on the data of a campaign, with a residual field if there is one; nominal ones
+/// without.
 #[pyfunction]
-pub fn validate(py: Python<'_>, folder: PathBuf, parameters: Option<&str>, frames: &str) -> PyResult<String> {
-    let frames: FrameOrigin = serde_json::from_value(frames.into()).map_err(|error| {
-        let message = Message::error(format!("`frames`: {error}"));
-        refused(message.into())
-    })?;
-    let validated = compute_long(py, None, |_| {
-        let campaign = Campaign::read(&folder)?;
-        let parameters = parameters.map(|text| parse_parameters("parameters", text)).transpose()?;
-        validation::validate(&campaign, Validation { document: parameters.as_ref(), field: None, frames })
-    });
+pub fn validate(
+    py: Python<'_>,
+    folder: PathBuf,
+    parameters: Option<&str>,
+    field: Option<&str>,
+    options: &str,
+) -> PyResult<String> {
+    let options = parse_options(options).map_err(refused)?;
+    let field = field.map(|text| Document::Text { name: "field", text });
+    let given = parameters.map(|text| Document::Text { name: "parameters", text });
+    let given = given.map(|parameters| GivenParameters { parameters, field });
+    let validated = compute_long(py, None, |_| tasks::validate(&Campaign::read(&folder)?, given, &options));
     json(&validated?.map_err(refused)?.accuracy)
 }
 

@@ -22,6 +22,9 @@ def test_a_campaign_is_checked_and_run(sample):
         found.iso9283
     judged = etalon.validate(folder, found.parameters)
     assert isinstance(judged, etalon.documents.AccuracyDocument)
+    assert set(judged.provenance.inputs) >= {"parameters"}
+    with pytest.raises(etalon.Error, match="`field` needs `parameters`"):
+        etalon.validate(folder, field=folder / "out/field.json")
     etalon.recommend(folder, progress=lambda some, whole: done.append((some, whole)))
     assert done and all(some <= whole for some, whole in done)
 

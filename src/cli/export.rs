@@ -1,10 +1,11 @@
 //! Command `etalon export`.
 
-use super::{Output, Verdict, lines, progress, validity};
+use super::{Output, Verdict, lines, progress};
 use crate::run::controller_formats::template_format;
 use crate::run::documents::{Documents, read_parameters_and_run};
 use crate::run::validation::{Recommended, identify_recommended};
 use crate::stages::verify::earlier_parameters::{check_described, check_geometry, other_nominal, unknown_geometry};
+use crate::tasks::validity;
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems};
 use etalon_base::{error, phrase, warning};

@@ -39,7 +39,6 @@ mod simulate;
 mod study;
 mod uncertainty;
 mod validate;
-mod validity;
 mod verify;
 mod view;
 

@@ -1,8 +1,9 @@
 //! Command `etalon run`.
 
-use super::{Output, Verdict, shell_word, validity};
+use super::{Output, Verdict, shell_word};
 use crate::run::documents::Documents;
-use crate::run::pipeline::{self, Outcome};
+use crate::run::pipeline::Wanted;
+use crate::tasks::{self, Ran};
 use etalon_base::message::printable;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
@@ -31,8 +32,8 @@ impl Run {
             out.say(phrase!("run-skipped", campaign = printable(&campaign.path), name));
             return Ok(Verdict::Met);
         }
-        match problems.check().and_then(|_| pipeline::run(&campaign)) {
-            Ok(outcome) => self.answer(&campaign, outcome, out),
+        match problems.check().and_then(|_| tasks::run(&campaign, Wanted::Reports)) {
+            Ok(ran) => self.answer(ran, out),
             Err(problems) => {
                 let earlier = campaign.output().and_then(|folder| Documents::open(&folder)).ok();
                 let report = earlier.map(|earlier| earlier.path("report.html"));
@@ -44,22 +45,21 @@ impl Run {
         }
     }
 
-    fn answer(&self, campaign: &Campaign, outcome: Outcome, out: &Output) -> anyhow::Result<Verdict> {
-        let Outcome { results, renderer, .. } = outcome;
+    fn answer(&self, ran: Ran, out: &Output) -> anyhow::Result<Verdict> {
+        let Ran { folder, results, renderer, messages } = ran;
         let language = results.campaign.report.language;
-        let later = validity::later_than_today(campaign);
-        out.remark_in(language, &results.messages().cloned().chain(later).collect::<Vec<_>>());
+        out.remark_in(language, &messages);
         let Results { identified, tested, verdict, .. } = &results;
         if identified.as_ref().is_some_and(|found| !found.parameters.is_plausible()) {
             out.say(phrase!("no-controller-files").text(language.code()));
         }
         let next = identified.as_ref().map(|_| {
-            let folder = shell_word(&self.campaign);
-            phrase!("next-recommend", command = format!("`etalon recommend {folder}`")).text(language.code())
+            let campaign = shell_word(&self.campaign);
+            phrase!("next-recommend", command = format!("`etalon recommend {campaign}`")).text(language.code())
         });
         let data = match (self.json, identified, &tested.poses, &tested.streams) {
             (false, ..) => {
-                let report = campaign.output()?.join("report.html");
+                let report = folder.join("report.html");
                 let shown = renderer.map_or_else(String::new, |renderer| renderer.terminal());
                 format!("{shown}\nreport: {}\n", printable(&report.display().to_string())).into_bytes()
             }

@@ -2,13 +2,11 @@
 
 use super::report::Reports;
 use super::{Output, Verdict};
-use crate::run::documents::{read_field, read_parameters};
-use crate::run::validation::validate;
 use crate::run::walk::presentation;
-use crate::stages::verify::validation::{Validated, Validation};
-use etalon_base::files;
+use crate::stages::verify::validation::Validated;
+use crate::tasks::{Document, GivenParameters, ValidateOptions, validate};
 use etalon_campaign::Campaign;
-use etalon_documents::{FrameOrigin, to_json};
+use etalon_documents::to_json;
 use etalon_report::Renderer;
 use std::path::PathBuf;
 
@@ -28,9 +26,8 @@ pub struct Validate {
     /// Residual field: field.json of the run that identified the parameters.
     #[arg(long, value_name = "FILE", requires = "parameters")]
     field: Option<PathBuf>,
-    /// Origin of base and targets.
-    #[arg(long, value_enum, default_value_t = FrameOrigin::Refit)]
-    frames: FrameOrigin,
+    #[command(flatten)]
+    options: ValidateOptions,
     #[command(flatten)]
     reports: Reports,
     /// Print accuracy.json.
@@ -42,17 +39,9 @@ impl Validate {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let campaign = Campaign::read(&self.campaign)?;
         self.reports.check(&self.parameters)?;
-        let document = self.parameters.as_deref().map(read_parameters).transpose()?;
-        let field = match (&self.field, &self.parameters) {
-            (Some(field), Some(parameters)) => Some(read_field(field, parameters)?),
-            _ => None,
-        };
-        let judged = Validation { document: document.as_ref(), field: field.as_ref(), frames: self.frames };
-        let Validated { mut accuracy, messages } = validate(&campaign, judged)?;
-        if let Some(provenance) = &mut accuracy.provenance {
-            provenance.inputs.extend(files::sha256_by_name(&self.parameters)?);
-            provenance.inputs.extend(files::sha256_by_name(&self.field)?);
-        }
+        let field = self.field.as_deref().map(Document::File);
+        let given = self.parameters.as_deref().map(|file| GivenParameters { parameters: Document::File(file), field });
+        let Validated { accuracy, messages } = validate(&campaign, given, &self.options)?;
         let presentation = self.reports.over(presentation(&campaign)?)?;
         out.remark_in(presentation.language, &messages);
         let renderer = Renderer::validation(&accuracy, presentation)?;

@@ -1,9 +1,10 @@
 //! Command `etalon verify`.
 
 use super::report::Reports;
-use super::{Output, Verdict, progress, validity};
+use super::{Output, Verdict, progress};
 use crate::run::documents::{read_loaded_parameters, read_parameters_and_run};
 use crate::stages::verify::earlier_parameters::{mastered, unknown_geometry};
+use crate::tasks::validity;
 use crate::tasks::{Inputs, Table, VerifyOptions, plan_verification, verify};
 use etalon_base::files;
 use etalon_base::message::Message;

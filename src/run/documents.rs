@@ -248,8 +248,13 @@ pub fn read_cell(path: &Path) -> Result<CellDocument> {
 
 /// Reads a `field.json` that belongs to the parameters in the file `parameters`.
 pub fn read_field(path: &Path, parameters: &Path) -> Result<FieldDocument> {
-    let field: FieldDocument = parse(path, &files::read(path)?, "field")?;
-    if field.parameters_sha256 != files::sha256(&files::read(parameters)?) {
+    parse_field(path, &files::read(path)?, parameters, &files::sha256(&files::read(parameters)?))
+}
+
+/// Reads the bytes of a `field.json` that belongs to the parameters with this hash.
+pub fn parse_field(path: &Path, bytes: &[u8], parameters: &Path, sha256: &str) -> Result<FieldDocument> {
+    let field: FieldDocument = parse(path, bytes, "field")?;
+    if field.parameters_sha256 != sha256 {
         let (field, parameters) = (path.display().to_string(), parameters.display().to_string());
         return Err(error!("field-of-other-parameters", field, parameters).into());
     }

@@ -96,6 +96,7 @@ mod tests {
         check::<CellOptions>(&[("solve", "\"hand-eye\"")]);
         check::<PoseOptions>(&[]);
         check::<StreamOptions>(&[]);
+        check::<ValidateOptions>(&[]);
     }
 
     #[test]

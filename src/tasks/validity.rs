@@ -9,13 +9,13 @@ use etalon_documents::{CampaignSummary, ParametersDocument};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Returns a warning if the last day of validity of parameters, or of their campaign, has passed.
-pub(super) fn expired(parameters: &ParametersDocument, campaign: Option<&CampaignSummary>) -> Option<Message> {
+pub(crate) fn expired(parameters: &ParametersDocument, campaign: Option<&CampaignSummary>) -> Option<Message> {
     let of_campaign = || campaign.and_then(|campaign| campaign.valid_until.as_deref());
     passed(parameters.valid_until.as_deref().or_else(of_campaign)?, today()?)
 }
 
 /// Returns warnings about dates of a campaign that are later than today.
-pub(super) fn later_than_today(campaign: &Campaign) -> Vec<Message> {
+pub(crate) fn later_than_today(campaign: &Campaign) -> Vec<Message> {
     let today = today();
     let later = |(path, text): (&[&str], &String)| {
         let (stated, today) = date(text).zip(today).filter(|(stated, today)| stated > today)?;
