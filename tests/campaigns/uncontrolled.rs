@@ -20,7 +20,7 @@ fn points_of_a_frame_without_redundancy_are_listed_and_nominal_places_control_th
     assert_eq!(open["points"], serde_json::json!(["rail2_a", "rail2_b", "rail3_a", "R_home", "R_end"]));
     assert!(open["keys"][0].as_str().unwrap().contains("nominal_mm"), "{open}");
     let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-    assert!(page.contains("Errors that the data cannot detect") && page.contains("[frame.world] nominal_mm"));
+    assert!(page.has_phrase("not-controlled-by-the-data") && page.contains("[frame.world] nominal_mm"));
     scratch.replace("campaign.toml", "towards = \"rail3_a\"\n", &format!("towards = \"rail3_a\"\n{NOMINAL}"));
     ends(&scratch, "run", 0, &[]);
     assert_eq!(frames(&scratch)["not_controlled"][0]["points"], serde_json::json!(["R_end"]));

@@ -241,7 +241,7 @@ fn a_file_that_is_worse_than_nominal_is_refused() {
     }
     assert!(!folder.join("out").join(SAMPLE_OF_FILE).exists() && folder.join("out/controller.json").exists());
     let page = std::fs::read_to_string(folder.join("out/report.html")).unwrap();
-    assert!(page.contains("controller file was not written") && page.contains("Controller files"));
+    assert!(page.has_phrase("reservation-file-not-written") && page.contains("Controller files"));
     let arguments =
         ["export", "out/parameters.json", "--robot", "robot.toml", "--format", "universal-robots", "--force"];
     let refused = etalon(&folder, &arguments[..6]);

@@ -85,7 +85,7 @@ fn a_sinumerik_with_its_table_is_where_it_is_programmed() {
         assert!((moved + mean_deviation).abs() < 1e-6, "{out}");
     }
     let (code, _, err) = answer(ROWS, &["--compensation", "sinumerik", "--axis", "X1]=0\nM17"]);
-    assert!(code == Some(2) && err.contains("letters and digits"), "{err}");
+    assert!(code == Some(2) && err.has_phrase("axis-name-expected"), "{err}");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The report as PDF and as workbook: what other programs find in them.
 
 use super::{etalon, text_of};
+use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Data, Reader, Xlsx};
 use serde_json::Value;
@@ -208,7 +209,7 @@ fn before_has_one_meaning_in_a_report() {
     assert_eq!(numbers("Tool point", "nominal minus identified, max"), [tool_mm]);
     let tool = page.split_once("At the tool point").unwrap().1.split_once("</table>").unwrap().0;
     assert!(tool.contains("nominal minus identified") && tool.contains("expected") && !tool.contains(">before<"));
-    assert!(page.contains("Tool point: nominal minus identified model, xy plane"));
+    assert!(page.has_phrase("prediction-difference-title plane=xy"));
     assert!(!page.contains("Tool point: error before"));
 }
 

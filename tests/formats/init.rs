@@ -2,6 +2,7 @@
 
 use super::recordings::{Cdr, JOINTS, recording};
 use crate::support::root;
+use crate::support::said::Says;
 use etalon::base::noise::Noise;
 use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
@@ -477,7 +478,7 @@ fn a_recording_with_few_messages_at_each_point_is_joined() {
     let (first, _) = whole.trim_end().rsplit_once('\n').unwrap();
     std::fs::write(at.join("part.csv"), format!("{first}\n")).unwrap();
     let said = lines("part.csv");
-    assert!(said.contains("by = \"?\"") && said.contains("the times do not join `run.mcap`"), "{said}");
+    assert!(said.contains("by = \"?\"") && said.has_phrase("recording-not-joined"), "{said}");
 }
 
 /// Two logs of the same poses are sections with names of their own; the first identifies.
@@ -578,11 +579,11 @@ fn the_tool_link_is_that_of_the_measured_points() {
     // a finger that stands still, and one that carries the reflector and moves
     std::fs::write(at.join("flange.csv"), rows_of_arm(at, "tool0", &|_| 0.01)).unwrap();
     let robot = chosen("flange.csv", "");
-    assert!(robot.contains("tool_link = \"tool0\"") && robot.contains("further joints do not reduce it"), "{robot}");
+    assert!(robot.contains("tool_link = \"tool0\"") && robot.has_phrase("tool-link-shortest"), "{robot}");
     let moving = |row: u32| 0.001 * f64::from(row * 17 % 50);
     std::fs::write(at.join("finger.csv"), rows_of_arm(at, "finger", &moving)).unwrap();
     let robot = chosen("finger.csv", "");
-    assert!(robot.contains("tool_link = \"finger\"") && robot.contains("at least three times as much"), "{robot}");
+    assert!(robot.contains("tool_link = \"finger\"") && robot.has_phrase("tool-link-by-residual"), "{robot}");
     // joints alone, with a finger that moves: the files do not decide
     let log: String = rows_of_arm(at, "finger", &moving)
         .lines()

@@ -10,6 +10,9 @@ pub trait Says {
     /// The sentence of the catalogue with these arguments stands behind `[id]: `; arguments that are not stated are free. A value may
     /// have blanks. It is a mistake of the test if the message lacks a stated argument.
     fn says(&self, expected: &str) -> bool;
+
+    /// `true` if the text has a phrase of the catalogue by id and arguments: `fields-like like=first-row`.
+    fn has_phrase(&self, expected: &str) -> bool;
 }
 
 /// `true` if the text has a part of a message: the hint or a reason.
@@ -23,6 +26,11 @@ impl Says for str {
         let (head, sentences) = (format!("{head}]: "), sentences(id, arguments));
         let is_one = |text: &str| sentences.iter().any(|sentence| has_sentence(text, sentence));
         self.lines().filter_map(|line| line.split_once(&head)).any(|(_, text)| is_one(text))
+    }
+
+    fn has_phrase(&self, expected: &str) -> bool {
+        let (id, arguments) = expected.split_once(' ').unwrap_or((expected, ""));
+        sentences(id, arguments).iter().any(|sentence| has_sentence(self, sentence))
     }
 }
 
@@ -55,7 +63,7 @@ fn sentences(id: &str, arguments: &str) -> Vec<String> {
     let free = pattern.split('$').skip(1).map(|rest| (name(rest).to_owned(), Argument::Text(FREE.to_owned())));
     let mut phrase = Phrase { id: id.to_owned().into(), arguments: free.collect() };
     let mut stated: Vec<(&str, String)> = Vec::new();
-    for word in arguments.split(' ') {
+    for word in arguments.split(' ').filter(|word| !word.is_empty()) {
         match (word.split_once('='), stated.last_mut()) {
             (Some((name, value)), _) => stated.push((name, value.to_owned())),
             (None, Some((_, value))) => *value += &format!(" {word}"),
@@ -119,6 +127,7 @@ fn a_message_is_said_by_its_id_and_its_arguments() {
     {
         assert!(!said.says(expected), "{expected}");
     }
+    assert!(said.has_phrase("target-twice pose=1") && !said.has_phrase("target-twice pose=2"), "{said}");
     let missing = format!("error[key-missing]: {}", phrase!("key-missing", key = "name", has_section = "no"));
     assert!(missing.says("[key-missing] key=name") && !missing.says("[key-missing] key=nam"));
     let variant = format!("error[quote-unmatched]: {}", phrase!("quote-unmatched", fault = "behind"));
