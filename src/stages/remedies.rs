@@ -7,7 +7,7 @@ use etalon_base::message::{Message, Problems};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{ErrorQuantity, set_up_hint, warning_message};
-use etalon_identify::{Cause, Error, ErrorKind, OUTLIER, Reading, RobustFit};
+use etalon_identify::{Cause, Error, ErrorKind, Reading, RobustFit};
 use etalon_robots::Robot;
 
 /// The messages of an error of [`etalon_identify`] with the remedy as the hint of the first.
@@ -85,8 +85,10 @@ pub(super) fn outliers_excluded(robust: &RobustFit, robot: &dyn Robot) -> Messag
 
 fn outliers(robust: &RobustFit, robot: &dyn Robot) -> Phrase {
     let outliers = robust.outliers();
-    let (count, total, times) = (outliers.len(), robust.readings.len(), OUTLIER);
+    let (count, total) = (outliers.len(), robust.readings.len());
     let is_concerned = |quantity: &Option<ErrorKind>| outliers.iter().any(|r| r.quantity == *quantity);
+    let times = outliers.iter().map(|r| robust.limit(r.quantity)).fold(f64::INFINITY, f64::min);
+    let times = (10.0 * times).round() / 10.0;
     let scales = robust.scales.iter().filter(|(quantity, _)| is_concerned(quantity));
     let scales: Vec<Phrase> = scales.map(|(quantity, scale)| standard_deviation(*quantity, *scale)).collect();
     phrase!("outlier-readings", count, total, times, scales, readings = named(outliers, NAMED_OUTLIERS, robot))

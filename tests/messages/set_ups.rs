@@ -116,6 +116,17 @@ fn of_readings_that_decide() {
     assert!(!found.iter().any(|m| is_error(m) || m.is("outliers", &[])), "{found:?}");
 }
 
+/// Base or measuring system was elsewhere at the first poses: this motion is named, and not the readings of these poses as mistakes.
+#[test]
+fn of_a_motion_after_the_first_poses() {
+    let (robot, mut all) = measured(50.0, 1.2);
+    let targets = all[..5].iter_mut().flat_map(|o| o.targets.iter_mut().flatten());
+    targets.for_each(|at| *at = [at[0] + 1.2, at[1] - 1.6, at[2]]);
+    let found = messages((robot, all));
+    assert!(found.iter().any(|m| m.is("reference-moved", &[("pose", &"6"), ("previous", &"5")])), "{found:?}");
+    assert!(!found.iter().any(|m| m.is("readings-decide", &[])), "{found:?}");
+}
+
 /// Joint values swapped between a calibration and a validation pose are named, and no third pose is.
 #[test]
 fn of_poses_swapped_across_the_sets() {

@@ -49,6 +49,11 @@ impl Data {
         Self { observations, settings, numbers, log_factors: 0.0 }
     }
 
+    /// `true` for the same readings of the same poses.
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.observations == other.observations && self.settings.conditions == other.settings.conditions
+    }
+
     /// Poses in the order of their first observation.
     pub fn poses(&self) -> Vec<PoseName> {
         let all = self.observations.iter().map(|o| o.pose).chain(self.settings.conditions.iter().map(|c| c.pose));

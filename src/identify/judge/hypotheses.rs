@@ -76,6 +76,12 @@ impl Slip {
         self.case.loose.is_none() && self.origin != Origin::WorldFrame
     }
 
+    /// `true` for another way to make the same data of the same robot.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let are_changes = [self, other].iter().all(|slip| slip.is_change() && !slip.is_other_robot());
+        are_changes && self.case.data.is_same(&other.case.data)
+    }
+
     /// The change with the fitted value.
     pub fn phrase(&self, robot: &dyn Robot, fitted: &Fitted) -> Phrase {
         let Some(i) = self.case.loose else { return self.what.clone() };

@@ -311,9 +311,11 @@ fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mis
 }
 
 /// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`;
-/// those beyond `limit` are given up.
+/// those beyond `limit` are given up. Of several ways to make the same data, only the first is
+/// fitted.
 fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64, limit: Option<f64>) -> Vec<(Slip, Fitted)> {
     all.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
+    all.dedup_by(|later, first| later.is_same(first));
     let alike = all.iter().take_while(|slip| slip.case.near < as_near).count();
     all.truncate(alike.clamp(FITS, MOST_FITS));
     let fitted = |slip: Slip| slip.case.fit_within(slip.robot(robot), limit).map(|fitted| (slip, fitted));

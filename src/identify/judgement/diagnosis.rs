@@ -127,9 +127,17 @@ fn extent(points: &[Vector]) -> f64 {
     norm(minus(end(f64::max), end(f64::min)))
 }
 
-/// Outlier limit in robust standard deviations of a coordinate: with three coordinates, fewer than
-/// one of ten million normal errors exceeds it.
+/// Minimum outlier limit in robust standard deviations of a coordinate: with three coordinates,
+/// fewer than one of ten million normal errors exceeds it.
 pub const OUTLIER: f64 = 6.0;
+/// Size of a reading in standard deviations that no misfit of a model leaves.
+pub const GROSS: f64 = 20.0;
+/// Share of sound campaigns whose misfit has a larger residual than the outlier limit.
+const CHANCE: f64 = 1e-3;
+/// Minimum number of readings of a quantity whose misfit has a known tail.
+const FEWEST_OF_TAIL: usize = 15;
+/// Ratio of a scatter to the given uncertainty from which a model is incomplete.
+const MISFIT: f64 = 1.5;
 /// Number of fits, each with the scale of the previous one.
 const FITS: usize = 12;
 /// Maximum number of fits without the outliers of the previous one.
@@ -146,7 +154,7 @@ pub const LEAST_RESIDUAL: f64 = 1e-6;
 /// of a model that is incomplete is not the instrument's.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
-    /// The largest first, relative to its standard deviation.
+    /// The largest first, relative to its outlier limit.
     pub readings: Vec<Reading>,
     /// Standard deviation (mm, rad) of the residuals of each quantity: by the majority of them, or
     /// the stated one if that is larger. `None` stands for orientations.
@@ -185,6 +193,8 @@ pub struct Reading {
     /// reading itself states if that is larger, with the uncertainty of the prediction by the other
     /// readings.
     pub(crate) deviation: f64,
+    /// Residual over its standard deviation beyond which it is an outlier.
+    pub(crate) limit: f64,
 }
 
 impl Reading {
@@ -192,6 +202,52 @@ impl Reading {
     pub fn over_deviation(&self) -> f64 {
         self.left / self.deviation
     }
+
+    /// Residual over the outlier limit.
+    fn over_limit(&self) -> f64 {
+        self.over_deviation() / self.limit
+    }
+
+    fn is_judged(&self, conditions: &[Condition]) -> bool {
+        !matches!(self.source, ReadingSource::Condition(i) if !is_judged(&conditions[i]))
+    }
+}
+
+/// All readings at `values`, with the standard deviations that they state themselves, and the
+/// number of residuals of each.
+fn readings(
+    robot: &dyn Robot,
+    observations: &[Observation],
+    conditions: &[Condition],
+    values: &[f64],
+) -> Vec<(Reading, usize)> {
+    let (dimension, mut all) = (robot.dimension(), Vec::new());
+    for (index, o) in observations.iter().enumerate() {
+        let own: BTreeMap<usize, f64> = o.uncertainties_mm(dimension).collect();
+        let position = |(target, miss): (usize, Vector)| Reading {
+            source: ReadingSource::Position(index),
+            quantity: Some(ErrorKind::Position),
+            target,
+            pose: o.pose,
+            cycle: o.cycle,
+            left: norm(miss),
+            deviation: own.get(&target).copied().unwrap_or(0.0),
+            limit: OUTLIER,
+        };
+        all.extend(o.misses(robot, values).map(|miss| (position(miss), dimension)));
+    }
+    let condition = |(index, c): (usize, &Condition)| Reading {
+        source: ReadingSource::Condition(index),
+        quantity: c.kind.error_kind(),
+        target: c.target,
+        pose: c.pose,
+        cycle: c.cycle,
+        left: norm(c.error(robot, values)),
+        deviation: c.standard_uncertainty,
+        limit: OUTLIER,
+    };
+    all.extend(conditions.iter().enumerate().map(|all| (condition(all), all.1.kind.rows())));
+    all
 }
 
 impl RobustFit {
@@ -247,40 +303,20 @@ impl RobustFit {
         free: &[usize],
         Fit { values, scatter }: Fit,
     ) -> Self {
-        let mut uncertainties = prediction_factors(robot, observations, &scatter.weighted(settings), free, &values);
+        let mut factors = prediction_factors(robot, observations, &scatter.weighted(settings), free, &values);
         let stated_mm = settings.coordinate_uncertainty_mm();
-        let position_mm = scatter.scale(Some(ErrorKind::Position)).max(stated_mm);
-        let mut readings = Vec::new();
-        let dimension = robot.dimension();
-        let mut factor = |rows: usize| mean((0..rows).map(|_| uncertainties.next().unwrap_or(1.0)));
-        for (index, o) in observations.iter().enumerate() {
-            let own: BTreeMap<usize, f64> = o.uncertainties_mm(dimension).collect();
-            readings.extend(o.misses(robot, &values).map(|(target, miss)| Reading {
-                source: ReadingSource::Position(index),
-                quantity: Some(ErrorKind::Position),
-                target,
-                pose: o.pose,
-                cycle: o.cycle,
-                left: norm(miss),
-                deviation: factor(dimension) * own.get(&target).copied().unwrap_or(0.0).max(position_mm),
-            }));
-        }
-        for (index, c) in settings.conditions.iter().enumerate() {
-            let (factor, quantity) = (factor(c.kind.rows()), c.kind.error_kind());
-            if !is_judged(c) {
-                continue;
-            }
-            readings.push(Reading {
-                source: ReadingSource::Condition(index),
-                quantity,
-                target: c.target,
-                pose: c.pose,
-                cycle: c.cycle,
-                left: norm(c.error(robot, &values)),
-                deviation: factor * scatter.scale(quantity).max(c.standard_uncertainty),
-            });
-        }
-        readings.sort_by(|a, b| b.over_deviation().total_cmp(&a.over_deviation()));
+        let least = |quantity: Option<ErrorKind>| {
+            let scale = scatter.scale(quantity);
+            if quantity == Some(ErrorKind::Position) { scale.max(stated_mm) } else { scale }
+        };
+        let deviating = |(mut reading, rows): (Reading, usize)| {
+            let factor = mean((0..rows).map(|_| factors.next().unwrap_or(1.0)));
+            reading.deviation = factor * reading.deviation.max(least(reading.quantity));
+            reading
+        };
+        let all = readings(robot, observations, &settings.conditions, &values);
+        let mut readings: Vec<Reading> = all.into_iter().map(deviating).collect();
+        readings.retain(|reading| reading.is_judged(&settings.conditions));
         let stated = |quantity: Option<ErrorKind>| {
             let conditions = settings.conditions.iter().filter(|c| is_judged(c) && c.kind.error_kind() == quantity);
             let least = conditions.map(|c| c.standard_uncertainty).fold(f64::INFINITY, f64::min);
@@ -288,53 +324,52 @@ impl RobustFit {
         };
         let scale =
             |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| (quantity, scale.max(stated(quantity)));
-        let scales = scatter.0.iter().map(scale).collect();
-        Self { readings, scales, values, fitted: [observations.len(), settings.conditions.len()] }
+        let scales: BTreeMap<_, _> = scatter.0.iter().map(scale).collect();
+        for (&quantity, (scale, _)) in &scatter.0 {
+            if *scale > MISFIT * stated(quantity) || !stated(quantity).is_finite() {
+                let limit = outlier_limit(&readings, quantity);
+                readings.iter_mut().filter(|r| r.quantity == quantity).for_each(|r| r.limit = limit);
+            }
+        }
+        let fitted = [observations.len(), settings.conditions.len()];
+        Self { readings, scales, values, fitted }.sorted()
     }
 
-    /// `true` if every outlier is this many times as far as any other reading, in standard
-    /// deviations.
+    fn sorted(mut self) -> Self {
+        self.readings.sort_by(|a, b| b.over_limit().total_cmp(&a.over_limit()));
+        self
+    }
+
+    /// Outlier limit of a quantity, in standard deviations.
+    pub fn limit(&self, quantity: Option<ErrorKind>) -> f64 {
+        self.readings.iter().find(|r| r.quantity == quantity).map_or(OUTLIER, |r| r.limit)
+    }
+
+    /// `true` if every outlier is this many times as far as any other reading, relative to their
+    /// outlier limits.
     pub fn is_separated(&self, times: f64) -> bool {
         let (outliers, others) = self.readings.split_at(self.outliers().len());
-        let least = outliers.last().map_or(f64::INFINITY, Reading::over_deviation);
-        others.first().is_none_or(|other| least > times * other.over_deviation())
+        let least = outliers.last().map_or(f64::INFINITY, Reading::over_limit);
+        others.first().is_none_or(|other| least > times * other.over_limit())
     }
 
     /// Adds the readings of the observations and conditions that follow the fitted ones. They have
     /// the standard deviations of the fitted readings.
     pub fn with_others(mut self, robot: &dyn Robot, observations: &[Observation], conditions: &[Condition]) -> Self {
-        let [first, first_condition] = self.fitted;
-        let scale = |quantity: Option<ErrorKind>| self.scales.get(&quantity).copied();
-        let mut others = Vec::new();
-        if let Some(deviation) = scale(Some(ErrorKind::Position)) {
-            for (index, o) in observations.iter().enumerate().skip(first) {
-                others.extend(o.misses(robot, &self.values).map(|(target, miss)| Reading {
-                    source: ReadingSource::Position(index),
-                    quantity: Some(ErrorKind::Position),
-                    target,
-                    pose: o.pose,
-                    cycle: o.cycle,
-                    left: norm(miss),
-                    deviation,
-                }));
+        let fitted = self.fitted;
+        let is_other = |source: ReadingSource| match source {
+            ReadingSource::Position(i) => i >= fitted[0],
+            ReadingSource::Condition(i) => i >= fitted[1],
+        };
+        for (mut reading, _) in readings(robot, observations, conditions, &self.values) {
+            let scale = self.scales.get(&reading.quantity);
+            if let Some(scale) = scale.filter(|_| is_other(reading.source) && reading.is_judged(conditions)) {
+                reading.deviation = reading.deviation.max(*scale);
+                reading.limit = self.limit(reading.quantity);
+                self.readings.push(reading);
             }
         }
-        for (index, c) in conditions.iter().enumerate().skip(first_condition).filter(|(_, c)| is_judged(c)) {
-            let quantity = c.kind.error_kind();
-            let left = norm(c.error(robot, &self.values));
-            others.extend(scale(quantity).map(|deviation| Reading {
-                source: ReadingSource::Condition(index),
-                quantity,
-                target: c.target,
-                pose: c.pose,
-                cycle: c.cycle,
-                left,
-                deviation: deviation.max(c.standard_uncertainty),
-            }));
-        }
-        self.readings.extend(others);
-        self.readings.sort_by(|a, b| b.over_deviation().total_cmp(&a.over_deviation()));
-        self
+        self.sorted()
     }
 
     /// `true` if a robot can leave such residuals: the outliers are readings, not the model.
@@ -345,9 +380,26 @@ impl RobustFit {
 
     /// Outlying readings, the largest first.
     pub fn outliers(&self) -> &[Reading] {
-        let beyond = self.readings.iter().take_while(|r| r.over_deviation() > OUTLIER);
+        let beyond = self.readings.iter().take_while(|r| r.over_limit() > 1.0);
         &self.readings[..beyond.count()]
     }
+}
+
+/// Outlier limit of a quantity (standard deviations) by the tail of its residuals: the misfit of a
+/// model is larger at some poses than at others. A Weibull distribution through the median and the
+/// largest residual of the most readings that are right gives the largest residual by chance.
+fn outlier_limit(readings: &[Reading], quantity: Option<ErrorKind>) -> f64 {
+    let mut sizes: Vec<f64> = readings.iter().filter(|r| r.quantity == quantity).map(Reading::over_deviation).collect();
+    sizes.sort_by(f64::total_cmp);
+    let at = |share: f64| sizes[((sizes.len() - 1) as f64 * share).round() as usize];
+    if sizes.len() < FEWEST_OF_TAIL || at(0.5) <= 0.0 {
+        return OUTLIER;
+    }
+    let of_share = |share: f64| -(1.0 - share).ln();
+    let most = 1.0 - FEW;
+    let shape = (of_share(most) / of_share(0.5)).ln() / (at(most) / at(0.5)).ln();
+    let largest = at(0.5) * ((readings.len() as f64 / CHANCE).ln() / of_share(0.5)).powf(1.0 / shape);
+    largest.clamp(OUTLIER, GROSS)
 }
 
 /// `true` if the residuals of a condition are judged: observed joint values are inputs of the

@@ -7,7 +7,8 @@ use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_identify::{
-    Observation, ReadingSlips, RobustFit, Settings, WrongCoordinate, nominal_reading_slips, reading_slips,
+    GROSS, Observation, ReadingSlips, RobustFit, Settings, WrongCoordinate, moved_between, nominal_reading_slips,
+    reading_slips,
 };
 use etalon_robots::{Robot, Role};
 use std::collections::BTreeSet;
@@ -17,9 +18,6 @@ const NAMED: usize = 8;
 /// Ratio of the smallest outlier to the largest other reading, both in standard deviations, from
 /// which outliers are no tail of the misfit of the model.
 const APART: f64 = 1.5;
-/// Size of an outlier, in standard deviations, from which it is a mistake. Errors that the model
-/// leaves out have no such tails.
-const GROSS: f64 = 20.0;
 /// Change of a parameter, in its standard uncertainties, beyond which excluded readings decide it.
 const DECISIVE: f64 = 1.0;
 
@@ -53,12 +51,12 @@ impl RobustReadings {
 
     /// The solution without the outliers, if they decide it: a few readings, one of them far beyond
     /// all others, without which a parameter of the robot changes by more than its standard
-    /// uncertainty.
+    /// uncertainty. The poses of one side of a change of the set-up are not such readings.
     pub fn settled(&self, robot: &dyn Robot, solution: &Solution) -> Option<Settled> {
         let sets = &solution.basis.sets;
         let outliers = self.fit.outliers();
         let is_few = outliers.len() as f64 <= MOST_OUTLIERS * self.fit.readings.len() as f64;
-        let is_gross = outliers.first().is_some_and(|reading| reading.over_deviation() > GROSS);
+        let is_gross = outliers.iter().any(|reading| reading.over_deviation() > GROSS);
         if !is_gross
             || !is_few
             || !self.fit.is_separated(APART)
@@ -66,7 +64,11 @@ impl RobustReadings {
         {
             return None;
         }
-        let mut basis = solution.basis.clone();
+        let Solution { basis, found, .. } = solution;
+        if moved_between(robot, &sets.calibration, &basis.settings, found, &self.fit.values).is_some() {
+            return None;
+        }
+        let mut basis = basis.clone();
         basis.exclude(outliers);
         // the same parameters are free: those that the frames absorb depend on the choice
         let held = robot.parameters().iter().enumerate();
