@@ -15,8 +15,8 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
-    Comparison, Detectable, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER, SIGNIFICANCE,
-    Settings, UncertaintyBound, Verification, set_up_contradicted, set_up_far,
+    Comparison, Detectable, EXPLAINED, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER,
+    SIGNIFICANCE, Settings, UncertaintyBound, Verification, set_up_contradicted, set_up_far,
 };
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
@@ -130,6 +130,9 @@ pub fn verify(
         Some(pose) => phrase!("one-pose-deviates", pose),
         None => meaning(verdict, moved.as_ref(), dominant.as_ref()),
     };
+    let is_doubtful = found.is_changed() && found.p_value > DOUBTFUL;
+    let percent = 100.0 * found.p_value;
+    let meaning = if is_doubtful { phrase!("perhaps-changed", percent, meaning) } else { meaning };
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
@@ -401,6 +404,13 @@ fn components(robot: &dyn Robot, moved: Moved) -> Vec<(String, Quantity)> {
     }
 }
 
+/// Probability of the residuals of an unchanged robot above which a rejection calls for another
+/// measurement.
+const DOUBTFUL: f64 = 0.01;
+/// Difference of the explained sums of squares that decides between two motions: a ratio of
+/// likelihoods of 20.
+const DECISIVE: f64 = 6.0;
+
 /// Minimum share of the excess of squares at which a motion that does not explain everything is
 /// named.
 const DOMINANT: f64 = 0.5;
@@ -483,10 +493,46 @@ fn number(v: &MovementValue) -> String {
     format!("{} {:+.digits$}{u} {}", v.name, v.value, v.unit)
 }
 
-/// Returns a warning if several motions explain the residuals equally well.
+/// Returns a warning if several motions explain the residuals about equally well.
 fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
     let cause = found.cause()?;
-    let as_well = |e: &&Explanation| *e != cause && e.suffices();
+    let is_near = |e: &Explanation| e.p_left > EXPLAINED && cause.explained - e.explained < DECISIVE;
+    let as_well = |e: &&Explanation| *e != cause && (e.suffices() || is_near(e));
     let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
     (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_identify::Test;
+    use etalon_robots::Prexyt;
+
+    /// Chi-square of a zero of one joint, and of two others: one explains nearly as much, the other
+    /// clearly less.
+    #[test]
+    fn motions_that_explain_nearly_as_much_are_named() {
+        let robot = Prexyt::default();
+        let explains = |joint: usize, explained: f64, p_change: f64| Explanation {
+            moved: Moved::Joint(joint),
+            change: vec![0.01],
+            standard_uncertainty: vec![0.003],
+            p_left: 0.2,
+            explained,
+            p_change,
+        };
+        let all = Test { sum: 12.0, degrees_of_freedom: 3, p_value: 0.02 };
+        let found = Verification {
+            of_changes: all,
+            of_rest: all,
+            p_value: 0.02,
+            rms_mm: 0.01,
+            expected_rms_mm: 0.008,
+            explanations: vec![explains(0, 12.0, 0.01), explains(1, 9.0, 0.08), explains(2, 2.0, 0.9)],
+            detectable: Vec::new(),
+        };
+        let message = alike(&found, &robot).expect("alike");
+        let names = [robot.joints()[1].name.as_str()];
+        assert!(message.is("motions-alike", &[("count", &1), ("motions", &names)]), "{message:?}");
+    }
 }

@@ -954,6 +954,7 @@ path-repeatability-rt = Bahn-Wiederholgenauigkeit RT
 path-repeatability-title = Bahn-Wiederholgenauigkeit RT
 path-velocity = Bahngeschwindigkeit
 percent-of-rated = { $percent } % der Nenngeschwindigkeit
+perhaps-changed = unsicher, erneut messen: Die Residuen eines unveränderten Roboters sind bei { FIXED($percent, 1) } % aller Überprüfungen so groß. Beste Erklärung: { $meaning }
 permissible = Fehlergrenze
 permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
 picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Den Mauszeiger auf eine Marke setzen, um Pose, Zyklus, Zielmarke und Abweichung zu lesen; ein Klick markiert die Pose in allen Bildern. Werte: siehe die Tabellen.

@@ -912,6 +912,7 @@ path-repeatability-rt = path repeatability RT
 path-repeatability-title = Path repeatability RT
 path-velocity = path velocity
 percent-of-rated = { $percent } % of the rated velocity
+perhaps-changed = uncertain, measure again: residuals of an unchanged robot are as large in { FIXED($percent, 1) } % of all verifications. Best explanation: { $meaning }
 permissible = permissible
 permissible-over-certificate = permissible / certificate uncertainty
 picture-marks = Circles: calibration poses; diamonds: validation poses. Point at a mark to read its pose, cycle, target and error; a click marks the pose in all figures. Values: see the tables.

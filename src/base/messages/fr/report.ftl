@@ -960,6 +960,7 @@ path-repeatability-rt = répétabilité de trajectoire RT
 path-repeatability-title = Répétabilité de trajectoire RT
 path-velocity = vitesse de trajectoire
 percent-of-rated = { $percent } % de la vitesse assignée
+perhaps-changed = incertain, mesurer de nouveau : les résidus d’un robot inchangé sont aussi grands dans { FIXED($percent, 1) } % de toutes les vérifications. Meilleure explication : { $meaning }
 permissible = erreur maximale tolérée
 permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
 picture-marks = Cercles : poses d’étalonnage ; losanges : poses de validation. Pointer une marque pour lire sa pose, son cycle, sa cible et son erreur ; un clic marque la pose dans toutes les figures. Valeurs : voir les tableaux.
