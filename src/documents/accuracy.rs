@@ -150,6 +150,10 @@ pub struct EffectProof {
     /// Line of robot.toml that describes the effect; absent if robot.toml contains it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub robot_key: Option<String>,
+    /// Line of `[identify]` that adds the effect to the identified ones; absent if the effect is
+    /// identified, or if robot.toml does not contain it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub campaign_line: Option<String>,
     /// Root-mean-square position error at poses that were excluded, without the effect (mm).
     pub without_mm: f64,
     /// Root-mean-square position error at poses that were excluded, with the effect (mm).

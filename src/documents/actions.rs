@@ -240,11 +240,13 @@ impl Evidence<'_> {
         }
         // stable: steps without a known gain keep the order of the verdict
         all.sort_by(|a, b| b.gain_mm.unwrap_or(0.0).total_cmp(&a.gain_mm.unwrap_or(0.0)));
-        // an implausible result comes first; without limits nothing decides whether a file may be
-        // loaded
-        all.sort_by_key(|action| match &action.message {
-            Some(message) if message.severity == Severity::Error => 0,
-            _ => 1 + u8::from(action.action != ActionKind::StateLimits),
+        // an implausible result comes first, then readings that decide the file to load; without
+        // limits nothing decides whether a file may be loaded
+        all.sort_by_key(|action| match (&action.message, action.action) {
+            (Some(message), _) if message.severity == Severity::Error => 0,
+            (_, ActionKind::MeasureAgain) if self.readings_decide() => 1,
+            (_, ActionKind::StateLimits) => 2,
+            _ => 3,
         });
         // the step that closes the loop follows what changes the robot
         let changes = |action: &Action| matches!(action.action, ActionKind::Load | ActionKind::Compensate);
@@ -310,6 +312,12 @@ impl Evidence<'_> {
             times = format!("{:.1}", worst.residual_over_sigma)
         );
         Some(Action::new(ActionKind::MeasureAgain, what, reason).gain(self.without(&names)))
+    }
+
+    /// `true` if a fit with small weights of outliers has significantly different parameters.
+    fn readings_decide(&self) -> bool {
+        let robust = self.judged.parameters.and_then(|parameters| parameters.robust.as_ref());
+        robust.is_some_and(|robust| robust.parameters.iter().any(|p| p.difference_over_u.abs() > robust.critical))
     }
 
     /// Decrease of the root mean square error of the calibration if these poses are omitted.
@@ -481,9 +489,11 @@ impl Evidence<'_> {
 fn add_effect(proof: &EffectProof) -> Action {
     let [without, with] = lengths([proof.without_mm, proof.with_mm]);
     let reason = phrase!("action-add-effect-reason", without, with);
+    // output folders of earlier versions do not contain the line
+    let of_campaign = || proof.campaign_line.clone().unwrap_or_else(|| "effects = \"proven\"".to_owned());
     let (file, line) = match &proof.robot_key {
         Some(key) => ("robot.toml", key.clone()),
-        None => ("campaign.toml", "effects = \"proven\"".to_owned()),
+        None => ("campaign.toml", of_campaign()),
     };
     let what = match &proof.robot_key {
         Some(key) => phrase!("action-add-effect", line = key),

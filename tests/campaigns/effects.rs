@@ -64,9 +64,19 @@ fn harmonics_that_robot_toml_does_not_describe_are_named_alone() {
     let named = ["[effect-would-prove] effect=harmonics joints=q1, q4", "add `harmonics = [1, 4]` to robot.toml"];
     let said = ends(&scratch, "run", 0, &named);
     assert_eq!(said.matches("[effect-would-prove]").count(), 1, "{said}");
+    let accuracy = || -> Value {
+        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
+    };
+    let promised =
+        accuracy()["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "harmonics").unwrap()["with_mm"]
+            .as_f64()
+            .unwrap();
     scratch.replace("robot.toml", "joint = [", "harmonics = [1, 4]\njoint = [");
     let said = ends(&scratch, "run", 0, &[]);
     assert!(!said.contains("[effect-would-prove]"), "{said}");
+    // what is said becomes true at the same left-out poses
+    let reached = accuracy()["left_out"]["identified"]["rms"].as_f64().unwrap();
+    assert!((reached / promised - 1.0).abs() < 0.1, "{reached} {promised}");
     let parameters = std::fs::read(scratch.path().join("out/parameters.json")).unwrap();
     let parameters: Value = serde_json::from_slice(&parameters).unwrap();
     for (name, amplitude_deg) in [("harmonic_1", 0.02), ("harmonic_4", 0.03)] {

@@ -280,6 +280,36 @@ fn a_motion_that_does_not_explain_everything_is_named() {
     assert!(!meaning.contains("no motion"), "{meaning}");
 }
 
+/// Residuals that one of fifty unchanged robots has ask for another measurement; larger ones do not.
+#[test]
+fn a_doubtful_rejection_asks_for_another_measurement() {
+    let folder = run("prexyt-cmm");
+    let shifted = |by_mm: f64| {
+        let table = observations(&folder.path(), |header, cells| add(header, cells, "rho2_mm", by_mm));
+        std::fs::write(folder.path().join("few.csv"), table).unwrap();
+        let arguments = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
+        let answer = json(&etalon(&folder.path(), &arguments));
+        let p = answer["p_value"].as_f64().unwrap();
+        (p, answer["meaning_phrase"]["id"].as_str().unwrap().to_owned(), answer)
+    };
+    let (mut low, mut high) = (0.0, 0.2);
+    let (p, id, answer) = loop {
+        let by_mm = 0.5 * (low + high);
+        let tried = shifted(by_mm);
+        match tried.0 {
+            p if p > 0.04 => low = by_mm,
+            p if p < 0.015 => high = by_mm,
+            _ => break tried,
+        }
+        assert!(high - low > 1e-6, "{low} {high}");
+    };
+    assert_eq!((id.as_str(), answer["verdict"] == "valid"), ("perhaps-changed", false), "{p}: {answer}");
+    let percent = answer["meaning_phrase"]["arguments"]["percent"].as_f64().unwrap();
+    assert!((percent - 100.0 * p).abs() < 1e-9, "{answer}");
+    let (p, id, _) = shifted(0.2);
+    assert!(p < 0.01 && id != "perhaps-changed", "{p} {id}");
+}
+
 #[test]
 fn a_verification_says_what_has_moved() {
     let folder = run("prexyt-cmm");
@@ -624,6 +654,12 @@ fn proven_effects_are_identified_and_others_are_named() {
     let geometry = without["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "geometry").unwrap();
     assert!(geometry["is_identified"] == false, "{geometry}");
     assert!(geometry["with_mm"].as_f64().unwrap() < 0.5 * geometry["without_mm"].as_f64().unwrap(), "{geometry}");
+    // the advised line brings what is said at the same left-out poses
+    let line = geometry["campaign_line"].as_str().unwrap();
+    assert_eq!(line, "effects = [\"zeros\", \"geometry\", \"gains\"]");
+    let reached = accuracy(line, &[])["left_out"]["identified"]["rms"].as_f64().unwrap();
+    let promised = geometry["with_mm"].as_f64().unwrap();
+    assert!((reached / promised - 1.0).abs() < 0.1, "{reached} {promised}");
 }
 
 #[test]

@@ -6,8 +6,8 @@ use crate::campaign::contents;
 use crate::*;
 use etalon_documents::{
     Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule, DisplayedPose, Effect,
-    EffectProof, FieldHeldOut, FieldSummary, LimitQuantity, LimitVerdict, LoadingCheck, PoseSet, RobustPose,
-    RobustSummary, Source, SourceKind, Statistics, WrittenFile,
+    EffectProof, FieldHeldOut, FieldSummary, LimitQuantity, LimitVerdict, LoadingCheck, PoseSet, RobustParameter,
+    RobustPose, RobustSummary, Source, SourceKind, Statistics, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -136,6 +136,13 @@ fn outlying_poses_are_measured_again_the_worst_first_and_steps_follow_their_gain
     assert!(gains.is_sorted_by(|a, b| a >= b) && all.len() <= 5, "{gains:?}");
     // √(0.441² + 39 × 0.01²)/√40 less 0.01
     assert!((again.gain_mm.unwrap() - 0.0604).abs() < 0.0003, "{again:?}");
+    // readings that decide a parameter are settled before its file is loaded
+    let place = |all: &[Action], kind| kinds(all).iter().position(|k| *k == kind).unwrap();
+    let (name, unit) = ("a_2".to_owned(), "mm".to_owned());
+    let changed = RobustParameter { name, unit, value: 270.1, difference: 0.1, difference_over_u: -3.2 };
+    documents.parameters.robust.as_mut().unwrap().parameters.push(changed);
+    let all = actions(&documents);
+    assert!(place(&all, ActionKind::MeasureAgain) < place(&all, ActionKind::Load), "{all:?}");
 }
 
 #[test]
@@ -259,13 +266,18 @@ fn a_field_that_is_better_than_a_further_effect_comes_first() {
         joints: vec!["q1".to_owned()],
         is_identified: false,
         robot_key: None,
+        campaign_line: Some("effects = [\"zeros\", \"geometry\", \"gains\"]".to_owned()),
         without_mm: 0.117,
         with_mm: 0.110,
         gain_over_u: Some(5.0),
         p_value: None,
     };
     documents.accuracy.effects = vec![proof];
-    assert!(kinds(&actions(&documents)).contains(&ActionKind::AddEffect));
+    let all = actions(&documents);
+    let add = all.iter().find(|action| action.action == ActionKind::AddEffect).unwrap();
+    // the line whose error is stated
+    let line = documents.accuracy.effects[0].campaign_line.as_deref();
+    assert_eq!((add.file.as_deref(), add.line.as_deref()), (Some("campaign.toml"), line));
     let held_out = FieldHeldOut {
         without_mm: 0.117,
         with_mm: 0.037,

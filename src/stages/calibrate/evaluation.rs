@@ -189,14 +189,15 @@ fn not_assessable(limit: &LimitVerdict) -> Option<Message> {
 
 /// Returns a remark on an effect that is not identified but significant.
 fn would_prove(proof: &EffectProof) -> Option<Message> {
-    let EffectProof { joints, without_mm, with_mm, is_identified, robot_key, .. } = proof;
+    let EffectProof { joints, without_mm, with_mm, is_identified, robot_key, campaign_line, .. } = proof;
     if *is_identified {
         return None;
     }
     let effect = format!("{:?}", proof.effect).to_lowercase();
     let message = warning!("effect-would-prove", effect, count = joints.len(), joints, without_mm, with_mm);
-    Some(match robot_key {
-        Some(line) => message.hint(phrase!("add-lines", lines = [format!("`{line}`")])),
-        None => message,
+    Some(match (robot_key, campaign_line) {
+        (Some(line), _) => message.hint(phrase!("add-lines", lines = [format!("`{line}`")])),
+        (None, Some(line)) => message.hint(phrase!("action-prove-effects", line)),
+        (None, None) => message,
     })
 }

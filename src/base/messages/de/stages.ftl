@@ -799,7 +799,7 @@ effect-would-prove = signifikanter Effekt: { $effect }{ $count ->
         [0] {""}
        *[other] {" "}der Gelenke { $joints }
     }; damit sinkt die Abweichung an ausgelassenen Kalibrierposen von { FIXED($without_mm, 3) } auf { FIXED($with_mm, 3) } mm (Position, quadratischer Mittelwert)
-    .hint = "{ $effect }" in `effects` von [identify] ergänzen oder `effects = "proven"` angeben
+    .hint = "{ $effect }" in `effects` von [identify] ergänzen
 
 outliers-too-many = `outliers = "exclude"` würde mehr als { $share_percent } % aller Messwerte ausschließen
     .hint = das Modell oder der Aufbau ist falsch: die Messwerte prüfen, die `outliers = "keep"` meldet

@@ -1630,7 +1630,7 @@ effect-would-prove = significant effect: { $effect }{ $count ->
         [0] {""}
        *[other] {" "}of joints { $joints }
     }; with it, the error at held-out calibration poses falls from { FIXED($without_mm, 3) } to { FIXED($with_mm, 3) } mm (position, root mean square)
-    .hint = add "{ $effect }" to `effects` in [identify], or set `effects = "proven"`
+    .hint = add "{ $effect }" to `effects` in [identify]
 
 # Means: `outliers = "exclude"` would exclude more than a tenth of all readings.
 # Matters: So many readings cannot be outliers: the model or the set-up is wrong.

@@ -803,7 +803,7 @@ effect-would-prove = effet significatif : { $effect }{ $count ->
         [0] {""}
        *[other] {" "}des articulations { $joints }
     } ; avec cet effet, l’erreur aux poses d’étalonnage omises passe de { FIXED($without_mm, 3) } à { FIXED($with_mm, 3) } mm (position, moyenne quadratique)
-    .hint = ajouter "{ $effect }" à `effects` dans [identify], ou indiquer `effects = "proven"`
+    .hint = ajouter "{ $effect }" à `effects` dans [identify]
 
 outliers-too-many = `outliers = "exclude"` exclurait plus de { $share_percent } % des lectures
     .hint = le modèle ou le montage est incorrect : vérifier les lectures que signale `outliers = "keep"`

@@ -369,6 +369,7 @@ pub(crate) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
             joints: joint_names(robot, of_effect),
             is_identified: true,
             robot_key: None,
+            campaign_line: None,
             without_mm: pair[0].held_out_rms_mm,
             with_mm: pair[1].held_out_rms_mm,
             gain_over_u: pair[1].gain_over_u,
@@ -377,6 +378,11 @@ pub(crate) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
     };
     let proofs = accepted.windows(2).filter_map(proof).collect();
     Ok((chosen, proofs))
+}
+
+/// Name of an effect in `effects` of `[identify]`.
+fn effect_key(effect: Effect) -> String {
+    format!("{effect:?}").to_lowercase()
 }
 
 /// Names of the joints of some parameters of the robot itself.
@@ -437,26 +443,29 @@ impl LeftOut {
         if unused.is_empty() {
             return Vec::new();
         }
-        let settings = Settings { effects: Effects::All, ..self.settings.clone() };
         let trial = self.trial(robot, &found.values);
-        let held = |kept: Option<Effect>| {
-            let others = unused.iter().filter(|&&i| effects[i] != kept);
-            with_held(&settings, others.map(|&i| robot.parameters()[i].name.clone()).collect())
+        let is_in_use =
+            |effect: Effect| (0..effects.len()).any(|i| effects[i] == Some(effect) && found.status[i] != Status::Fixed);
+        let with = |effect: Effect| -> Vec<Effect> {
+            Effect::ALL.into_iter().filter(|other| *other == effect || is_in_use(*other)).collect()
         };
-        let blocks = temperature_blocks(robot, &self.sets.calibration, &settings.conditions);
+        // the settings of the line that is advised
+        let settings = |effect| Settings { effects: Effects::These(with(effect)), ..self.settings.clone() };
+        let blocks = temperature_blocks(robot, &self.sets.calibration, &self.settings.conditions);
         let by_block = Trial { folds: &blocks, ..trial };
         let holds = |effect: Effect| {
-            let errors = |kept| Some(by_block.cross_validate(&held(kept))?.left_out);
-            let gains = || Some(gain(&errors(None)?, &errors(Some(effect))?));
+            let errors = |settings: &Settings| Some(by_block.cross_validate(settings)?.left_out);
+            let gains = || Some(gain(&errors(&self.settings)?, &errors(&settings(effect))?));
             !effect.is_thermal() || gains().is_some_and(|[gain, u]| gain > u)
         };
         let candidates = Effect::ALL.into_iter().filter(|effect| unused.iter().any(|&i| effects[i] == Some(*effect)));
         let proof = |effect: Effect| {
-            let (plain, more) = (held(None), held(Some(effect)));
-            let with = trial.cross_validate(&more)?;
+            let more = settings(effect);
             let joints = joint_names(robot, |i| unused.contains(&i) && effects[i] == Some(effect));
-            let identified = || Some([trial.identify(&plain)?, trial.identify(&more)?]);
-            would_prove([&self.identified, &with], identified, effect, joints)
+            let identified = || Some([trial.identify(&self.settings)?, trial.identify(&more)?]);
+            let proof = would_prove([&self.identified, &trial.cross_validate(&more)?], identified, effect, joints)?;
+            let names: Vec<String> = with(effect).iter().map(|effect| format!("\"{}\"", effect_key(*effect))).collect();
+            Some(EffectProof { campaign_line: Some(format!("effects = [{}]", names.join(", "))), ..proof })
         };
         candidates.filter(|effect| holds(*effect)).filter_map(proof).collect()
     }
@@ -500,6 +509,7 @@ pub(crate) fn would_prove(
         joints,
         is_identified: false,
         robot_key: None,
+        campaign_line: None,
         without_mm: rms(&without),
         with_mm: rms(&with),
         gain_over_u: Some(gain / u).filter(|v| v.is_finite()),
