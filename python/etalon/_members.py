@@ -214,6 +214,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "expanded_uncertainty_um": ("", None),
         "instrument": ("", None),
         "issue": ("Issue", {"amends": None, "authorised_by": None, "customer": None, "external_results": None, "issued": None, "number": None}),
+        "limits_specification": ("", None),
         "name": ("", ""),
         "notes": ("", None),
         "operator": ("", None),
@@ -284,6 +285,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "campaign": ("", ""),
         "errors": ("Finding", []),
         "joints": ("JointTravel", []),
+        "not_controlled": ("Uncontrolled", []),
         "schema": ("", ""),
         "sources": ("Source", []),
         "warnings": ("Finding", []),
@@ -380,6 +382,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "Conditions": {
         "controller": ("", None),
+        "controller_backup": ("", None),
         "deviations": ("", None),
         "environment": ("", None),
         "humidity_percent": ("", None),
@@ -412,9 +415,11 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "written": ("PositionErrors", None),
     },
     "ControllerFiles": {
+        "deciding_set": ("AccuracySet", None),
         "errors": ("ControllerErrors", []),
         "formats": ("", []),
         "left_out": ("", []),
+        "limits": ("LimitVerdict", []),
         "values": ("WrittenParameter", []),
     },
     "ControllersDocument": {
@@ -452,6 +457,10 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "both_mm": ("", None),
         "forward_mm": ("", None),
     },
+    "DisplayedPose": {
+        "quaternion": ("", []),
+        "xyz_mm": ("", []),
+    },
     "DistanceStatistics": {
         "after": ("Statistics", None),
         "before": ("Statistics", None),
@@ -476,6 +485,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "value": ("", None),
     },
     "EffectProof": {
+        "campaign_line": ("", None),
         "effect": ("", None),
         "gain_over_u": ("", None),
         "is_identified": ("", False),
@@ -1185,6 +1195,13 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "file": ("", None),
         "is_for_controllers": ("", None),
     },
+    "LoadingCheck": {
+        "after": ("DisplayedPose", None),
+        "before": ("DisplayedPose", None),
+        "joint_values": ("", []),
+        "joints": ("", []),
+        "pose": ("", None),
+    },
     "LockedPackage": {
         "name": ("", ""),
         "sha256": ("", None),
@@ -1865,6 +1882,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     "VerdictDocument": {
         "actions": ("Action", []),
         "exit_code": ("", None),
+        "judged_file": ("", None),
         "limits": ("LimitVerdict", []),
         "loading": ("Loading", None),
         "reasons": ("", []),
@@ -1945,6 +1963,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "schema": ("", ""),
     },
     "WrittenFile": {
+        "check": ("LoadingCheck", None),
         "file": ("", ""),
         "format": ("", ""),
         "is_for_controllers": ("", True),

@@ -574,6 +574,8 @@ class Conditions(Record):
     """Conditions of a test (ISO 9283:1998, 6 and 12). A report shows missing entries as "not stated"."""
     controller: str | None
     """Make, type and software version of the controller."""
+    controller_backup: str | None
+    """File that the controller has before the calibration is loaded. The report gives its SHA-256: the way back."""
     deviations: list[str] | None
     """Deviations from the standard; an empty list says that there were no deviations."""
     environment: str | None
@@ -637,6 +639,10 @@ class ControllerErrors(Record):
 
 class ControllerFiles(Record):
     """Values in the files of one or more formats."""
+    deciding_set: AccuracySet | None
+    """Errors of all quantities at the deciding poses, with nominal and with the written values; absent in output
+    folders of earlier versions.
+    """
     errors: Records[ControllerErrors]
     """Position errors, one entry per set of poses: `calibration`, `validation`."""
     formats: list[str]
@@ -645,6 +651,8 @@ class ControllerFiles(Record):
     """Identified parameters that the formats cannot contain. They were at nominal when the others were identified
     again.
     """
+    limits: Records[LimitVerdict]
+    """Limits of errors, judged with the written values."""
     values: Records[WrittenParameter]
     """All parameters with their values in the files."""
 
@@ -703,6 +711,13 @@ class Directions(Record):
     forward_mm: float
     """Unidirectional value in positive direction (↑)."""
 
+class DisplayedPose(Record):
+    """Pose of flange, tool link or platform in the base frame of the robot."""
+    quaternion: NDArray[np.float64]
+    """Orientation as a unit quaternion: w, x, y, z."""
+    xyz_mm: NDArray[np.float64]
+    """Position (mm)."""
+
 class DistanceStatistics(Record):
     """Errors of the distances within a range."""
     after: Statistics
@@ -755,6 +770,10 @@ class DistributionEntry(Record):
 
 class EffectProof(Record):
     """Benefit of an effect of the robot at calibration poses that are excluded from the identification."""
+    campaign_line: str | None
+    """Line of `[identify]` that adds the effect to the identified ones; absent if the effect is identified, or if
+    robot.toml does not contain it.
+    """
     effect: str
     """Effect."""
     gain_over_u: float | None
@@ -1857,6 +1876,19 @@ class Loading(Record):
     """
     is_for_controllers: bool | None
     """`false` for files that programs of a laboratory read, and no controller loads."""
+
+class LoadingCheck(Record):
+    """Pose on the display of a controller at joint values that were measured: before and after a file is loaded."""
+    after: DisplayedPose
+    """Pose with the values of the file."""
+    before: DisplayedPose
+    """Pose with nominal parameters."""
+    joint_values: NDArray[np.float64]
+    """Joint values (mm or deg) before loading."""
+    joints: list[str]
+    """Joints, named as columns: `q1_deg`; the assembly mode of a five-bar."""
+    pose: int | str
+    """Measured pose at which the file changes the displayed position most."""
 
 class LockedPackage(Record):
     """A package in Cargo.lock."""
@@ -3079,6 +3111,10 @@ class WrittenController(Record):
 
 class WrittenFile(Record):
     """Controller file that a run wrote."""
+    check: LoadingCheck | None
+    """Pose on the display of the controller, before and after loading; absent in output folders of earlier versions,
+    and for robots without kinematics of a whole pose.
+    """
     file: str
     """Name of the file in the output folder."""
     format: str
@@ -3258,6 +3294,8 @@ class CampaignSummary(Document):
     """Measuring instrument."""
     issue: Issue
     """Identification of the report."""
+    limits_specification: str | None
+    """Specification, drawing or agreement that the limits come from, as given."""
     name: str
     """Name of the campaign."""
     notes: str | None
@@ -3310,6 +3348,8 @@ class CheckDocument(Document):
     """Errors that prevent the campaign from running."""
     joints: Records[JointTravel]
     """Travel of the joints in the calibration poses; empty if the poses are unknown."""
+    not_controlled: Records[Uncontrolled]
+    """Errors that no reading of the campaign can show."""
     schema: str
     """Schema and version: `etalon/check/1`."""
     sources: Records[Source]
@@ -3922,6 +3962,10 @@ class VerdictDocument(Document):
     """Next steps, at most five: missing limits, then the steps with the largest gain."""
     exit_code: int
     """Exit code of the run: 0 if the answer may be loaded, otherwise 1."""
+    judged_file: str | None
+    """Controller file with whose values the limits of errors are judged; absent if its values are the identified
+    ones, or if no file is written.
+    """
     limits: Records[LimitVerdict]
     """All limits with their verdicts."""
     loading: Loading | None

@@ -1,10 +1,11 @@
 //! Command `etalon check`.
 
 use super::{Output, Verdict, shell_word};
+use crate::run::walk::Checked;
 use crate::tasks::{check, find};
 use etalon_base::message::printable;
 use etalon_base::phrase;
-use etalon_documents::JointTravel;
+use etalon_documents::{JointTravel, Uncontrolled};
 use std::path::PathBuf;
 
 /// Find all errors of a campaign without computing.
@@ -25,9 +26,8 @@ impl Check {
             return out.print_with(etalon_documents::to_json(&document)?, verdict);
         }
         let (checked, problems) = find(&self.campaign);
-        let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
-        let joints = joints.unwrap_or_default();
-        let Some(document) = imported.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
+        let Some(found) = checked.filter(|_| problems.0.is_empty()) else { return Err(problems.into()) };
+        let Checked { inputs: document, joints, not_controlled, .. } = found;
         out.remark(&document.messages);
         for source in document.sources.iter().filter(|s| s.rows_read > 0) {
             let refused = source.refused.len();
@@ -37,6 +37,10 @@ impl Check {
         }
         for JointTravel { column, lowest, highest } in &joints {
             out.print_text(&format!("{}: {lowest:.2} .. {highest:.2}\n", printable(column)))?;
+        }
+        for Uncontrolled { what, keys, .. } in &not_controlled {
+            let keys = printable(&keys.join(", "));
+            out.print_text(&format!("{}\n", phrase!("check-not-detectable", what, keys)))?;
         }
         let next = format!("`etalon run {}`", shell_word(&self.campaign));
         let path = if self.campaign.is_dir() { self.campaign.join("campaign.toml") } else { self.campaign };

@@ -1,7 +1,7 @@
 //! Answers of commands that write no document of a campaign: `--json` of check, formats, report,
 //! export, simulate, init.
 
-use super::{ControllerErrors, Source};
+use super::{ControllerErrors, Source, Uncontrolled};
 use crate::worded::worded;
 use etalon_base::catalogue::{Arguments, Entry, Phrase};
 use etalon_base::message::{Message, Severity};
@@ -26,6 +26,9 @@ pub struct CheckDocument {
     /// Travel of the joints in the calibration poses; empty if the poses are unknown.
     #[serde(default)]
     pub joints: Vec<JointTravel>,
+    /// Errors that no reading of the campaign can show.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub not_controlled: Vec<Uncontrolled>,
 }
 
 /// Smallest and largest value of a joint.
@@ -85,7 +88,7 @@ impl From<&Message> for Finding {
 
 impl CheckDocument {
     /// Separates messages into errors and warnings.
-    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>, joints: Vec<JointTravel>) -> Self {
+    pub fn new(campaign: String, messages: &[Message], sources: Vec<Source>) -> Self {
         let of = |severity| messages.iter().filter(|m| m.severity == severity).map(Finding::from).collect();
         Self {
             schema: "etalon/check/1".to_owned(),
@@ -93,7 +96,8 @@ impl CheckDocument {
             errors: of(Severity::Error),
             warnings: of(Severity::Warning),
             sources,
-            joints,
+            joints: Vec::new(),
+            not_controlled: Vec::new(),
         }
     }
 }

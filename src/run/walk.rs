@@ -19,7 +19,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_campaign::Campaign;
 use etalon_documents::{
     Characteristics, FeaturesDocument, FramesDocument, GeometricDocument, ImportDocument, JointTravel, Presentation,
-    SourceKind,
+    SourceKind, Uncontrolled,
 };
 use etalon_formats::Point;
 use etalon_report::branding;
@@ -106,6 +106,7 @@ pub fn observed(campaign: &Campaign) -> Result<Observed> {
 }
 
 /// Findings of a check before a run identifies.
+#[derive(Default)]
 pub struct Checked {
     /// List of inputs, with all warnings.
     pub inputs: ImportDocument,
@@ -113,6 +114,8 @@ pub struct Checked {
     pub problems: Problems,
     /// Travel of the joints in the calibration poses.
     pub joints: Vec<JointTravel>,
+    /// Errors that no reading can show.
+    pub not_controlled: Vec<Uncontrolled>,
 }
 
 /// Checks all that can stop a run before it identifies: the list of inputs with all warnings, and
@@ -127,7 +130,9 @@ pub fn checked(campaign: &Campaign) -> Checked {
     let mut walk = Walk::gather(campaign, Mode::Check);
     let ended = walk.on(campaign);
     walk.problems.keep(ended);
-    Checked { inputs: walk.inputs.gathered.document, problems: walk.problems, joints: walk.joints }
+    let not_controlled = walk.frames.map(|frames| frames.not_controlled).unwrap_or_default();
+    let Walk { inputs, problems, joints, .. } = walk;
+    Checked { inputs: inputs.gathered.document, problems, joints, not_controlled }
 }
 
 impl Walk {

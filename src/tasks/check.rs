@@ -9,11 +9,10 @@ use std::path::Path;
 /// Finds all errors of a campaign without computing.
 pub fn check(campaign: &Path) -> CheckDocument {
     let (checked, problems) = find(campaign);
-    let (imported, joints) = checked.map(|checked| (checked.inputs, checked.joints)).unzip();
-    let joints = joints.unwrap_or_default();
-    let (messages, sources) = imported.map(|i| (i.messages, i.sources)).unwrap_or_default();
-    let messages = Problems(problems.0.into_iter().chain(messages).collect()).grouped();
-    CheckDocument::new(campaign.display().to_string(), &messages.0, sources, joints)
+    let Checked { inputs, joints, not_controlled, .. } = checked.unwrap_or_default();
+    let messages = Problems(problems.0.into_iter().chain(inputs.messages).collect()).grouped();
+    let document = CheckDocument::new(campaign.display().to_string(), &messages.0, inputs.sources);
+    CheckDocument { joints, not_controlled, ..document }
 }
 
 /// Contents of the campaign's files, and all errors.

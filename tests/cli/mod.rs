@@ -532,6 +532,22 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     }
 }
 
+/// Errors that no reading can show are those of the run, and each has a line.
+#[test]
+fn check_lists_what_no_reading_can_show() {
+    let scratch = copy_sample("prexyt-cmm");
+    let checked = etalon(scratch.root(), &["check", "campaign", "--json"]);
+    let checked: serde_json::Value = serde_json::from_slice(&checked.stdout).unwrap();
+    let ran = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(ran.status.code().is_some_and(|code| code < 2), "{}", text_of(&ran));
+    let frames = std::fs::read(scratch.path().join("out/frames.json")).unwrap();
+    let frames: serde_json::Value = serde_json::from_slice(&frames).unwrap();
+    let listed = checked["not_controlled"].as_array().unwrap();
+    assert!(!listed.is_empty() && checked["not_controlled"] == frames["not_controlled"], "{checked}");
+    let said = text(&etalon(scratch.root(), &["check", "campaign"]).stdout);
+    assert_eq!(said.matches("[frame.world] nominal_mm").count(), 1, "{said}");
+}
+
 #[test]
 fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again() {
     let scratch = copy_sample("prexyt-repeatability");

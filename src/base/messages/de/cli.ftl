@@ -359,6 +359,7 @@ box-axis-unknown = `--box`: Zielmarken dieses Roboters haben keine Achse `{ $nam
 box-missing = Kandidaten von `{ $model }` werden nach Position gezogen: x und y von `--box` fehlen
     .hint = den Bereich in der Basis des Roboters angeben: `--box x=VON:BIS,y=VON:BIS` (mm)
 
+check-not-detectable = mit diesen Daten nicht aufdeckbar: { $what } (kontrolliert durch { $keys })
 check-source = { $rows ->
         [one] { $file }: 1 Zeile, { $refused } abgelehnt ({ $dialect })
        *[other] { $file }: { $rows } Zeilen, { $refused } abgelehnt ({ $dialect })

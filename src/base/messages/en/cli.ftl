@@ -777,6 +777,7 @@ box-axis-unknown = `--box`: targets of this robot have no axis `{ $name }`
 box-missing = candidates of `{ $model }` are random positions: x and y of `--box` are missing
     .hint = give the region in the base frame of the robot: `--box x=FROM:TO,y=FROM:TO` (mm)
 
+check-not-detectable = undetectable by these data: { $what } (controlled by { $keys })
 check-source = { $rows ->
         [one] { $file }: 1 row, { $refused } rejected ({ $dialect })
        *[other] { $file }: { $rows } rows, { $refused } rejected ({ $dialect })

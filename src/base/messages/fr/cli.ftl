@@ -359,6 +359,7 @@ box-axis-unknown = `--box` : les cibles de ce robot n’ont pas d’axe `{ $nam
 box-missing = les poses candidates de `{ $model }` sont tirées par position : il manque x et y dans `--box`
     .hint = indiquer la région dans la base du robot : `--box x=DE:À,y=DE:À` (mm)
 
+check-not-detectable = indécelable par ces données : { $what } (contrôlé par { $keys })
 check-source = { $rows ->
         [one] { $file } : { $rows } ligne, dont { $refused } rejetée ({ $dialect })
        *[other] { $file } : { $rows } lignes, dont { $refused } rejetées ({ $dialect })
