@@ -2,15 +2,20 @@
 
 use super::{Output, Verdict};
 use crate::run::documents::{self, Documents};
+use crate::run::output::changed_inputs;
 use crate::run::results;
-use etalon_base::error;
+use crate::stages::truncated;
 use etalon_base::files;
 use etalon_base::message::{Problems, Result};
+use etalon_base::{error, warning};
 use etalon_controllers::CERTIFICATE;
 use etalon_documents::{Language, Presentation};
 use etalon_report::Renderer;
 use etalon_report::branding;
 use std::path::{Path, PathBuf};
+
+/// Maximum number of changed inputs in a message.
+const NAMED: usize = 5;
 
 /// Write the report again from the documents of an output folder.
 ///
@@ -107,23 +112,33 @@ impl ReportCommand {
                 let templates = etalon_report::templates().map(|(name, text)| (name, text.as_bytes().to_vec()));
                 files::write_new(folder, &templates.collect::<Vec<_>>())?
             }
-            None => write_report(&self.folder.unwrap_or_default(), &self.branding, self.certificate)?,
+            None => self.report(out)?,
         };
         out.print_written(written, self.json)?;
         Ok(Verdict::Met)
     }
-}
 
-fn write_report(folder: &Path, branding: &Branding, certificate: bool) -> Result<Vec<String>> {
-    let documents = Documents::open(&documents::output_folder(folder)?)?;
-    let mut results = results::read(&documents)?;
-    results.campaign.report = branding.over(results.campaign.report)?;
-    let exported = documents.manifest.files.contains_key(CERTIFICATE);
-    let exported = exported.then(|| documents.bytes(CERTIFICATE)).transpose()?;
-    let attached = |renderer: Renderer| renderer.with_certificate(CERTIFICATE, exported.as_deref());
-    let files = match certificate {
-        true => attached(Renderer::certificate(&results)?).certificate_files()?,
-        false => attached(Renderer::campaign(&results)?).files()?,
-    };
-    documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
+    /// Writes the report or the certificate; returns the paths.
+    fn report(&self, out: &Output) -> Result<Vec<String>> {
+        let folder = self.folder.as_deref().unwrap_or(Path::new(""));
+        let documents = Documents::open(&documents::output_folder(folder)?)?;
+        let mut results = results::read(&documents)?;
+        let changed = changed_inputs(&documents)?;
+        let changed = truncated(changed.iter().map(|name| format!("`{name}`")), NAMED);
+        match (changed.is_empty(), self.certificate) {
+            (true, _) => {}
+            // a signature is for the present statements of the campaign
+            (false, true) => return Err(error!("certificate-of-earlier-inputs", files = changed).into()),
+            (false, false) => out.remark(&[warning!("report-of-earlier-inputs", files = changed)]),
+        }
+        results.campaign.report = self.branding.over(results.campaign.report)?;
+        let exported = documents.manifest.files.contains_key(CERTIFICATE);
+        let exported = exported.then(|| documents.bytes(CERTIFICATE)).transpose()?;
+        let attached = |renderer: Renderer| renderer.with_certificate(CERTIFICATE, exported.as_deref());
+        let files = match self.certificate {
+            true => attached(Renderer::certificate(&results)?).certificate_files()?,
+            false => attached(Renderer::campaign(&results)?).files()?,
+        };
+        documents.write(files.into_iter().map(|(name, bytes)| (name.to_owned(), bytes)).collect())
+    }
 }

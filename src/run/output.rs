@@ -9,7 +9,7 @@ use etalon_base::files;
 use etalon_base::folder::{Durability, FolderLock};
 use etalon_base::message::Result;
 use etalon_campaign::Campaign;
-use etalon_documents::{ImportDocument, ManifestDocument, Source, to_json};
+use etalon_documents::{ImportDocument, ManifestDocument, Source, SourceKind, to_json};
 use etalon_formats::parquet;
 use etalon_formats::table::Table;
 use serde::Serialize;
@@ -149,6 +149,21 @@ pub fn current(campaign: &Campaign, file: &str) -> Option<Documents> {
     let import: ImportDocument = documents.json("import.json").ok()?;
     let whole = files.keys().all(|name| documents.bytes(name).is_ok());
     (whole && unchanged(campaign, &import.sources).is_ok()).then_some(documents)
+}
+
+/// Inputs that changed after the run of these documents, if their campaign is in a folder above the
+/// output folder. Files that cannot be read are not compared.
+pub fn changed_inputs(documents: &Documents) -> Result<Vec<String>> {
+    let ImportDocument { sources, .. } = documents.json("import.json")?;
+    let stated = sources.iter().find(|source| source.kind == SourceKind::Campaign);
+    let (Some(stated), Ok(folder)) = (stated, documents.path("").canonicalize()) else { return Ok(Vec::new()) };
+    let path = folder.ancestors().skip(1).map(|above| above.join(&stated.file)).find(|path| path.is_file());
+    let Some(path) = path else { return Ok(Vec::new()) };
+    let Ok((Some(campaign), _)) = Campaign::recover(&path) else { return Ok(vec![stated.file.clone()]) };
+    let is_output = campaign.output().is_ok_and(|output| output.canonicalize().is_ok_and(|output| output == folder));
+    let sha256 = |source: &Source| files::sha256_of_file(&campaign.source(source).ok()?).ok();
+    let has_changed = |source: &&Source| sha256(source).is_some_and(|now| now != source.sha256);
+    Ok(sources.iter().filter(|_| is_output).filter(has_changed).map(|source| source.file.clone()).collect())
 }
 
 /// An error if an input holds other bytes by now.

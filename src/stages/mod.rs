@@ -21,7 +21,7 @@ pub mod verify;
 use etalon_base::catalogue::{Argument, IntoArgument};
 
 /// Returns the first `most` of `all`, followed by `...` if there are more.
-fn truncated<T: IntoArgument>(all: impl IntoIterator<Item = T>, most: usize) -> Vec<Argument> {
+pub(crate) fn truncated<T: IntoArgument>(all: impl IntoIterator<Item = T>, most: usize) -> Vec<Argument> {
     let mut all = all.into_iter();
     let mut shown: Vec<Argument> = all.by_ref().take(most).map(|value| value.argument()).collect();
     shown.extend(all.next().map(|_| "...".argument()));

@@ -219,6 +219,8 @@ const OPTIONS: &[Case] = &[
     ("message-unknown id=parameter-twise", "", &[], "explain parameter-twise"),
     ("schema-unknown name=parameter", "", &[], "schema parameter"),
     ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),
+    ("certificate-of-earlier-inputs", "prexyt-cmm+out", &[("campaign.toml", "+", "\n")], "report @/out --certificate"),
+    ("report-of-earlier-inputs", "prexyt-cmm+out", &[("encoders.csv", "+", "\n")], "report @"),
     ("robot-not-in-table name=ur99", "", &[], "init @/new --robot ur99"),
     (
         "urdf-chain-chosen base=base tool=left count=2 other=arm",

@@ -184,6 +184,12 @@ not-a-report = `{ $file }` hat nicht die Endung eines Berichts
 earlier-run-left = nichts wurde geschrieben: `{ $report }` und die Dateien daneben stammen von einem früheren Lauf
     .hint = keine Steuerungsdateien aus diesem Ordner laden: sie gehören zum früheren Lauf
 
+certificate-of-earlier-inputs = der Lauf ist älter als die Änderungen von { $files }: der Kalibrierschein würde den früheren Stand zeigen
+    .hint = die Kampagne erneut ausführen, dann den Kalibrierschein schreiben
+
+report-of-earlier-inputs = der Lauf ist älter als die Änderungen von { $files }: der Bericht zeigt den früheren Stand
+    .hint = die Kampagne erneut ausführen, damit der Bericht die Änderungen enthält
+
 schema-unknown = unbekanntes Schema `{ $name }`
 
 verify-quantity-without-residuals = die Kalibrierung hat keine Residuen der Größe „{ $quantity }“: ihr Modellfehler ist unbekannt

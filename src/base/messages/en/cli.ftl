@@ -420,6 +420,23 @@ not-a-report = the ending of `{ $file }` is not the ending of a report
 earlier-run-left = nothing is written: `{ $report }` and the other files of its folder are from an earlier run
     .hint = do not load controller files from this folder: they belong to the earlier run
 
+# Means: Files of the campaign changed after its run. The certificate is written from the output
+# folder of this run.
+# Matters: The certificate would show the earlier statements and data. Its checksums would not
+# belong to the present files.
+# Do: Run the campaign again, then write the certificate.
+# Example: `customer` added to [report] after the run
+certificate-of-earlier-inputs = the run is older than the changes of { $files }: the certificate would show the earlier state
+    .hint = run the campaign again, then write the certificate
+
+# Means: Files of the campaign changed after its run. The report is written from the output folder of
+# this run.
+# Matters: The report shows the earlier statements and data.
+# Do: Run the campaign again if the report shall show the changes.
+# Example: a limit changed in campaign.toml after the run
+report-of-earlier-inputs = the run is older than the changes of { $files }: the report shows the earlier state
+    .hint = run the campaign again to include the changes
+
 # Means: There is no schema of this name.
 # Matters: Schemas exist for input files and JSON documents.
 # Do: Choose one of the names in `etalon schema --help`.

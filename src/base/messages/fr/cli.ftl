@@ -184,6 +184,12 @@ not-a-report = `{ $file }` n’a pas l’extension d’un rapport
 earlier-run-left = rien n’est écrit : `{ $report }` et les fichiers voisins proviennent d’une exécution antérieure
     .hint = ne pas charger les fichiers pour le contrôleur de ce dossier : ils proviennent de l’exécution antérieure
 
+certificate-of-earlier-inputs = l’exécution est antérieure aux modifications de { $files } : le certificat montrerait l’état antérieur
+    .hint = relancer la campagne, puis écrire le certificat
+
+report-of-earlier-inputs = l’exécution est antérieure aux modifications de { $files } : le rapport montre l’état antérieur
+    .hint = relancer la campagne pour inclure les modifications
+
 schema-unknown = schéma inconnu `{ $name }`
 
 verify-quantity-without-residuals = l’étalonnage n’a pas de résidus de la grandeur « { $quantity } » : son erreur de modèle est inconnue
