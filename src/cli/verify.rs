@@ -29,7 +29,8 @@ Exit code 1 if the parameters are no longer valid."
 pub struct Verify {
     /// Observations of the calibration's targets: CSV with pose,cycle,target,x_mm,y_mm[,z_mm] in
     /// the same world frame, and one column per joint with its unit. Rows may be of other kinds
-    /// that the calibration observed (docs/observations.md).
+    /// that the calibration observed (docs/observations.md). Or a campaign, whose exports and logs
+    /// are read.
     #[arg(required_unless_present = "candidates")]
     observations: Option<PathBuf>,
     #[command(flatten)]

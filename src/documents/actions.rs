@@ -264,10 +264,12 @@ impl Evidence<'_> {
         let (count, others) = (loading.alternatives.len(), loading.alternatives.join(", "));
         let leading = set.leading()?;
         let [poses, _] = set.counts(leading);
-        let what = match self.campaign.measurements.synthetic.is_some() {
-            true => phrase!("action-load-synthetic", file, count, others),
-            false if loading.is_for_controllers == Some(true) => phrase!("action-load", file, count, others),
-            false => phrase!("action-load-or-compensate", file, count, others),
+        let is_read = loading.is_for_controllers == Some(true);
+        let what = match (self.campaign.measurements.synthetic.is_some(), is_read) {
+            (true, true) => phrase!("action-load-synthetic", file, count, others),
+            (true, false) => phrase!("action-load-synthetic-software", file, count, others),
+            (false, true) => phrase!("action-load", file, count, others),
+            (false, false) => phrase!("action-load-or-compensate", file, count, others),
         };
         let (best, PositionErrors { rms_mm: nominal, .. }) = (errors.written, errors.nominal);
         let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
@@ -464,7 +466,10 @@ impl Evidence<'_> {
         let name = loading.and_then(|loading| loading.file.as_ref());
         let file = name.and_then(|name| self.campaign.controller_files.iter().find(|file| file.file == *name));
         let what = match file.and_then(|file| file.check.as_ref()) {
-            Some(check) => phrase!("action-verify-at-pose", pose = check.pose),
+            Some(check) if file.is_some_and(|file| file.is_for_controllers) => {
+                phrase!("action-verify-at-pose", pose = check.pose)
+            }
+            Some(check) => phrase!("action-verify-software-at-pose", pose = check.pose),
             None => phrase!("action-verify"),
         };
         let reason = match &self.campaign.conditions.robot.controller_backup {

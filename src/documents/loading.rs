@@ -5,7 +5,7 @@ use crate::{AccuracyDocument, ControllerErrors, Effect, EffectProof, FigureBudge
 use crate::{
     CampaignSummary, ControllerFiles, ControllersDocument, FieldHeldOut, Figure, Judged, VerdictDocument, WrittenFile,
 };
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -68,6 +68,26 @@ pub struct LoadingCheck {
     pub before: DisplayedPose,
     /// Pose with the values of the file.
     pub after: DisplayedPose,
+    /// Joint values (mm or deg) on the display after loading the file as mastering values, without
+    /// motion. Empty if the file changes more than joint zeros.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mastered_joint_values: Vec<f64>,
+    /// Largest difference (mm) between a displayed and an announced position that rounding
+    /// explains; absent in output folders of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance_mm: Option<f64>,
+}
+
+impl LoadingCheck {
+    /// Decimals of announced joint values (mm or deg).
+    pub const JOINT_DECIMALS: usize = 3;
+    /// Decimals of positions (mm) on the display of a controller.
+    pub const DISPLAY_DECIMALS: usize = 2;
+
+    /// Distance (mm) between the positions before and after loading.
+    pub fn change_mm(&self) -> f64 {
+        norm(minus(self.after.xyz_mm, self.before.xyz_mm))
+    }
 }
 
 /// Pose of flange, tool link or platform in the base frame of the robot.

@@ -477,11 +477,41 @@ pub trait Kinematics: Robot {
         nearest(self, parameters, self.all_joints(parameters, pose), near)
     }
 
+    /// Joint whose zero a parameter is: both move the tool alike at these joint values and at
+    /// others; `None` for other parameters.
+    fn zeroed_joint(&self, parameters: &[f64], joints: &[f64], parameter: usize) -> Option<usize> {
+        let quantity = self.parameters().get(parameter)?.quantity;
+        let mut changed = parameters.to_vec();
+        changed[parameter] += ZERO_STEP;
+        let count = self.joints().len();
+        // joints with one axis at these joint values have different axes at others
+        let elsewhere = joints.iter().enumerate().map(|(k, q)| if k < count { q + 0.1 * (k + 1) as f64 } else { *q });
+        let states = [joints.to_vec(), elsewhere.collect()];
+        let moves_alike = |&joint: &usize| {
+            let alike = states.iter().filter_map(|state| {
+                let mut moved = state.clone();
+                moved[joint] += ZERO_STEP;
+                Some(is_near(&self.tool_pose(&changed, state)?, &self.tool_pose(parameters, &moved)?))
+            });
+            let alike: Vec<bool> = alike.collect();
+            !alike.is_empty() && !alike.contains(&false)
+        };
+        (0..count).filter(|&joint| self.joints()[joint].quantity == quantity).find(moves_alike)
+    }
+
     /// Joints that can move without moving the flange, if the solution at these joint values is one
     /// of a family: the joints of a singular pose, or all joints of a redundant arm.
     fn free_joints(&self, _parameters: &[f64], _joints: &[f64]) -> Vec<usize> {
         Vec::new()
     }
+}
+
+/// Change (mm or rad) of a parameter that is compared with the same change of a joint value.
+const ZERO_STEP: f64 = 0.01;
+
+/// `true` if two poses of tools some metres away are equal within rounding.
+fn is_near(a: &Pose, b: &Pose) -> bool {
+    norm(minus(a.translation_mm, b.translation_mm)) <= 1e-8 && a.inverse().then(b).angle_rad() <= 1e-11
 }
 
 /// `true` if two poses are equal within rounding.

@@ -58,6 +58,11 @@ impl TableFile {
         Self::new(Path::new(name), text.to_owned(), etalon_formats::observations)
     }
 
+    /// A table in memory without text; `name` stands for its file.
+    pub fn in_memory(name: &str, table: Table) -> Self {
+        Self { name: name.to_owned(), table, texts: Vec::new() }
+    }
+
     /// Reads a table of another layout.
     pub fn parse_with(name: &str, text: &str, reading: &TableReading) -> Result<Self> {
         let table = |name: &str, text: &str| etalon_formats::observations_with(name, text, reading);

@@ -77,8 +77,14 @@ pub struct Inputs<'a> {
 impl Inputs<'_> {
     /// SHA-256 of the inputs by name.
     pub(super) fn sha256_by_name(&self) -> Result<BTreeMap<String, String>> {
-        let mut all: BTreeMap<String, String> =
-            [self.stated, self.table].iter().map(Table::hashed).collect::<Result<_>>()?;
+        let mut all = self.robot_sha256_by_name()?;
+        all.extend([self.table.hashed()?]);
+        Ok(all)
+    }
+
+    /// SHA-256 of the files of the robot by name.
+    pub(super) fn robot_sha256_by_name(&self) -> Result<BTreeMap<String, String>> {
+        let mut all = BTreeMap::from([self.stated.hashed()?]);
         match self.stated {
             Table::File(_) | Table::Sheet { .. } => all.extend(files::sha256_by_name(self.robot.description_path())?),
             Table::Text { .. } => {

@@ -12,7 +12,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// Options of every table and text.
-#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct TextForm {
     #[command(flatten)]
@@ -24,7 +24,7 @@ pub struct TextForm {
 }
 
 /// Options for the cells of a table: marks and encoding of a text, or a sheet.
-#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, clap::Args, Deserialize)]
 #[serde(default)]
 struct CellForm {
     /// Delimiter of the columns: comma, semicolon, tab, bar or blank.
@@ -48,7 +48,7 @@ struct CellForm {
 }
 
 /// Options for the rows and columns of a table: header, names, missing cells, and rows to read.
-#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, clap::Args, Deserialize)]
 #[serde(default)]
 struct RowForm {
     /// Rows before the data: a number, or words of the last one, which names the columns.
@@ -265,7 +265,7 @@ impl TextFormat {
 }
 
 /// Options for reading a table of observations, poses, loads or joints.
-#[derive(Clone, Debug, Default, clap::Args, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, clap::Args, Deserialize)]
 #[serde(default)]
 pub struct TableFormat {
     #[command(flatten)]
@@ -294,6 +294,11 @@ impl From<&TextForm> for TableFormat {
 }
 
 impl TableFormat {
+    /// `true` if no option is given.
+    pub(crate) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Reads the table of observations in the file.
     pub(crate) fn read(&self, table: Table) -> Result<TableFile, Problems> {
         read(table, &self.reading(false)?)

@@ -5,6 +5,8 @@ use super::checks::{angle_order, check_uncertainty};
 use super::inputs::{Inputs, Table};
 use super::plan::read_candidates;
 use super::text_format::{TableFormat, read};
+use crate::run::walk::{self, Observed};
+use crate::stages::join::Observations;
 use crate::stages::kinds::{self, RowDefaults};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::orientations::AngleOrder;
@@ -13,12 +15,13 @@ use crate::stages::verify::expected_deviation::{orientation_uncertainty_rad, unk
 use crate::stages::verify::verification::{self, EarlierCalibration};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
-use etalon_campaign::Campaign;
+use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{ParametersDocument, VerificationDocument, VerificationPlanDocument};
 use etalon_identify::Settings;
 use etalon_identify::plan::candidates::Candidates;
 use serde::Deserialize;
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 /// Options of a verification.
 #[derive(Clone, Debug, Default, clap::Args, Deserialize)]
@@ -55,6 +58,12 @@ struct ObservedTable {
     file: TableFile,
     /// Order of the angles of orientations.
     order: Option<AngleOrder>,
+    /// Standard uncertainty of a coordinate, if not the one of the calibration.
+    stated_mm: Option<f64>,
+    /// SHA-256 of the files, by name.
+    inputs: BTreeMap<String, String>,
+    /// Warnings about the files.
+    messages: Vec<Message>,
 }
 
 /// Judges from few measured poses whether identified parameters still apply.
@@ -63,18 +72,16 @@ struct ObservedTable {
 /// Fails for a table or parameters that do not belong to the robot.
 pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOptions) -> Result<VerificationDocument> {
     options.check()?;
-    let ObservedTable { file: observed, order } = &options.observed(inputs.table)?;
+    let ObservedTable { file: observed, order, stated_mm, inputs: files, mut messages } = options.observed(inputs)?;
     let here = |problems: Problems| observed.place(problems);
     let targets = kinds::targets(&observed.table, &inputs.robot.branches()).map_err(here)?;
     let mut robot = inputs.robot.build(&targets).map_err(here)?;
-    let mut messages = Vec::new();
     joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
-    let stated_mm = options.standard_uncertainty_mm();
     let stated_rad = options.rotation_uncertainty_deg.map(f64::to_radians);
     let without = RowDefaults {
         length_mm: stated_mm.or(document.residuals.test.stated_standard_uncertainty_mm),
         rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
-        order: *order,
+        order,
     };
     let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
     let measured = measured.map_err(here)?;
@@ -82,7 +89,7 @@ pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOp
         return Err(here(unknown.into()));
     }
     let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
-    let mut found = verification::verify(calibration, measured, inputs.sha256_by_name()?)?;
+    let mut found = verification::verify(calibration, measured, files)?;
     found.messages.splice(0..0, messages);
     Ok(found)
 }
@@ -119,29 +126,74 @@ impl VerifyOptions {
         self.standard_uncertainty_um.map(|u| u / 1000.0)
     }
 
-    /// The observations, and the order of the angles of their orientations, as options or the
-    /// campaign of `--like` state them.
-    fn observed(&self, table: Table) -> Result<ObservedTable> {
-        let Some(folder) = &self.like else {
-            let order = angle_order("--orientation", self.orientation.as_deref())?;
-            return Ok(ObservedTable { file: self.format.read(table)?, order });
-        };
-        let campaign = Campaign::read(folder)?;
-        let name = || folder.display().to_string();
-        let stated = match &campaign.file.observations[..] {
-            [stated] => stated,
-            [] => return Err(error!("campaign-without-observations", campaign = name()).into()),
-            several => {
-                let count = several.len();
-                return Err(error!("campaign-with-several-observations", campaign = name(), count).into());
+    /// The observations as options, the campaign of `--like` or their own campaign state them.
+    fn observed(&self, inputs: &Inputs) -> Result<ObservedTable> {
+        if let Table::File(path) = inputs.table
+            && (path.is_dir() || path.extension().is_some_and(|end| end == "toml"))
+        {
+            return self.observed_campaign(path, inputs);
+        }
+        let (file, order) = match &self.like {
+            None => {
+                let order = angle_order("--orientation", self.orientation.as_deref())?;
+                (self.format.read(inputs.table)?, order)
             }
+            Some(folder) => table_like(folder, inputs.table)?,
         };
-        let order = |text: &toml::Spanned<String>| {
-            let order = text.get_ref().parse::<AngleOrder>();
-            order.map_err(|message: Message| Problems::from(message.at(campaign.place(text))))
+        let stated_mm = self.standard_uncertainty_mm();
+        Ok(ObservedTable { file, order, stated_mm, inputs: inputs.sha256_by_name()?, messages: Vec::new() })
+    }
+
+    /// The observations of a campaign: of its exports and logs, or of its table.
+    fn observed_campaign(&self, path: &Path, inputs: &Inputs) -> Result<ObservedTable> {
+        if self.like.is_some() || self.orientation.is_some() || !self.format.is_default() {
+            return Err(error!("options-of-table-for-campaign", campaign = path.display().to_string()).into());
+        }
+        let campaign = Campaign::read(path)?;
+        let Observed { gathered, joined, .. } = walk::observed(&campaign)?;
+        let order = match &campaign.file.observations[..] {
+            [] => None,
+            [stated, ..] => order_in_campaign(&campaign, stated)?,
         };
-        let order = stated.orientation.as_ref().map(order).transpose()?;
-        let file = read(table, &stated.reading())?;
-        Ok(ObservedTable { file, order })
+        // a run identifies from the first log
+        let table = joined.observations.into_iter().next().map(|(_, observations)| match observations {
+            Observations::Table(table) => table,
+            log @ Observations::Log(_) => log.into_table(),
+        });
+        let mut files = inputs.robot_sha256_by_name()?;
+        files.extend(gathered.document.inputs());
+        Ok(ObservedTable {
+            file: TableFile::in_memory(&campaign.path, table.unwrap_or_default()),
+            order,
+            stated_mm: self.standard_uncertainty_mm().or(Some(campaign.file.instrument.standard_uncertainty_mm())),
+            inputs: files,
+            messages: gathered.document.messages,
+        })
+    }
+}
+
+/// Order of the angles in the observations of a campaign.
+fn order_in_campaign(campaign: &Campaign, stated: &ObservationsDefinition) -> Result<Option<AngleOrder>> {
+    let order = |text: &toml::Spanned<String>| {
+        let order = text.get_ref().parse::<AngleOrder>();
+        order.map_err(|message: Message| Problems::from(message.at(campaign.place(text))))
+    };
+    stated.orientation.as_ref().map(order).transpose()
+}
+
+/// A table that is read like the observations of a campaign, with the order of its angles.
+fn table_like(folder: &Path, table: Table) -> Result<(TableFile, Option<AngleOrder>)> {
+    let campaign = Campaign::read(folder)?;
+    let name = || folder.display().to_string();
+    match &campaign.file.observations[..] {
+        [stated] => {
+            let order = order_in_campaign(&campaign, stated)?;
+            Ok((read(table, &stated.reading())?, order))
+        }
+        [] => Err(error!("campaign-without-observations", campaign = name()).into()),
+        several => {
+            let count = several.len();
+            Err(error!("campaign-with-several-observations", campaign = name(), count).into())
+        }
     }
 }

@@ -69,11 +69,12 @@ fn the_display_after_loading_is_that_of_the_file() {
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     // sha256sum
     assert!(html.contains("before.ini, SHA-256 4ea600a1"), "the hash of the backup");
-    let LoadingCheck { joints, joint_values, before, after, .. } = check_of(&scratch);
-    let values: Vec<String> = joint_values.iter().map(f64::to_string).collect();
-    let table = format!("pose,{}\n1,{}\n", joints.join(","), values.join(","));
-    std::fs::write(scratch.path().join("joints.csv"), table).unwrap();
-    let display = |more: &[&str]| {
+    let LoadingCheck { joints, joint_values, before, after, mastered_joint_values, tolerance_mm, .. } =
+        check_of(&scratch);
+    let display_at = |values: &[f64], more: &[&str]| {
+        let values: Vec<String> = values.iter().map(f64::to_string).collect();
+        let table = format!("pose,{}\n1,{}\n", joints.join(","), values.join(","));
+        std::fs::write(scratch.path().join("joints.csv"), table).unwrap();
         let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
         let output = etalon(&scratch.path(), &[&direct[..], more].concat());
         assert!(output.status.success(), "{}", text_of(&output));
@@ -81,12 +82,28 @@ fn the_display_after_loading_is_that_of_the_file() {
         csv.lines().nth(1).unwrap().split(',').skip(1).map(|v| v.parse().unwrap()).collect::<Vec<f64>>()
     };
     let loaded = ["--parameters", "out/parameters.json", "--loaded", "out/zeros.ini"];
-    for (more, expected) in [(&[][..], before), (&loaded[..], after)] {
-        let found = display(more);
+    // mastering changes the joint values, with which nominal parameters give the same display
+    let states = [
+        (&joint_values[..], &[][..], before),
+        (&joint_values[..], &loaded[..], after),
+        (&mastered_joint_values[..], &[][..], after),
+    ];
+    for (values, more, expected) in states {
+        let found = display_at(values, more);
         let expected: Vec<f64> = expected.xyz_mm.into_iter().chain(expected.quaternion).collect();
         assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?} {expected:?}");
     }
     assert!((before.xyz_mm[0] - after.xyz_mm[0]).abs() > 0.01, "{before:?} {after:?}");
+    // joint values as the report prints them move the display by less than its tolerance
+    let printed: Vec<f64> = joint_values.iter().map(|value| format!("{value:.3}").parse().unwrap()).collect();
+    let apart = display_at(&printed[..], &loaded[..])
+        .iter()
+        .zip(after.xyz_mm)
+        .map(|(a, b)| (a - b).powi(2))
+        .sum::<f64>()
+        .sqrt();
+    let tolerance_mm = tolerance_mm.unwrap();
+    assert!(apart < tolerance_mm && tolerance_mm < 0.1, "{apart} {tolerance_mm}");
     let other = ["--parameters", "out/parameters.json", "--loaded", "other.ini"];
     let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
     let refused = text_of(&etalon(&scratch.path(), &[&direct[..], &other].concat()));
@@ -124,6 +141,46 @@ fn a_robot_with_loaded_zeros_is_verified_by_its_new_joint_values() {
     assert_eq!(without.status.code(), Some(1), "{}", text_of(&without));
     let with = etalon(&scratch.path(), &[&verify[..], &["--mastered", "zeros.ini"]].concat());
     assert_eq!(with.status.code(), Some(0), "{}{}", text_of(&with), String::from_utf8_lossy(&with.stdout));
+}
+
+/// After loading, the exports and logs of a copy of the campaign are read as those of the calibration.
+#[test]
+fn a_campaign_is_verified_like_its_table_of_observations() {
+    let scratch = copy_sample("column-arm");
+    ends(&scratch, "run", 0, &[]);
+    let verified = |observations: &str| -> serde_json::Value {
+        let verify = ["verify", observations, "--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
+        let output = etalon(&scratch.path(), &verify);
+        assert!(output.status.success(), "{}", text_of(&output));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    // eight poses are measured again
+    let rows = |name: &str, count: usize| -> String {
+        let text = std::fs::read_to_string(scratch.path().join(name)).unwrap();
+        text.lines().take(count).flat_map(|line| [line, "\n"]).collect()
+    };
+    let (log, measured) = (rows("encoders.csv", 9), rows("out/observations.csv", 25));
+    std::fs::write(scratch.path().join("encoders.csv"), &log).unwrap();
+    std::fs::write(scratch.path().join("eight.csv"), measured).unwrap();
+    let (campaign, table) = (verified("."), verified("eight.csv"));
+    assert_eq!(campaign["verdict"], "valid");
+    let [of_campaign, of_table] = [&campaign, &table].map(|found| found["evidence"]["p_value"].as_f64().unwrap());
+    assert!((of_campaign - of_table).abs() <= 1e-6 * of_table, "{of_campaign} {of_table}");
+    // its files are the inputs
+    let inputs = campaign["provenance"]["inputs"].as_object().unwrap();
+    assert!(inputs.contains_key("encoders.csv") && inputs.contains_key("campaign.toml"), "{inputs:?}");
+    // one of the logged zeros moves by 2 mrad
+    let heads: Vec<&str> = log.lines().next().unwrap().split(',').collect();
+    let joint = heads.iter().position(|head| *head == "elbow").unwrap();
+    let moved = |line: &str| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        cells[joint] = format!("{}", cells[joint].parse::<f64>().unwrap() + 0.002);
+        cells.join(",")
+    };
+    let rows: Vec<String> = log.lines().skip(1).map(moved).collect();
+    std::fs::write(scratch.path().join("encoders.csv"), format!("{}\n{}\n", heads.join(","), rows.join("\n"))).unwrap();
+    let verify = ["verify", ".", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
+    assert_eq!(etalon(&scratch.path(), &verify).status.code(), Some(1));
 }
 
 /// A pose that is excluded moves no other pose from calibration to validation.

@@ -258,7 +258,7 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let rms = number(&documents.read("parameters.json")["residuals"]["position_rms_mm"]);
             vec![rms, rms / documents.ratio()]
         }
-        () if starts("Test the loaded file at pose #") => {
+        () if starts("Test the loaded file at pose #") || starts("Test the file in your software") => {
             let files = documents.read("campaign.json")["controller_files"].as_array()?.clone();
             vec![files.iter().map(|file| &file["check"]["pose"]).find(|pose| !pose.is_null()).map(number)?]
         }

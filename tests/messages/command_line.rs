@@ -221,6 +221,12 @@ const OPTIONS: &[Case] = &[
     ("not-an-output-folder", "prexyt-cmm", &[], "report @/exports"),
     ("certificate-of-earlier-inputs", "prexyt-cmm+out", &[("campaign.toml", "+", "\n")], "report @/out --certificate"),
     ("report-of-earlier-inputs", "prexyt-cmm+out", &[("encoders.csv", "+", "\n")], "report @"),
+    (
+        "options-of-table-for-campaign",
+        "prexyt-cmm+out",
+        &[],
+        "verify @ --robot @/robot.toml --parameters @/out/parameters.json --target SMR_1",
+    ),
     ("robot-not-in-table name=ur99", "", &[], "init @/new --robot ur99"),
     (
         "urdf-chain-chosen base=base tool=left count=2 other=arm",

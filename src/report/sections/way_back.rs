@@ -5,7 +5,7 @@ use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{DisplayedPose, LoadingCheck, Results, Source, SourceKind, WrittenFile};
 
-/// Decimals of positions (mm) and joint values.
+/// Decimals of positions (mm).
 const DECIMALS: usize = 3;
 
 /// A displayed pose with its name.
@@ -26,7 +26,10 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     if let Some(check) = &file.check {
         at_pose(&mut section, check, file, words);
     }
-    section.push(Block::text(tr!(words, "way-back-verify", file = file.file)));
+    section.push(Block::text(tr!(words, "way-back-verify")));
+    if file.check.as_ref().is_some_and(|check| !check.mastered_joint_values.is_empty()) {
+        section.push(Block::text(tr!(words, "way-back-verify-mastered", file = file.file)));
+    }
     section.whole()
 }
 
@@ -46,9 +49,14 @@ fn loaded(file: &WrittenFile) -> String {
 
 /// Adds the pose on the display before and after loading.
 fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, words: &Words) {
-    let joint = |(name, value): (&String, &f64)| format!("{name} = {}", words.decimal(format!("{value:.DECIMALS$}")));
-    let joints: Vec<String> = check.joints.iter().zip(&check.joint_values).map(joint).collect();
-    section.push(Block::text(tr!(words, "way-back-test", pose = check.pose, joints = joints.join("; "))));
+    let decimals = LoadingCheck::JOINT_DECIMALS;
+    let joint = |(name, value): (&String, &f64)| format!("{name} = {}", words.decimal(format!("{value:.decimals$}")));
+    let listed = |values: &[f64]| check.joints.iter().zip(values).map(joint).collect::<Vec<_>>().join("; ");
+    let joints = listed(&check.joint_values);
+    section.push(Block::text(match file.is_for_controllers {
+        true => tr!(words, "way-back-test", pose = check.pose, joints),
+        false => tr!(words, "way-back-test-software", pose = check.pose, joints),
+    }));
     let rows = [
         Row { name: tr!(words, "way-back-before"), pose: check.before },
         Row { name: tr!(words, "way-back-after"), pose: check.after },
@@ -63,6 +71,20 @@ fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, word
         .enumerate()
         .fold(columns, |columns, (part, name)| columns.page(name, "", move |r| fixed(r.pose.quaternion[part], 6)));
     section.push(Block::Table(Table::new(words, &rows, columns)));
+    if !check.mastered_joint_values.is_empty() {
+        let joints = listed(&check.mastered_joint_values);
+        section.push(Block::text(tr!(words, "way-back-mastered", joints)));
+    }
+    if !file.is_for_controllers {
+        section.push(Block::text(tr!(words, "way-back-compensated")));
+    }
+    if let Some(mm) = check.tolerance_mm {
+        let [tolerance, change] = [mm, check.change_mm()].map(|mm| words.fixed(mm, 2));
+        section.push(Block::text(match check.change_mm() > 2.0 * mm {
+            true => tr!(words, "way-back-tolerance", tolerance),
+            false => tr!(words, "way-back-change-too-small", tolerance, change),
+        }));
+    }
     section.push(Block::text(tr!(words, "way-back-restore")));
     section.push(Block::text(tr!(words, "way-back-other-poses", file = file.file)));
 }

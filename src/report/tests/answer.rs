@@ -243,18 +243,36 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
         joint_values: vec![12.5],
         before: DisplayedPose { xyz_mm: [1.0, 2.0, 3.0], quaternion: [1.0, 0.0, 0.0, 0.0] },
         after: DisplayedPose { xyz_mm: [1.25, 2.0, 3.0], quaternion: [1.0, 0.0, 0.0, 0.0] },
+        mastered_joint_values: vec![12.625],
+        tolerance_mm: Some(0.04),
     });
     let results = results.judged();
     assert_eq!((results.verdict.exit_code, results.verdict.limits[0].value), (0, Some(0.08)));
     let [load, verify, ..] = &results.verdict.actions[..] else { panic!("{:?}", results.verdict.actions) };
     assert_eq!((load.action, verify.action), (ActionKind::Load, ActionKind::Verify));
     assert!(verify.what.english().contains("pose 7"), "{verify:?}");
-    let contents = contents(&results, &Words::default());
-    let back = contents.sections.iter().find(|s| s.id == "way-back").unwrap();
-    let text = serde_json::to_string(back).unwrap();
-    for part in ["before.ini", "zeros.ini", "q1_deg = 12.500", "1.250", "1.000"] {
-        assert!(text.contains(part), "{part}: {text}");
-    }
+    let way_back = |results: &Results| {
+        let contents = contents(results, &Words::default());
+        serde_json::to_string(contents.sections.iter().find(|s| s.id == "way-back").unwrap()).unwrap()
+    };
+    let holds = |results: &Results, parts: &[&str]| {
+        let text = way_back(results);
+        parts.iter().for_each(|part| assert!(text.contains(part), "{part}: {text}"));
+        assert!(!text.contains("compensate") || !results.campaign.controller_files[0].is_for_controllers, "{text}");
+    };
+    // the display changes by 0.25 mm
+    holds(&results, &["before.ini", "zeros.ini", "q1_deg = 12.500", "q1_deg = 12.625", "1.250", "1.000", "0.04 mm"]);
+    // a change within the rounding of the display is tested by a measurement
+    let mut coarse = results.clone();
+    coarse.campaign.controller_files[0].check.as_mut().unwrap().tolerance_mm = Some(0.2);
+    holds(&coarse, &["0.20 mm", "0.25 mm"]);
+    // a file for software has its own test, and corrected programs theirs
+    let mut software = results;
+    software.campaign.controller_files[0].is_for_controllers = false;
+    let software = software.judged();
+    let verify = software.verdict.actions.iter().find(|step| step.action == ActionKind::Verify).unwrap();
+    assert_eq!(verify.what.phrase().unwrap().id, "action-verify-software-at-pose");
+    holds(&software, &["etalon compensate", "q1_deg = 12.500", "0.04 mm"]);
 }
 
 /// 117 µm without, 37 µm with the field; 110 µm with a further effect.

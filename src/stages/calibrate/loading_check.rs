@@ -5,7 +5,7 @@ use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{DisplayedPose, LoadingCheck, PoseSet};
 use etalon_formats::table::ASSEMBLY;
-use etalon_robots::{Kinematics, Robot};
+use etalon_robots::{Kinematics, Robot, Role};
 
 /// Displays at the measured pose where these values change the position most; `None` for a robot
 /// without kinematics of a whole pose.
@@ -15,8 +15,38 @@ pub fn loading_check(robot: &dyn Robot, solution: &IdentifiedSolution, values: &
     let change = |[before, after]: &[Pose; 2]| norm(minus(after.translation_mm, before.translation_mm));
     let poses = measured(solution).filter_map(|(pose, joints)| Some((pose, joints, displays(joints)?)));
     let (pose, joints, [before, after]) = poses.max_by(|a, b| change(&a.2).total_cmp(&change(&b.2)))?;
+    let tolerance_mm = rounding_mm(arm, values, joints);
+    let mastered_joint_values = match mastered(arm, [&nominal[..], values], joints) {
+        Some(shifted) => named(arm, &shifted).map(|(_, value)| value).collect(),
+        None => Vec::new(),
+    };
     let (joints, joint_values) = named(arm, joints).unzip();
-    Some(LoadingCheck { pose, joints, joint_values, before: displayed(&before), after: displayed(&after) })
+    let (before, after) = (displayed(&before), displayed(&after));
+    Some(LoadingCheck { pose, joints, joint_values, before, after, mastered_joint_values, tolerance_mm })
+}
+
+/// Largest change (mm) of the displayed position that rounding causes: of the announced joint
+/// values, and of the display.
+fn rounding_mm(arm: &dyn Kinematics, values: &[f64], joints: &[f64]) -> Option<f64> {
+    let half = |decimals: usize| 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX));
+    let at = arm.tool_pose(values, joints)?.translation_mm;
+    let by_joint = arm.joints().iter().enumerate().filter_map(|(k, joint)| {
+        let mut moved = joints.to_vec();
+        moved[k] += joint.quantity.inward(half(LoadingCheck::JOINT_DECIMALS));
+        Some(norm(minus(arm.tool_pose(values, &moved)?.translation_mm, at)))
+    });
+    Some(by_joint.sum::<f64>() + 3f64.sqrt() * half(LoadingCheck::DISPLAY_DECIMALS))
+}
+
+/// Joint values after the zeros of joints have changed from the nominal values without motion;
+/// `None` if other parameters of the robot change too.
+fn mastered(arm: &dyn Kinematics, [nominal, values]: [&[f64]; 2], joints: &[f64]) -> Option<Vec<f64>> {
+    let mut shifted = joints.to_vec();
+    let of_robot = arm.parameters().iter().enumerate().filter(|(_, p)| p.role == Role::Robot);
+    for (i, _) in of_robot.filter(|(i, _)| values[*i] != nominal[*i]) {
+        shifted[arm.zeroed_joint(nominal, joints, i)?] += values[i] - nominal[i];
+    }
+    (shifted != joints).then_some(shifted)
 }
 
 /// Deciding poses with their joint values.

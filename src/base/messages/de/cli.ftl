@@ -198,6 +198,9 @@ verify-quantity-without-residuals = die Kalibrierung hat keine Residuen der Grö
 verify-without-positions = die Beobachtungen enthalten keine Position einer Zielmarke
     .hint = Positionen der Zielmarken der Kalibrierung messen
 
+options-of-table-for-campaign = Optionen von Tabellen wirken nicht auf die Kampagne `{ $campaign }`
+    .hint = in ihrer campaign.toml angeben, wie ihre Dateien gelesen werden
+
 campaign-without-observations = die Kampagne `{ $campaign }` hat keinen Abschnitt `[observations]`
     .hint = eine Kampagne mit diesem Abschnitt oder die Optionen von Tabellen (`--column` ...) angeben
 

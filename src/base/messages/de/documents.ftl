@@ -3,7 +3,7 @@
 action-load-or-compensate = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
-    } in eigene Software laden; für eine Steuerung mit nominaler Geometrie die Programme mit `etalon compensate` korrigieren
+    } in eigene Software laden: keine Steuerung liest diese Datei. Für eine Steuerung deren Format in `controllers` ergänzen oder die Programme mit `etalon compensate` korrigieren
 
 limits-for-several-robots = Grenzwerte gelten für einen Roboter, die Tabelle enthält aber { $robots }
     .hint = jeden Roboter einzeln prüfen; nur die Austauschbarkeit wird aus allen Robotern zusammen bestimmt
@@ -190,7 +190,8 @@ action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: 
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
 action-verify = das Laden prüfen: einige Posen messen und `etalon verify` ausführen. Gelten die Parameter nicht, die vorherige Datei der Steuerung wiederherstellen
 action-verify-reason = die vorherige Datei vor dem Laden sichern; `controller_backup` in [conditions] ergänzt ihren SHA-256
-action-verify-at-pose = das Laden an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt die angezeigte Pose. Bei einem Unterschied die vorherige Datei wiederherstellen
+action-verify-at-pose = das Laden an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt die angezeigte Pose und ihre Toleranz. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
+action-verify-software-at-pose = die Datei in der eigenen Software oder das erste korrigierte Programm an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt Posen und Toleranz. Bei einem Unterschied den vorherigen Stand wiederherstellen
 action-verify-backup = die vorherige Datei ist `{ $file }`; derselbe Abschnitt nennt ihren SHA-256
 action-finer-instrument = mit einer erweiterten Messunsicherheit der Position von höchstens { $uncertainty } messen
 action-finer-instrument-reason = an Pose { $pose } ist U = { $uncertainty }, also { $percent } % der Kenngröße; ISO 9283 erlaubt 25 %; diesen Wert { $count ->
@@ -214,6 +215,10 @@ action-load-synthetic = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
     } in eine simulierte Steuerung laden, nicht in einen Roboter: die Daten sind synthetisch
+action-load-synthetic-software = `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(oder { $others })
+    } in eigene Software laden und damit keinen Roboter bewegen: die Daten sind synthetisch, und keine Steuerung liest diese Datei
 action-measure-again = { $count ->
         [one] Pose { $poses }
        *[other] Posen { $poses }

@@ -1542,13 +1542,19 @@ way-back-other-poses = Anzeige an anderen Posen, aus den Gelenkwerten vor dem La
 way-back-restore = Rückweg: die gesicherte Datei wieder laden. Sie gilt wieder, wenn die Anzeige am selben Ort die erste Zeile zeigt.
 way-back-test = Vor dem Laden Pose { $pose } anfahren: { $joints }. Laden, ohne den Roboter zu bewegen. Die Anzeige muss von der ersten zur zweiten Zeile wechseln. Sie zeigt den Flansch im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
 way-back-title = Prüfung nach dem Laden und Rückweg
-way-back-verify = Später einige Posen messen und `etalon verify` ausführen. Enthalten die Gelenkwerte der Steuerung die geladenen Nullpunkte (Justage), `--mastered { $file }` hinzufügen.
+way-back-change-too-small = Die Rundung der Gelenkwerte und der Anzeige erklärt Unterschiede bis { $tolerance } mm; die Datei ändert diese Pose um { $change } mm. Stattdessen durch eine Messung prüfen.
+way-back-compensated = Werden stattdessen Programme mit `etalon compensate` korrigiert, keine Datei laden. Ein Ziel in der zweiten Zeile wird dann als erste Zeile befohlen, und die Anzeige muss die obigen Gelenkwerte zeigen.
+way-back-tolerance = Toleranz des Vergleichs: { $tolerance } mm. Die Rundung der Gelenkwerte und der Anzeige erklärt keinen größeren Unterschied.
+way-back-verify = Später einige Posen messen. `etalon verify` liest sie aus einer Kopie der Kampagne mit den neuen Dateien.
+way-back-verify-mastered = Enthalten die Gelenkwerte der Steuerung die geladenen Nullpunkte (Justage), `--mastered { $file }` hinzufügen.
 weaker-trends = Weitere signifikante Trends
 weave = Pendeln
+way-back-mastered = Übernimmt die Steuerung die Datei als Justagewerte, müssen ihre Gelenkwerte wechseln zu: { $joints }.
 weave-passes = { $passes ->
         [one] 1 Durchlauf
        *[other] { $passes } Durchläufe
     }, { $turns ->
+way-back-test-software = An Pose { $pose } die Pose des Flansches bei diesen Gelenkwerten berechnen: { $joints }. Mit den vorherigen Parametern muss die eigene Software die erste Zeile ergeben, mit der Datei die zweite. Beide Zeilen gelten im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
         [one] 1 Umkehrpunkt
        *[other] { $turns } Umkehrpunkte
     }

@@ -457,6 +457,14 @@ verify-quantity-without-residuals = the calibration has no residuals of the quan
 verify-without-positions = the observations contain no position of a target
     .hint = measure positions of the targets of the calibration
 
+# Means: `etalon verify` has a campaign as its observations, together with options for reading a
+# table.
+# Matters: The campaign itself describes how its files are read; the options would be ignored.
+# Do: Remove the options, or give a table instead of the campaign.
+# Example: `etalon verify today --target SMR_1`
+options-of-table-for-campaign = options of tables have no effect on the campaign `{ $campaign }`
+    .hint = state in its campaign.toml how its files are read
+
 # Means: The campaign of `--like` has no section `[observations]`.
 # Matters: This section describes how the table is read.
 # Do: Use a campaign with this section, or describe the table with `--column` and the other options

@@ -3,7 +3,7 @@
 action-load-or-compensate = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
-    } into your own software; for a controller with nominal geometry, correct its programs with `etalon compensate`
+    } into your own software: no controller reads it. For a controller, add its format to `controllers`, or correct its programs with `etalon compensate`
 
 # Means: Limits are given, but the table contains rows of several robots.
 # Matters: The limits of AP and RP apply to a single robot.
@@ -296,7 +296,8 @@ action-compensate = if the controller computes with nominal geometry, load no fi
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
 action-verify = test the loaded file: measure a few poses, and run `etalon verify`. If the parameters do not apply, restore the previous file of the controller
 action-verify-reason = save the previous file before you load; `controller_backup` in [conditions] adds its SHA-256
-action-verify-at-pose = test the loaded file at pose { $pose }: “Test after loading, and way back” gives the pose on the display. If it differs, restore the previous file
+action-verify-at-pose = test the loaded file at pose { $pose }: “Test after loading, and way back” gives the pose on the display and its tolerance. If it differs, restore the previous file of the controller
+action-verify-software-at-pose = test the file in your software, or the first corrected program, at pose { $pose }: “Test after loading, and way back” gives poses and tolerance. If they differ, restore what was there before
 action-verify-backup = the previous file is `{ $file }`; the same section gives its SHA-256
 action-finer-instrument = measure with an expanded uncertainty of a position of at most { $uncertainty }
 action-finer-instrument-reason = at pose { $pose }, U = { $uncertainty } is { $percent } % of the characteristic; ISO 9283 allows 25 %, which { $count ->
@@ -320,6 +321,10 @@ action-load-synthetic = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
     } into a simulated controller, not into a robot: the data are synthetic
+action-load-synthetic-software = load `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(or { $others })
+    } into your own software, and move no robot with it: the data are synthetic, and no controller reads this file
 action-measure-again = measure { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }

@@ -198,6 +198,9 @@ verify-quantity-without-residuals = l’étalonnage n’a pas de résidus de la 
 verify-without-positions = les observations ne contiennent aucune position de cible
     .hint = mesurer des positions des cibles de l’étalonnage
 
+options-of-table-for-campaign = les options des tableaux n’ont pas d’effet sur la campagne `{ $campaign }`
+    .hint = indiquer dans son campaign.toml la lecture de ses fichiers
+
 campaign-without-observations = la campagne `{ $campaign }` n’a pas de section `[observations]`
     .hint = indiquer une campagne avec cette section, ou les options des tableaux (`--column` ...)
 

@@ -3,7 +3,7 @@
 action-load-or-compensate = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
-    } dans votre propre logiciel ; pour un contrôleur à géométrie nominale, corriger ses programmes par `etalon compensate`
+    } dans votre propre logiciel : aucun contrôleur ne lit ce fichier. Pour un contrôleur, ajouter son format à `controllers`, ou corriger ses programmes par `etalon compensate`
 
 limits-for-several-robots = les limites valent pour un seul robot, or le tableau en contient { $robots }
     .hint = soumettre chaque robot séparément à l’essai ; seule l’interchangeabilité est évaluée sur tous les robots ensemble
@@ -184,7 +184,8 @@ action-compensate = si le contrôleur calcule avec la géométrie nominale, ne c
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
 action-verify = vérifier le chargement : mesurer quelques poses et lancer `etalon verify`. Si les paramètres ne conviennent pas, rétablir le fichier précédent du contrôleur
 action-verify-reason = sauvegarder le fichier précédent avant le chargement ; `controller_backup` dans [conditions] ajoute son SHA-256
-action-verify-at-pose = vérifier le chargement à la pose { $pose } : « Vérification après chargement et retour » donne la pose affichée. Si elle diffère, rétablir le fichier précédent
+action-verify-at-pose = vérifier le chargement à la pose { $pose } : « Vérification après chargement et retour » donne la pose affichée et sa tolérance. Si elle diffère, rétablir le fichier précédent du contrôleur
+action-verify-software-at-pose = vérifier le fichier dans votre logiciel, ou le premier programme corrigé, à la pose { $pose } : « Vérification après chargement et retour » donne les poses et la tolérance. Si elles diffèrent, rétablir l’état précédent
 action-verify-backup = le fichier précédent est `{ $file }` ; la même section donne son SHA-256
 action-finer-instrument = mesurer avec une incertitude élargie d’une position de { $uncertainty } au plus
 action-finer-instrument-reason = à la pose { $pose }, U = { $uncertainty } représente { $percent } % de la caractéristique ; l’ISO 9283 admet 25 %, ce que { $count ->
@@ -208,6 +209,10 @@ action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
     } dans un contrôleur simulé, non dans un robot : les données sont synthétiques
+action-load-synthetic-software = charger `{ $file }`{ $count ->
+        [0] {""}
+       *[other] {" "}(ou { $others })
+    } dans votre propre logiciel, sans déplacer de robot : les données sont synthétiques, et aucun contrôleur ne lit ce fichier
 action-measure-again = mesurer de nouveau { $count ->
         [one] la pose { $poses }
        *[other] les poses { $poses }

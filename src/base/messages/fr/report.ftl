@@ -1548,13 +1548,19 @@ way-back-other-poses = Affichage à d’autres poses, d’après les valeurs art
 way-back-restore = Retour : recharger le fichier d’avant le chargement. Il est rétabli si l’affichage donne de nouveau la première ligne au même endroit.
 way-back-test = Avant le chargement, aller à la pose { $pose } : { $joints }. Charger sans bouger le robot. L’affichage doit passer de la première à la deuxième ligne. Il montre la bride dans le référentiel de la base, sans outil ni pièce.
 way-back-title = Vérification après chargement et retour
-way-back-verify = Plus tard, mesurer quelques poses et lancer `etalon verify`. Si les valeurs articulaires du contrôleur contiennent les zéros chargés (calage), ajouter `--mastered { $file }`.
+way-back-change-too-small = L’arrondi des valeurs articulaires et de l’affichage explique des écarts jusqu’à { $tolerance } mm ; le fichier modifie cette pose de { $change } mm. Vérifier plutôt par une mesure.
+way-back-compensated = Si l’on corrige plutôt les programmes par `etalon compensate`, ne charger aucun fichier. Une cible à la seconde ligne est alors commandée comme la première ligne, et l’affichage doit montrer les valeurs articulaires ci-dessus.
+way-back-tolerance = Tolérance de la comparaison : { $tolerance } mm. L’arrondi des valeurs articulaires et de l’affichage n’explique pas d’écart plus grand.
+way-back-verify = Plus tard, mesurer quelques poses. `etalon verify` les lit dans une copie de la campagne avec les nouveaux fichiers.
+way-back-verify-mastered = Si les valeurs articulaires du contrôleur contiennent les zéros chargés (calage), ajouter `--mastered { $file }`.
 weaker-trends = Autres tendances significatives
 weave = balayage
+way-back-mastered = Si le contrôleur prend le fichier comme valeurs de calage, ses valeurs articulaires doivent devenir : { $joints }.
 weave-passes = { $passes ->
         [one] { $passes } passage
        *[other] { $passes } passages
     }, { $turns ->
+way-back-test-software = À la pose { $pose }, calculer la pose de la bride pour ces valeurs articulaires : { $joints }. Avec les paramètres précédents, votre logiciel doit donner la première ligne, avec le fichier la seconde. Les deux lignes sont dans le référentiel de la base, sans outil ni pièce.
         [one] { $turns } inversion
        *[other] { $turns } inversions
     }
