@@ -96,7 +96,7 @@ pub struct WorldFrame {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub common_covariance: Option<[[f64; 6]; 6]>,
     /// Root mean square distance of the targets from their best-fit positions; absent for 3-2-1
-    /// frames.
+    /// frames, and for targets that were measured once.
     pub rms_mm: Option<f64>,
     /// Largest distance of a target from its best-fit position.
     pub max_mm: Option<f64>,

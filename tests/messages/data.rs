@@ -172,6 +172,7 @@ const GATHERED: &[Case] = &[
 /// Residuals and parameters.
 const IDENTIFIED: &[Case] = &[
     ("parameter-held-inseparable", "column-arm", &[], RUN),
+    ("target-place-free", "linear-delta", &[], RUN),
     ("parameter-groups-weakly-identifiable", "column-arm", &[], RUN),
     ("parameters-fixed-by-frames", "draw-wire", &[], RUN),
     (

@@ -509,14 +509,16 @@ fn from_targets(campaign: &Campaign, points: &[Point], targets: &[Spanned<String
         true => phrase!("frame-from-targets-each", targets = names),
         false => phrase!("frame-from-targets", targets = names),
     };
+    // targets measured once define the positions that they are compared with
+    let is_compared = poses.len() > 1;
     let rms = (squares / (poses.len() * names.len()) as f64).sqrt();
     Ok(WorldFrame {
         definition: definition.into(),
         planar: false,
         poses,
         common_covariance: excess.filter(|_| each),
-        rms_mm: Some(rms),
-        max_mm: Some(largest),
+        rms_mm: is_compared.then_some(rms),
+        max_mm: is_compared.then_some(largest),
         reference_mm: reference,
     })
 }

@@ -130,6 +130,9 @@ residuals-exceed-uncertainty = die Residuen betragen das { FIXED($ratio, 1) }-Fa
 
 parameters-fixed-by-frames = { $count } Parameter sind nicht getrennt von Basis und Zielmarken identifizierbar und bleiben auf ihren Nennwerten: { $parameters }
 
+target-place-free = die Daten können { $parameters } nicht von der Position der Basis trennen: sie sind auf 0 gesetzt, damit Positionen im Basiskoordinatensystem Positionen dieser Zielmarke sind
+    .hint = für Positionen der Plattform die Zielmarke auf ihr messen, ihre Koordinaten in robot.toml unter [nominal] ergänzen und mit `hold` festhalten
+
 parameter-held-without-effect = die Daten hängen nicht von `{ $parameter }` ab: er bleibt auf seinem Nennwert
 
 parameter-held-inseparable = `{ $parameter }` und { $others } sind nicht getrennt identifizierbar: `{ $parameter }` bleibt auf seinem Nennwert

@@ -263,6 +263,16 @@ residuals-exceed-uncertainty = residuals are { FIXED($ratio, 1) } times the stat
 # Example: the zero of the first joint and the rotation of the base
 parameters-fixed-by-frames = the data cannot separate { $count } parameters from base and targets; they are held at their nominal values: { $parameters }
 
+# Means: A shift of a target and the opposite shift of the base have the same effect on all
+# readings. The position of the target on the robot is unobservable.
+# Matters: The target is set to 0, and the base absorbs its position. Positions in the base frame
+# are then positions of this target. Errors and other parameters do not change.
+# Do: If programs need positions of the platform, measure the target on the platform. Add its
+# coordinates under [nominal] in robot.toml, and list them under `hold`.
+# Example: three reflectors on a delta, whose platform keeps its orientation
+target-place-free = the data cannot separate { $parameters } from the base: set to 0, so positions in the base frame are positions of this target
+    .hint = to refer positions to the platform, measure the target on it, add its coordinates under [nominal] in robot.toml, and `hold` them
+
 # Means: No observation depends on a parameter.
 # Matters: The parameter is held at its nominal value.
 # Do: If you need its value, measure poses in which it matters.

@@ -130,6 +130,9 @@ residuals-exceed-uncertainty = les résidus valent { FIXED($ratio, 1) } fois l�
 
 parameters-fixed-by-frames = { $count } paramètres ne sont pas identifiables séparément de la base et des cibles, et sont fixés à leur valeur nominale : { $parameters }
 
+target-place-free = les données ne peuvent séparer { $parameters } de la position de la base : fixés à 0, de sorte que les positions dans le référentiel de la base sont celles de cette cible
+    .hint = pour des positions de la plateforme, y mesurer la cible, ajouter ses coordonnées sous [nominal] dans robot.toml, et les fixer par `hold`
+
 parameter-held-without-effect = les données ne dépendent pas de `{ $parameter }` : il est fixé à sa valeur nominale
 
 parameter-held-inseparable = `{ $parameter }` et { $others } ne sont pas identifiables séparément : `{ $parameter }` est fixé à sa valeur nominale

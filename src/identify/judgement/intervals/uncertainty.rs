@@ -451,13 +451,24 @@ fn rejection(chi_square: f64, degrees: usize, inflation: f64, from: UncertaintyF
     warning!("residuals-exceed-uncertainty", ratio, chi_square, degrees, from, inflation)
 }
 
-/// Messages for held parameters; parameters fixed by the choice of base and targets share one.
+/// Messages for held parameters; parameters fixed by the choice of base and targets share one, and
+/// so do targets without a nominal position that the base replaces.
 pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning> {
     let parameters = robot.parameters();
     let of_robot = |i: usize| parameters[i].role == Role::Robot;
+    let is_placed_by_base = |g: &&Group| {
+        let held = &parameters[g.held];
+        held.role == Role::Target
+            && held.tolerance.is_infinite()
+            && g.useless_uncertainty.is_none()
+            && g.with.iter().any(|&i| parameters[i].role == Role::Base)
+    };
+    let (placed, groups): (Vec<&Group>, Vec<&Group>) = groups.iter().partition(is_placed_by_base);
+    let placed: Vec<&str> = placed.iter().map(|g| parameters[g.held].name.as_str()).collect();
+    let placed = (!placed.is_empty()).then(|| warning!("target-place-free", parameters = quoted(&placed)).into());
     let by_frames =
         |g: &&Group| g.useless_uncertainty.is_none() && of_robot(g.held) && g.with.iter().any(|&i| !of_robot(i));
-    let (frames, others): (Vec<&Group>, Vec<&Group>) = groups.iter().partition(by_frames);
+    let (frames, others): (Vec<&Group>, Vec<&Group>) = groups.into_iter().partition(by_frames);
     let joined = match &frames[..] {
         [] => None,
         [one] => Some(held_message(robot, one)),
@@ -467,7 +478,8 @@ pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning>
         }
     };
     let joined = joined.map(|message| Warning { message: message.routine(), subject: Subject::HeldByFrames });
-    joined.into_iter().chain(others.into_iter().map(|g| held_message(robot, g).into())).collect()
+    let others = others.into_iter().map(|g| held_message(robot, g).into());
+    joined.into_iter().chain(placed).chain(others).collect()
 }
 
 fn held_message(robot: &dyn Robot, group: &Group) -> Message {
