@@ -2,10 +2,7 @@
 
 use super::{Output, Verdict, shell_word};
 use crate::tasks::default_chain;
-use crate::tasks::known_robots::known_robot;
-use crate::tasks::start::{
-    DescribedRobot, NamedRobot, RobotFiles, described, described_by, next_step, own_robot_files, robot_path, start,
-};
+use crate::tasks::start::{NamedRobot, RobotFiles, described, described_by, next_step, start};
 use etalon_base::files;
 use etalon_base::phrase;
 use std::path::{Path, PathBuf};
@@ -68,7 +65,7 @@ impl Init {
             return self.describe(path, out);
         }
         if let Some(name) = &self.robot {
-            return self.known(name, out);
+            return self.with_robot(NamedRobot { urdf: None, name: Some(name) }.files(&[])?, out);
         }
         let mut texts = vec![("campaign.toml", CAMPAIGN.into()), ("robot.toml", ROBOT.into())];
         if self.synthetic {
@@ -96,51 +93,29 @@ impl Init {
 
     /// A campaign of the robot of a URDF file.
     fn describe(&self, path: &Path, out: &Output) -> anyhow::Result<Verdict> {
-        let DescribedRobot { name, robot, text, joints, .. } = described(path)?;
+        let robot = RobotFiles::from_urdf(path, described(path)?);
         if let (_, Some(message)) = default_chain(path)? {
             out.say_message(&message);
         }
-        let quoted = |text: &str| toml::Value::from(text).to_string();
-        let column = |key: &String| {
-            let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
-            format!("{} = {}\n", quoted(key), quoted(joint))
-        };
-        let columns: String = joints.iter().map(column).collect();
-        let texts = [
-            ("campaign.toml", campaign("[\"json\", \"urdf\"]", &columns, &SMRS)),
-            ("robot.toml", robot),
-            (name.as_str(), text),
-        ];
-        self.write(&texts, out)
+        self.with_robot(robot, out)
     }
 
-    /// A campaign for a robot of the user's robot.toml.
-    fn with_robot_file(&self, robot: RobotFiles, out: &Output) -> anyhow::Result<Verdict> {
+    /// A campaign for a robot with its files.
+    fn with_robot(&self, robot: RobotFiles, out: &Output) -> anyhow::Result<Verdict> {
+        let quoted = |text: &str| toml::Value::from(text).to_string();
+        let is_bare = |key: &str| key.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
         let column = |key: &String| {
             let joint = key.rsplit_once('_').map_or(key.as_str(), |(joint, _)| joint);
-            format!("{} = {}\n", toml::Value::from(key.as_str()), toml::Value::from(joint))
+            let key = if is_bare(key) { key.clone() } else { quoted(key) };
+            format!("{key} = {}\n", quoted(joint))
         };
         let columns: String = robot.joints.iter().map(column).collect();
         let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
         let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
-        let campaign = ("campaign.toml", campaign(robot.controllers, &columns, targets));
+        let controllers = robot.controllers_lines(robot.built().as_deref());
+        let campaign = ("campaign.toml", campaign(&controllers, &columns, targets));
         let files = robot.files.iter().map(|(name, text)| (name.as_str(), text.clone()));
         self.write(&std::iter::once(campaign).chain(files).collect::<Vec<_>>(), out)
-    }
-
-    /// Creates a campaign for a robot of the built-in table.
-    fn known(&self, name: &str, out: &Output) -> anyhow::Result<Verdict> {
-        if let Some(path) = robot_path(name) {
-            return self.with_robot_file(own_robot_files(&path)?, out);
-        }
-        let robot = known_robot(name)?;
-        let column = |joint: &String| format!("{joint} = \"{}\"\n", joint.split('_').next().unwrap_or(joint));
-        let columns: String = robot.joints().iter().map(column).collect();
-        let targets: Vec<&str> = robot.targets.iter().map(String::as_str).collect();
-        let targets = if targets.is_empty() { &SMRS[..] } else { &targets };
-        let texts =
-            [("campaign.toml", campaign("[\"json\"]", &columns, targets)), ("robot.toml", robot.text().into_bytes())];
-        self.write(&texts, out)
     }
 }
 
@@ -148,6 +123,6 @@ const SMRS: [&str; 3] = ["SMR_1", "SMR_2", "SMR_3"];
 
 /// Returns the campaign of a robot with these joint columns.
 fn campaign(controllers: &str, columns: &str, targets: &[&str]) -> Vec<u8> {
-    let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", &format!("controllers = {controllers}"));
+    let text = ROBOT_CAMPAIGN.replace("CONTROLLERS", controllers);
     text.replace("COLUMNS\n", &format!("{columns}\n")).replace("TARGETS", &format!("{targets:?}")).into_bytes()
 }

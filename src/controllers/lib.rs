@@ -508,6 +508,14 @@ pub fn names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|exporter| exporter.name())
 }
 
+/// Names of the formats that a controller of this robot may load.
+pub fn names_for_controllers(robot: &dyn Robot, has_urdf: bool) -> impl Iterator<Item = &'static str> {
+    let suits = move |exporter: &&&dyn Exporter| {
+        exporter.is_for_controllers() && exporter.unsuited_robot(robot, has_urdf).is_none()
+    };
+    EXPORTERS.iter().filter(suits).map(|exporter| exporter.name())
+}
+
 /// Names of the formats that state the hash of a calibration in the controller.
 pub fn with_controller_hash() -> Vec<&'static str> {
     EXPORTERS.iter().filter(|exporter| exporter.states_controller_hash()).map(|exporter| exporter.name()).collect()

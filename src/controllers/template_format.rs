@@ -14,7 +14,7 @@ use etalon_base::{error, phrase};
 use etalon_robots::{Parameter, Robot, Role};
 use minijinja::value::Serde;
 use minijinja::{Environment, Error, Value, context};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Extension of the file name of a template.
 const ENDING: &str = ".j2";
@@ -80,9 +80,10 @@ impl TemplateFormat {
         let idle = self.holds.iter().find(|pattern| !names().any(|name| matches_pattern(pattern, name)))?;
         let message =
             error!("template-holds-unknown", pattern = idle).at(Place { line: Some(1), ..Place::file(&self.path) });
-        Some(match nearest(idle, names()) {
-            Some(name) => message.hint(phrase!("did-you-mean", name)),
-            None => message.hint_names(idle, names()),
+        Some(match (nearest(idle, names()), given.robot) {
+            (Some(name), _) => message.hint(phrase!("did-you-mean", name)),
+            (None, Some(robot)) if has_no_zeros(robot) => message.hint(phrase!("convert-to-denavit-hartenberg")),
+            (None, _) => message.hint_names(idle, names()),
         })
     }
 
@@ -98,6 +99,16 @@ impl TemplateFormat {
         };
         error!("controller-template-failed", reason).at(place)
     }
+}
+
+/// `true` for an arm without parameters that are zeros of its joints, except for a flange that
+/// turns about the last axis: screw axes contain no zeros.
+fn has_no_zeros(robot: &dyn Robot) -> bool {
+    let (Some(arm), Some(_)) = (robot.kinematics(), robot.free_base()) else { return false };
+    let (nominal, joints) = (robot.nominal(), vec![0.0; robot.joints().len()]);
+    let of_robot = robot.parameters().iter().enumerate().filter(|(_, p)| p.role == Role::Robot);
+    let zeroed: BTreeSet<usize> = of_robot.filter_map(|(i, _)| arm.zeroed_joint(&nominal, &joints, i)).collect();
+    zeroed.len() < 2
 }
 
 impl Exporter for TemplateFormat {

@@ -27,6 +27,13 @@ const CASES: &[Case] = &[
         &[("t.txt.j2", "", "{{ etalon }}")],
         "export @/out/parameters.json --template @/t.txt.j2",
     ),
+    // screw axes have no zeros of joints
+    (
+        "template-holds-unknown pattern=theta_* hint=convert-to-denavit-hartenberg",
+        "probe-poses+out",
+        &[("t.txt.j2", "", "{# holds: theta_* #}\n")],
+        "export @/out/parameters.json --robot @/robot.toml --template @/t.txt.j2",
+    ),
     (
         "template-holds-unknown pattern=thta_*",
         ARM,

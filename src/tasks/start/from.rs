@@ -1,5 +1,6 @@
 //! A whole campaign from files of measurements and logs.
 
+use super::DescribedRobot;
 use etalon_base::message::{Problems, Result, printable};
 use etalon_base::{error, files, phrase};
 use etalon_campaign::{RobotFile, parse_robot};
@@ -70,7 +71,7 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<S
     let lines = directions_asked(lines);
     let stated: toml::Table = toml::from_str(&lines)
         .map_err(|e| Problems::from(error!("proposal-not-toml", name = names.join(" "), error = e.to_string())))?;
-    let mut text = head(&names, &lines, robot.controllers) + "\n" + &lines;
+    let mut text = head(&names, &lines, &robot.controllers_lines(built.as_deref())) + "\n" + &lines;
     let is_one_table = documents.iter().any(|document| document.kind == "export with joints");
     let has_branches = built.as_ref().is_some_and(|robot| !robot.branches().is_empty());
     if has_branches && is_one_table && !stated.contains_key("join") {
@@ -114,14 +115,45 @@ fn file_name(path: &Path) -> String {
 }
 
 impl RobotFiles {
+    /// Files of the robot in a URDF file.
+    pub fn from_urdf(path: &Path, described: DescribedRobot) -> Self {
+        let DescribedRobot { name, robot, text, joints, targets } = described;
+        Self {
+            files: vec![("robot.toml".to_owned(), robot), (name, text)],
+            path: path.with_file_name("robot.toml"),
+            joints,
+            targets,
+            controllers: "[\"json\", \"urdf\"]",
+            own: None,
+        }
+    }
+
     /// The nominal robot, whose kinematics test the proposal.
-    fn built(&self) -> Option<Box<dyn Robot>> {
+    pub fn built(&self) -> Option<Box<dyn Robot>> {
         let (_, text) = self.files.first()?;
         let parsed = || parse_robot(&self.path, &String::from_utf8_lossy(text)).ok();
         let robot = self.own.clone().or_else(parsed)?;
         let targets = if self.targets.is_empty() { vec!["target".to_owned()] } else { self.targets.clone() };
         // targets of a platform belong to its model
         robot.build(&targets).or_else(|_| robot.build(&[])).ok()
+    }
+
+    /// Line `controllers` of a campaign, below a comment with the formats for a controller of this
+    /// robot.
+    pub fn controllers_lines(&self, robot: Option<&dyn Robot>) -> String {
+        let has_urdf = self.files.iter().any(|(name, _)| Path::new(name).extension().is_some_and(|end| end == "urdf"));
+        let names = robot.map(|robot| etalon_controllers::names_for_controllers(robot, has_urdf).collect::<Vec<_>>());
+        let formats = match names.as_deref() {
+            None | Some([]) => String::new(),
+            Some(names) => {
+                format!("# Formats for a controller of this robot: {}.\n", names.join(", "))
+            }
+        };
+        format!(
+            "{formats}# For other controllers, `etalon compensate` corrects programs, and a template writes joint zeros.\n\
+             controllers = {}",
+            self.controllers
+        )
     }
 }
 
@@ -145,7 +177,7 @@ fn head(names: &[String], lines: &str, controllers: &str) -> String {
     format!(
         "# Proposed by `etalon init --from {}`. `etalon check` lists each `\"?\"` and UNIT to complete.\n\
          # Lengths are in mm, angles in degrees, unless a key states another unit.\n\n\
-         name = \"First campaign\"\nrobot = \"robot.toml\"\ncontrollers = {controllers}\n\n\
+         name = \"First campaign\"\nrobot = \"robot.toml\"\n{controllers}\n\n\
          [instrument]                                  # from the calibration certificate\n\
          name = \"?\"                                    # name of the instrument\n\
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\

@@ -10,7 +10,6 @@ mod trial;
 
 pub(crate) use from::{RobotFiles, Started};
 pub(crate) use questions::{Question, answered, open_questions};
-pub(crate) use robot_toml::{path as robot_path, robot_files as own_robot_files};
 pub(crate) use trial::{next as next_step, refusal_of_lines};
 
 use crate::tasks::known_robots::known_robot;
@@ -19,6 +18,7 @@ use etalon_base::error;
 use etalon_base::message::Problems;
 use etalon_campaign::read_urdf;
 use etalon_robots::{Joint, Quantity, TreeChain};
+use robot_toml::{path as robot_path, robot_files as own_robot_files};
 use std::path::{Path, PathBuf};
 
 /// Robot of a new campaign, as its user names it.
@@ -46,14 +46,9 @@ pub(crate) fn start(files: &[PathBuf], robot: NamedRobot) -> anyhow::Result<Star
 
 impl NamedRobot<'_> {
     /// Files of the robot, and its joints.
-    fn files(self, measured: &[PathBuf]) -> anyhow::Result<RobotFiles> {
+    pub fn files(self, measured: &[PathBuf]) -> anyhow::Result<RobotFiles> {
         if let Some(path) = self.urdf {
-            let described = tool_link::described(path, measured)?;
-            let DescribedRobot { name, robot, text, joints, targets } = described;
-            let files = vec![("robot.toml".to_owned(), robot), (name, text)];
-            let controllers = "[\"json\", \"urdf\"]";
-            let path = path.with_file_name("robot.toml");
-            return Ok(RobotFiles { files, path, joints, targets, controllers, own: None });
+            return Ok(RobotFiles::from_urdf(path, tool_link::described(path, measured)?));
         }
         let Some(name) = self.name else {
             return Err(Problems::from(error!("from-needs-robot")).into());

@@ -189,6 +189,8 @@ template-without-holds = die Vorlage nennt die Parameter nicht, die ihre Datei e
     .expected = eine erste Zeile wie `{"{#"} holds: theta_* {"#}"}`
     .hint = die Parameter nennen; `*` steht für beliebigen Text und `holds: *` für alle Parameter
 
+convert-to-denavit-hartenberg = ein Arm aus Schraubachsen (`poe`) hat keine Nullpunkte von Gelenken: robot.toml mit `etalon robot convert robot.toml --to dh` schreiben und die Kampagne erneut ausführen
+
 template-holds-unknown = kein Parameter entspricht `{ $pattern }`
 
 template-name = der Name der Vorlage `{ $file }` endet nicht auf `.j2`

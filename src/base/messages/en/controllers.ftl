@@ -379,6 +379,8 @@ template-without-holds = the template does not list the parameters that its file
     .expected = a first line like `{"{#"} holds: theta_* {"#}"}`
     .hint = list the parameters; `*` matches any text, so `holds: *` lists all parameters
 
+convert-to-denavit-hartenberg = an arm of screw axes (`poe`) has no joint zeros: write its robot.toml with `etalon robot convert robot.toml --to dh`, and run the campaign again
+
 # Means: The first line of the template lists a parameter that the robot does not have.
 # Matters: A value that the template needs is missing in the file.
 # Do: Correct the name; parameters.json contains all names.

@@ -189,6 +189,8 @@ template-without-holds = le gabarit n’indique pas les paramètres que contient
     .expected = une première ligne comme `{"{#"} holds: theta_* {"#}"}`
     .hint = nommer les paramètres ; `*` remplace un texte quelconque, et `holds: *` tous les paramètres
 
+convert-to-denavit-hartenberg = un bras décrit par des axes de vissage (`poe`) n’a pas de zéros d’articulation : écrire son robot.toml par `etalon robot convert robot.toml --to dh`, et relancer la campagne
+
 template-holds-unknown = aucun paramètre ne correspond à `{ $pattern }`
 
 template-name = le nom du gabarit `{ $file }` ne se termine pas par `.j2`
