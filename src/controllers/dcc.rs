@@ -93,11 +93,9 @@ impl<'a> Stated<'a> {
     }
 
     fn core_data(&self) -> Element {
-        let (Conditions { robot, place, .. }, issue) = (&self.conditions, self.issue());
+        let (Conditions { robot, .. }, issue) = (&self.conditions, self.issue());
         let number =
             issue.number.as_ref().map(|number| identification("calibrationLaboratory", number, "Report number"));
-        // the laboratory is the default place
-        let laboratory = self.conditions.laboratory.as_ref().filter(|_| place.is_none());
         let core = [
             Some(leaf("dcc:countryCodeISO3166_1", issue.country.as_ref().map_or(NO_COUNTRY, Country::code))),
             Some(leaf("dcc:usedLangCodeISO639_1", "en")),
@@ -107,10 +105,26 @@ impl<'a> Stated<'a> {
             robot.received.as_deref().and_then(day).map(|day| leaf("dcc:receiptDate", day)),
             Some(leaf("dcc:beginPerformanceDate", &self.begin)),
             Some(leaf("dcc:endPerformanceDate", &self.end)),
-            Some(leaf("dcc:performanceLocation", laboratory.map_or("other", |_| "laboratory"))),
+            Some(leaf("dcc:performanceLocation", self.location())),
             issue.issued.as_deref().and_then(day).map(|day| leaf("dcc:issueDate", day)),
         ];
         element("dcc:coreData", core.into_iter().flatten())
+    }
+
+    /// Place of the measurements as DCC 3.3.0 lists places: the laboratory unless another place is
+    /// given.
+    fn location(&self) -> &'static str {
+        let Conditions { place, laboratory, .. } = &self.conditions;
+        let contains = |name: &Option<String>| {
+            let name = name.as_deref().map(|name| name.trim().to_lowercase()).filter(|name| !name.is_empty());
+            name.is_some_and(|name| place.as_ref().is_some_and(|place| place.to_lowercase().contains(&name)))
+        };
+        match (place, laboratory) {
+            (None, Some(_)) => "laboratory",
+            (Some(_), _) if contains(&self.issue().customer) => "customer",
+            (Some(_), _) if contains(laboratory) => "laboratory",
+            _ => "other",
+        }
     }
 
     fn administration(&self) -> Element {
@@ -160,6 +174,7 @@ impl<'a> Stated<'a> {
             ("country (ZZ)", issue.country.is_none()),
             ("customer", issue.customer.is_none()),
             ("laboratory", self.conditions.laboratory.is_none()),
+            ("place of the measurements", conditions.place.is_none() && conditions.laboratory.is_none()),
             ("responsible person", self.summary(|s| s.measurements.operator.as_ref()) == NOT_STATED),
             ("instrument", self.summary(|s| s.instrument.name.as_ref()) == NOT_STATED),
             ("calibration of the instrument", self.conditions.instrument_calibration.is_none()),

@@ -64,6 +64,30 @@ fn valid(text: &str, schema: &str) -> Option<String> {
     }
 }
 
+/// Places that DCC 3.3.0 lists (`performanceLocation`).
+#[test]
+fn the_place_of_the_measurements_is_one_of_the_schema() {
+    let location = |place: Option<&str>, laboratory: Option<&str>| {
+        let (document, mut summary) = (certified(), summary());
+        summary.conditions.place = place.map(str::to_owned);
+        summary.conditions.laboratory = laboratory.map(str::to_owned);
+        let given = ExportInput { summary: Some(&summary), ..ExportInput::parameters(&document) };
+        let text = String::from_utf8(by_name("dcc").unwrap().write(&given).unwrap()).unwrap();
+        let (_, rest) = text.split_once("<dcc:performanceLocation>").unwrap();
+        (rest.split_once('<').unwrap().0.to_owned(), text.contains("place of the measurements"))
+    };
+    let laboratory = Some("Laboratory, Street 1");
+    for (place, laboratory, expected, is_missing) in [
+        (None, laboratory, "laboratory", false),
+        (Some("hall 3"), laboratory, "other", false),
+        (Some("at customer, city, hall 3"), laboratory, "customer", false),
+        (Some("Laboratory, Street 1, room 4"), laboratory, "laboratory", false),
+        (None, None, "other", true),
+    ] {
+        assert_eq!(location(place, laboratory), (expected.to_owned(), is_missing), "{place:?}");
+    }
+}
+
 const DCC: &str = "dcc/v3.3.0/dcc.xsd";
 const QIF: &str = "qif-3.0/QIFApplications/QIFDocument_bindings_variant.xsd";
 
