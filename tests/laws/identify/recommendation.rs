@@ -177,19 +177,27 @@ fn drawn_of_model(sample: &str, noise: &mut Noise) -> Scratch {
     let campaign = Campaign::read(&folder.path()).unwrap();
     let robot = campaign.build_robot_with(&["target".to_owned()]).unwrap();
     // small errors make nominal parameters the better answer at times
-    let share = between_logs(noise, 0.02, 1.0);
-    let stated = truth["parameters"].as_table_mut().unwrap();
-    let of_robot = robot.parameters().iter().filter(|p| p.role == Role::Robot && p.tolerance.is_finite());
-    for p in of_robot {
-        if stated.contains_key(&p.name) {
-            let value = p.quantity.outward(p.nominal + share * noise.uniform(p.tolerance));
-            stated.insert(p.name.clone(), value.into());
+    let mut share = between_logs(noise, 0.02, 1.0);
+    loop {
+        let stated = truth["parameters"].as_table_mut().unwrap();
+        let of_robot = robot.parameters().iter().filter(|p| p.role == Role::Robot && p.tolerance.is_finite());
+        for p in of_robot {
+            if stated.contains_key(&p.name) {
+                let value = p.quantity.outward(p.nominal + share * noise.uniform(p.tolerance));
+                stated.insert(p.name.clone(), value.into());
+            }
+        }
+        truth.insert("seed".to_owned(), i64::try_from(whole(noise, 1, 1_000_000)).unwrap().into());
+        std::fs::write(&path, toml::to_string(&truth).unwrap()).unwrap();
+        match simulate(&campaign, &Truth::read(&path).unwrap()) {
+            Ok(_) => return folder,
+            // nobody measures a robot at poses that it cannot reach
+            Err(problems) if problems.0.iter().all(|m| m.is("truth-pose-out-of-reach", &[])) && share > 1e-4 => {
+                share *= 0.7;
+            }
+            Err(problems) => panic!("{sample}: {problems:?}"),
         }
     }
-    truth.insert("seed".to_owned(), i64::try_from(whole(noise, 1, 1_000_000)).unwrap().into());
-    std::fs::write(&path, toml::to_string(&truth).unwrap()).unwrap();
-    simulate(&campaign, &Truth::read(&path).unwrap()).unwrap();
-    folder
 }
 
 /// Some of the poses of a selection such as `1-8, 20`.
