@@ -34,8 +34,6 @@ pub(super) enum Mark {
     Id,
     /// Id of a message at its explanation.
     Explained,
-    /// Name of a file beside the report.
-    File,
 }
 
 impl Text {
@@ -66,11 +64,6 @@ impl Text {
     /// A text of a document in the language of the report; English without a catalogue entry.
     pub fn worded(text: &Worded, words: &Words) -> Self {
         text.phrase().map_or_else(|| Self::english(text.english()), |phrase| words.tr(phrase).into())
-    }
-
-    /// Name of a file beside the report, to which a page links.
-    pub fn file(name: &str) -> Self {
-        Self::new(one_line(name), Mark::File)
     }
 
     /// A line of a file, or a checksum.

@@ -2,7 +2,7 @@
 
 use super::relative;
 use crate::model::{
-    Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, Tone, fixed, number_cell, significant, term, yes_no,
+    Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, number_cell, significant, term, yes_no,
 };
 use crate::number::{self, DisplayUnit};
 use crate::plots::points::{self, after_mm, before_mm};
@@ -203,9 +203,6 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
 /// Maximum number of trends in addition to the other figures, the most significant first.
 const TRENDS: usize = 1;
 
-/// Exported page of `etalon view` beside the report, as docs/view.md names it.
-const PAGE: &str = "view.html";
-
 /// Figures of the errors.
 pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
     let identified = results.identified.as_ref()?;
@@ -217,9 +214,8 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
         section.push(Block::text(tr!(words, "no-error-to-draw")));
         return section.whole();
     }
-    let note = Text::from(tr!(words, "picture-marks")).and(" ").and(tr!(words, "picture-page")).and(" ");
-    let note = note.and(Text::file(PAGE)).and(", ").and(tr!(words, "picture-page-command"));
-    section.push(Block::Text { text: note, tone: Tone::Note });
+    let note = format!("{} {}", tr!(words, "picture-marks"), tr!(words, "picture-page-command"));
+    section.push(Block::note(note));
     let undrawn = errors.len() - drawable.len();
     if undrawn > 0 {
         let note = tr!(words, "errors-not-drawn", count = undrawn);
