@@ -5,8 +5,8 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
 use etalon_identify::{
-    ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Observability, Origin, RANK_TOLERANCE,
-    SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
+    ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Observability, Origin, Prior,
+    RANK_TOLERANCE, SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
 };
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -119,7 +119,7 @@ pub fn parameters_document(
         sketches: robot.sketches(),
         covariance,
         covariance_without: found.identifiability.eliminated.iter().map(name).collect(),
-        budget: budget(found, &written, &factor),
+        budget: budget(robot, found, &written, &factor),
         residuals: ResidualSummary {
             kind: settings.kind.into(),
             count: found.residuals.count,
@@ -209,7 +209,12 @@ pub fn contradicted_places(contradicted: &Contradicted) -> Message {
 
 /// Contribution of each source to the standard uncertainties of the `written` parameters, in their
 /// units.
-fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f64) -> Vec<BudgetSource> {
+fn budget(
+    robot: &dyn Robot,
+    found: &Identification,
+    written: &[usize],
+    factor: &dyn Fn(usize) -> f64,
+) -> Vec<BudgetSource> {
     let mut by_source: BTreeMap<UncertaintySource, Vec<f64>> = BTreeMap::new();
     for (row, &k) in written.iter().enumerate().filter(|_| found.uncertainty.covariance.is_some()) {
         for (source, variance) in found.uncertainty.budget.parameter_contributions(k) {
@@ -217,7 +222,16 @@ fn budget(found: &Identification, written: &[usize], factor: &dyn Fn(usize) -> f
                 variance.sqrt() * factor(k);
         }
     }
-    let entry = |(source, standard_uncertainties)| BudgetSource { source, standard_uncertainties };
+    let nominal = |source| match (source, found.prior) {
+        (UncertaintySource::NominalValues, Prior::Tolerances { scale, .. }) => {
+            let of = |&k: &usize| Some(found.prior.uncertainty(robot, found.free[k])? * factor(k));
+            let standard_uncertainties = written.iter().map(of).collect();
+            Some(NominalUncertainties { standard_uncertainties, tolerance_factor: scale })
+        }
+        _ => None,
+    };
+    let entry =
+        |(source, standard_uncertainties)| BudgetSource { source, standard_uncertainties, nominal: nominal(source) };
     by_source.into_iter().map(entry).collect()
 }
 

@@ -201,6 +201,21 @@ pub struct BudgetSource {
     /// Contributions to the standard uncertainty of each parameter, in the order and units of the
     /// covariance; the squares add up over all sources.
     pub standard_uncertainties: Vec<f64>,
+    /// Basis of the contributions, for the source `nominal_values`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nominal: Option<NominalUncertainties>,
+}
+
+/// Standard uncertainties of nominal values before the measurements.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NominalUncertainties {
+    /// Standard uncertainty of the nominal value of each parameter: its tolerance / √3 (rectangular
+    /// distribution, GUM 4.3.7), with a default tolerance multiplied by `tolerance_factor`. `null`
+    /// for parameters without a nominal value.
+    pub standard_uncertainties: Vec<Option<f64>>,
+    /// Factor of default tolerances, at most 1: the data may show a more accurately built robot.
+    pub tolerance_factor: f64,
 }
 
 /// One parameter.

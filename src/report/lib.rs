@@ -31,6 +31,7 @@ use etalon_documents::{
     VerificationDocument, VerificationPlanDocument,
 };
 use model::{Contents, Dates, Layout, Section, Verdict};
+use sections::provenance::Evaluated;
 use serde::Serialize;
 use words::{Words, isolated, tr};
 
@@ -61,7 +62,9 @@ impl Head<'_> {
         contents.dates.date = campaign.and_then(|c| c.date.clone());
         contents.synthetic = campaign.and_then(|c| c.synthetic.clone()).into_iter().collect();
         let mut origin = match provenance {
-            Some(provenance) => sections::provenance::section_from_provenance(provenance, &[], words),
+            Some(provenance) => {
+                sections::provenance::section_from_provenance(provenance, Evaluated::IDENTIFICATION, &[], words)
+            }
             None => Section::new("provenance", tr!(words, "provenance")),
         };
         if let Some(c) = campaign {
@@ -222,8 +225,10 @@ impl Renderer {
     pub fn cell(document: &CellDocument, lines: Option<CellLines>, presentation: Presentation) -> Result<Self> {
         use sections::cell::{sections, verdict};
         let words = Words::new(presentation.language);
+        let evaluated = Evaluated::IDENTIFICATION;
+        let origin = sections::provenance::section_from_provenance(&document.provenance, evaluated, &[], &words);
         let mut sections = sections(document, lines, &words);
-        sections.extend(sections::provenance::section_from_provenance(&document.provenance, &[], &words).whole());
+        sections.extend(origin.whole());
         let contents = Contents {
             title: tr!(words, "cell-title", solve = document.solve),
             subtitle: tr!(words, "cell-subtitle", readings = document.readings),

@@ -160,7 +160,7 @@ fn remarks_that_are_alike_are_one_and_routine_ones_are_in_their_section() {
     };
     let (messages, parameters) = (section("messages"), section("parameters"));
     assert!(messages.contains("Should know") && messages.matches("class=\"box warning\"").count() == 1, "{messages}");
-    assert!(!messages.contains(joined) && parameters.contains(joined) && parameters.contains("Routine remarks"));
+    assert!(!messages.contains(joined) && parameters.contains(joined) && parameters.contains("Further remarks"));
     let mut book = Xlsx::new(Cursor::new(std::fs::read(scratch.path().join("out/report.xlsx")).unwrap())).unwrap();
     let sheet = book.worksheet_range("Messages").unwrap();
     let ranks: Vec<String> = sheet.rows().map(|row| row[1].to_string()).collect();

@@ -52,7 +52,8 @@ pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     Table::new(words, commanded, columns).without_empty_columns()
 }
 
-fn orientation(poses: &[Named], words: &Words) -> Table {
+/// Accuracy and repeatability of the orientation of each pose.
+pub(super) fn orientation(poses: &[Named], words: &Words) -> Table {
     let angles = |p: &Iso9283Pose| [p.ap_a_deg, p.ap_b_deg, p.ap_c_deg, p.rp_a_deg, p.rp_b_deg, p.rp_c_deg];
     let rotations = |p: &Iso9283Pose| p.ap_rotation_deg.or(p.rp_rotation_deg).is_some();
     let mut shown = vec!["pose", "AP a", "AP b", "AP c", "RP a", "RP b", "RP c"];

@@ -8,8 +8,8 @@ use crate::words::{Words, names, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, OrientationBudget, ParameterEntry,
-    ParametersDocument, Results, UncertaintySource as Source,
+    AccuracyDocument, BudgetSource, ErrorQuantity, Figure, FigureBudget, NominalUncertainties, OrientationBudget,
+    ParameterEntry, ParametersDocument, Results, Role, UncertaintySource as Source,
 };
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
@@ -27,10 +27,37 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section.push(Block::Table(figures));
     section.push(Block::Table(orientations(accuracy, words)));
     section.figures(shares::picture(&named(accuracy), figure, words));
-    let of_parameters = vec![Block::facts(sources(parameters, words)), Block::Table(table(parameters, words))];
+    let mut of_parameters = vec![Block::facts(sources(parameters, words))];
+    if let Some(nominal) = nominal(parameters) {
+        of_parameters.push(Block::note(tr!(words, "budget-of-nominal-values")));
+        let is_default = |p: &ParameterEntry| p.role == Role::Robot && p.tolerance.is_none();
+        if nominal.tolerance_factor < 1.0 && parameters.identified().any(is_default) {
+            let factor = number::significant(nominal.tolerance_factor, 2);
+            of_parameters.push(Block::note(tr!(words, "budget-of-default-tolerances", factor)));
+        }
+    }
+    of_parameters.push(Block::Table(table(parameters, words)));
     section.push(Block::Aside { title: tr!(words, "budget-of-parameters"), blocks: of_parameters });
+    section.push(Block::note(left_out(results, words)));
     section.push(Block::text(repeats(parameters, words)));
     Some(section)
+}
+
+/// Standard uncertainties of nominal values.
+fn nominal(parameters: &ParametersDocument) -> Option<&NominalUncertainties> {
+    parameters.budget.iter().find_map(|source| source.nominal.as_ref())
+}
+
+/// Sentence on common errors of all lengths for which the campaign gives no uncertainty; empty if
+/// it gives both.
+pub(super) fn left_out(results: &Results, words: &Words) -> String {
+    let Some(identified) = &results.identified else { return String::new() };
+    let of_figures = identified.accuracy.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source);
+    let included: Vec<Source> = identified.parameters.budget.iter().map(|b| b.source).chain(of_figures).collect();
+    let common = [(Source::Scale, phrase!("left-out-scale")), (Source::Temperature, phrase!("left-out-temperature"))];
+    let missing = common.iter().filter(|(source, _)| !included.contains(source));
+    let missing: Vec<String> = missing.map(|(_, what)| words.tr(what)).collect();
+    if missing.is_empty() { String::new() } else { tr!(words, "budget-left-out", sources = missing.join("; ")) }
 }
 
 /// Explanation of a source.
@@ -74,6 +101,12 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
             part(source.standard_uncertainties.get(*k).copied(), p.standard_uncertainty, 1.0)
         })
     });
+    let columns = match nominal(document) {
+        Some(nominal) => columns.both(phrase!("head-u-nominal"), "", |(k, _)| {
+            significant(nominal.standard_uncertainties.get(*k).copied().flatten(), 2)
+        }),
+        None => columns,
+    };
     let columns = columns.both("u (k = 1)", "", |(_, p)| significant(p.standard_uncertainty, 2)).both(
         phrase!("largest"),
         "",

@@ -3,7 +3,7 @@
 //! data cannot be certified.
 
 use super::{
-    accuracy, checklist, clauses, conditions, errors, limits, messages, parameters, provenance, repeatability,
+    accuracy, budget, checklist, clauses, conditions, errors, limits, messages, parameters, provenance, repeatability,
 };
 use crate::model::{
     Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, with_uncertainty,
@@ -105,6 +105,7 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
         section.table(title, "", Table::new(words, group, columns));
     }
     section.push(Block::note(tr!(words, "certificate-coverage")));
+    section.push(Block::note(budget::left_out(results, words)));
     if document.parameters.iter().any(|p| p.standard_uncertainty.is_none()) {
         section.push(Block::note(tr!(words, "certificate-held")));
     }
@@ -133,6 +134,7 @@ fn characteristics_section(results: &Results, words: &Words) -> Option<Section> 
     let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
+    section.table(tr!(words, "orientation-title"), "", accuracy::orientation(&poses, words));
     let conventions = results.tested.poses.iter().flat_map(|document| &document.conventions);
     section.push(Block::note(Text::conventions(&conventions.cloned().collect::<Vec<_>>(), words)));
     section.whole().map(|section| super::with_measurement_point(section, results, words))
@@ -217,6 +219,45 @@ mod tests {
     }
 
     #[test]
+    fn sources_are_named_for_what_was_evaluated() {
+        let provenance = |documents: &Documents| {
+            let whole = certificate_contents(documents);
+            let section = whole.sections.iter().find(|s| s.id == "provenance");
+            serde_json::to_string(section.unwrap()).unwrap()
+        };
+        let calibrated = provenance(&complete());
+        assert!(calibrated.contains("thesis") && !calibrated.contains("ISO 9283"), "{calibrated}");
+        let mut results = complete().results();
+        (results.identified, results.geometric) = (None, None);
+        results.tested = demo_iso9283::whole();
+        let words = Words::default();
+        let tested = serde_json::to_string(&provenance::section(&results, &words)).unwrap();
+        assert!(tested.contains("ISO 9283") && !tested.contains("thesis"), "{tested}");
+    }
+
+    /// The demo gives no scale and no expansion.
+    #[test]
+    fn what_u_does_not_include_is_on_the_certificate() {
+        let section = |results: &Results| {
+            let words = Words::default();
+            serde_json::to_string(&parameters_section(results, &words)).unwrap()
+        };
+        let mut results = complete().results();
+        let without = section(&results);
+        assert!(
+            without.contains("expanded_scale_uncertainty_um_per_m") && without.contains("[expansion]"),
+            "{without}"
+        );
+        let budget = &mut results.identified.as_mut().unwrap().parameters.budget;
+        budget[0].source = etalon_documents::UncertaintySource::Scale;
+        let with = section(&results);
+        assert!(!with.contains("expanded_scale_uncertainty_um_per_m") && with.contains("[expansion]"), "{with}");
+        let budget = &mut results.identified.as_mut().unwrap().parameters.budget;
+        budget[1].source = etalon_documents::UncertaintySource::Temperature;
+        assert!(!section(&results).contains("[expansion]"));
+    }
+
+    #[test]
     fn synthetic_data_make_no_certificate() {
         let mut documents = complete();
         documents.campaign.measurements.synthetic = Some("made with seed 7".to_owned());
@@ -241,7 +282,7 @@ mod tests {
         };
         assert!(section("messages").contains("the beam was broken"));
         let tested = section("characteristics");
-        for text in ["Load: 2.5 kg.", "Velocity: 100 %.", "AP", "RP"] {
+        for text in ["Load: 2.5 kg.", "Velocity: 100 %.", "AP", "RP", "AP c", "RP c"] {
             assert!(tested.contains(text), "{text}: {tested}");
         }
         let point = section("checklist");

@@ -1,5 +1,6 @@
 //! Significant changes between campaigns: a section for each family of quantities.
 
+use super::provenance::{Evaluated, section_from_provenance};
 use crate::model::{
     Block, Cell, Columns, Grade, Section, Table, Text, Verdict, numbers, significant, strong_term, term, yes_no,
 };
@@ -48,7 +49,7 @@ pub(crate) fn sections(compare: &CompareDocument, words: &Words) -> Vec<Section>
         section.push(Block::Table(all_values(&trends, words)));
         all.push(section.on_terminal());
     }
-    all.push(super::provenance::section_from_provenance(&compare.provenance, &[], words));
+    all.push(section_from_provenance(&compare.provenance, Evaluated::ANY, &[], words));
     all
 }
 

@@ -187,7 +187,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.push(Block::note(tr!(words, "clauses-summary", tested = listed(true), untested = listed(false))));
     let table = Block::Table(Table::new(words, &CLAUSES, columns).on(phrase!("sheet-clauses")));
     let blocks = vec![table, Block::note(tr!(words, "clauses-note"))];
-    section.push(Block::Aside { title: tr!(words, "head-verified"), blocks });
+    section.push(Block::Aside { title: tr!(words, "clauses-evidence"), blocks });
     section.whole()
 }
 

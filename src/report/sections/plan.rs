@@ -1,6 +1,7 @@
 //! Plan: poses to measure, shortfall from the optimum, and expected results of a calibration with
 //! them.
 
+use super::provenance::{Evaluated, section_from_provenance};
 use crate::model::{
     Block, Cell, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, significant as digits, term,
 };
@@ -52,7 +53,7 @@ pub(crate) fn sections(plan: &PlanDocument, words: &Words) -> Vec<Section> {
     ];
     all.extend([pictures, poses(plan, words), parameters].into_iter().filter_map(Section::whole));
     all.extend(plan.study.as_ref().map(|s| study(s, words)));
-    all.push(super::provenance::section_from_provenance(&plan.provenance, &[], words));
+    all.push(section_from_provenance(&plan.provenance, Evaluated::IDENTIFICATION, &[], words));
     all.push(super::operator_sheet::section(plan, words));
     all
 }

@@ -10,16 +10,51 @@ fn below_variable(name: &str) -> &str {
     name.strip_prefix('$').and_then(|rest| rest.split_once('/')).map_or(name, |(_, path)| path)
 }
 
+/// Results whose formulas have a source.
+#[derive(Clone, Copy)]
+pub(crate) struct Evaluated {
+    /// Frames and parameters were identified.
+    pub identification: bool,
+    /// Characteristics of ISO 9283 were evaluated.
+    pub characteristics: bool,
+}
+
+impl Evaluated {
+    /// An identification, or an answer about identified parameters.
+    pub const IDENTIFICATION: Self = Self { identification: true, characteristics: false };
+    /// Campaigns of any kind.
+    pub const ANY: Self = Self { identification: true, characteristics: true };
+
+    /// Sources of the formulas.
+    fn formulas(self, words: &Words) -> String {
+        let all = [
+            self.identification.then(|| tr!(words, "formulas-of-identification")),
+            self.characteristics.then(|| tr!(words, "formulas-of-characteristics")),
+            Some(tr!(words, "formulas-of-uncertainties")),
+        ];
+        all.into_iter().flatten().collect::<Vec<_>>().join("; ")
+    }
+}
+
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
-    Some(section_from_provenance(&results.provenance(), &results.import.sources, words))
+    let evaluated = Evaluated {
+        identification: results.identified.is_some() || results.geometric.is_some(),
+        characteristics: !results.tested.is_empty(),
+    };
+    Some(section_from_provenance(&results.provenance(), evaluated, &results.import.sources, words))
 }
 
 /// Section of the provenance; `sources` adds information about inputs that this campaign read.
-pub(crate) fn section_from_provenance(provenance: &Provenance, sources: &[Source], words: &Words) -> Section {
+pub(crate) fn section_from_provenance(
+    provenance: &Provenance,
+    evaluated: Evaluated,
+    sources: &[Source],
+    words: &Words,
+) -> Section {
     let mut section = Section::new("provenance", tr!(words, "provenance"));
     section.push(Block::facts(vec![
         (tr!(words, "written-by"), format!("etalon {}", provenance.version).into()),
-        (tr!(words, "sources-of-the-formulas"), tr!(words, "formula-sources").into()),
+        (tr!(words, "sources-of-the-formulas"), evaluated.formulas(words).into()),
         (tr!(words, "seed"), provenance.seed.map(|seed| seed.to_string()).into()),
     ]));
     let source = |name: &str| sources.iter().find(|s| s.file == name);

@@ -295,6 +295,7 @@ fn parameters() -> ParametersDocument {
     let contribution = |source, share: f64| BudgetSource {
         source,
         standard_uncertainties: parameters.iter().filter_map(|p| Some(share * p.standard_uncertainty?)).collect(),
+        nominal: None,
     };
     let budget = vec![contribution(UncertaintySource::Instrument, 0.8), contribution(UncertaintySource::Frame, 0.6)];
     ParametersDocument {

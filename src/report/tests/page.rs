@@ -61,6 +61,7 @@ fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_tabl
     parameters.budget = vec![etalon_documents::BudgetSource {
         source: etalon_documents::UncertaintySource::Model,
         standard_uncertainties: of.iter().enumerate().map(|(k, (_, u))| share(k) * u).collect(),
+        nominal: None,
     }];
     assert_eq!(parameters.effective(), [of[1].0.as_str()]);
     assert!(page(&documents).contains(&format!("Effective, not physical parameters: {}.", of[1].0)));

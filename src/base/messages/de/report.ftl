@@ -101,8 +101,11 @@ bootstrap-resamples = Bootstrap: { $count } Stichproben aus Posen und Zyklen.
 both = beide
 box-of-poses = Der Quader umschließt die Posen; seine Kanten sind parallel zu den Achsen.
 branch-and-bound-nodes = Branch-and-Bound-Knoten
+budget-left-out = U enthält nicht, weil die Kampagne keine Werte angibt: { $sources }.
 budget-note = Beiträge zu den Standardunsicherheiten (k = 1), in der Einheit jeder Zeile. Die letzte Spalte ist die Wurzel ihrer Quadratsumme. Effekte, die mehreren Messwerten gemeinsam sind, gelten als korreliert.
+budget-of-default-tolerances = Voreingestellte Toleranzen sind mit { $factor } multipliziert, dem Faktor, der am besten zu den Daten passt.
 budget-of-errors-note = Messunsicherheit der Abweichungen, die mit den Grenzwerten verglichen werden: Messwerte, Koordinatensysteme, angepasste Basis und Zielmarken. Die identifizierten Parameter sind Gegenstand der Prüfung und tragen nichts bei. Die Grenzwerte werden mit der erweiterten Messunsicherheit beurteilt, dem Doppelten dieser Werte (k = 2).
+budget-of-nominal-values = Standardunsicherheit eines Nennwerts: Toleranz / √3, für eine Rechteckverteilung (GUM 4.3.7).
 budget-of-parameters = Messunsicherheitsbudget der Parameter
 budget-shares-description = Ein Balken je Ergebnis: Quadrate der Beiträge in Prozent der Varianz.
 budget-shares-title = Anteile der Unsicherheitsquellen an der Varianz
@@ -249,6 +252,7 @@ clause-stabilisation = Pose-Stabilisierungszeit
 clause-tested = geprüft
 clause-velocity = Kenngrößen der Bahngeschwindigkeit
 clause-weaving = Pendelabweichungen
+clauses-evidence = Abschnitte der ISO 9283:1998: geprüft, nicht geprüft und Bestätigung der Auswertung
 clauses-note = Der Bericht gilt nur für die geprüften Abschnitte. `etalon selftest` wiederholt die Vergleiche mit dem unabhängigen Programm.
 clauses-summary = Geprüfte Abschnitte der ISO 9283:1998: { $tested }. Nicht geprüft: { $untested }.
 clauses-title = Abschnitte der ISO 9283:1998
@@ -569,7 +573,9 @@ folds-over-u = Standardabweichung der Teilmengen / u
 force-up-to = Kraft bis
 formats = Formate
 formats-without-all-parameters = Diese Formate können nicht alle identifizierten Parameter aufnehmen. Ihre Dateien enthalten eine zweite Identifikation, bei der die übrigen Parameter auf ihren Nennwerten festgehalten sind. Positionsabweichungen: RMS und Maximum.
-formula-sources = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate, verglichen mit den Tabellen einer Dissertation (A. Joubair, ÉTS Montréal 2012, Kapitel 1 bis 4); Kenngrößen: nach ISO 9283:1998, von der nur der Text von 7.2.2 verglichen wurde; Unsicherheiten: nach JCGM 100:2008 und JCGM 101:2008
+formulas-of-characteristics = Kenngrößen: nach ISO 9283:1998, von der nur der Text von 7.2.2 verglichen wurde
+formulas-of-identification = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate, verglichen mit den Tabellen einer Dissertation (A. Joubair, ÉTS Montréal 2012, Kapitel 1 bis 4)
+formulas-of-uncertainties = Unsicherheiten: nach JCGM 100:2008 und JCGM 101:2008
 frame-as-exported = die Koordinaten der Exporte sind im Weltkoordinatensystem angegeben
 frame-from-plane = xy-Ebene: Geometrieelement `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
 frame-from-targets = Anpassung an die Zielmarken { $targets }: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
@@ -625,6 +631,7 @@ head-severity = Schweregrad
 head-stroke = Hub
 head-symbols = Formelzeichen
 head-tested = dieser Bericht
+head-u-nominal = u des Nennwerts
 head-verified = Auswertung bestätigt durch
 head-what = Gegenstand
 held = festgehalten
@@ -662,6 +669,8 @@ instrument-good-enough = Eignung des Messgeräts
 instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen übersteigt an keiner Pose 25 % von AP und RP.
 instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
+left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
 orientations-without-quarter-rule = Die Messunsicherheit der Orientierungen wird nicht ausgewertet.
 instrument-uncertainty = Unsicherheit des Messgeräts
 instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
@@ -839,10 +848,10 @@ no-correlated-pairs = Kein Paar hat eine Korrelation von 0,9 oder mehr.
 no-error-to-draw = Keine Abweichungen zu zeichnen.
 no-errors-are-given = Das Dokument enthält keine Abweichungen.
 no-messages = Keine.
-no-messages-but-routine = Keine außer { $count ->
-        [one] einem Routinehinweis
-       *[other] { $count } Routinehinweisen
-    }, zum Beispiel zu Parametern auf ihren Nennwerten: siehe Anhang des Berichts.
+no-messages-but-routine = Keine, die die Ergebnisse einschränken. Der Anhang des Berichts enthält { $count ->
+        [one] einen weiteren Hinweis
+       *[other] { $count } weitere Hinweise
+    }.
 no-noise-stated = kein Rauschen angegeben
 no-quantity-changed = Signifikante Änderungen: 0 von { $total } Größen des Roboters.
 no-significant-change = keine signifikante Änderung
@@ -1174,7 +1183,7 @@ robust-fit-difference = Die robuste Anpassung weicht von der Anpassung nach klei
 robust-fit-note = Messwerte, die weit von den anderen liegen, haben wenig Gewicht (Cauchy-Verlustfunktion, c = { $c } σ mit σ = { $sigma } µm; Holland & Welsch 1977). Differenz: robuster Wert minus Wert nach kleinsten Quadraten. Ihre Standardunsicherheit ist der größere von zwei Schätzwerten: aus normalverteilten Residuen und aus der Streuung der Posen. Die Tabelle enthält die Parameter mit den größten Differenzen.
 robust-fit-poses = Posen mit einem Residuum über { $factor } σ, unvereinbar mit den anderen: { $poses }.
 round-off-cr = Eckenverrundung CR
-routine-remarks = Routinemäßige Hinweise
+routine-remarks = Weitere Hinweise
 rows = Zeilen
 rows-in-frame = { $count } Zeilen: innerhalb der Tabelle scrollen.
 rows-in-workbook = { $count ->
@@ -1553,10 +1562,10 @@ weave-passes = { $passes ->
         [one] 1 Durchlauf
        *[other] { $passes } Durchläufe
     }, { $turns ->
-way-back-test-software = An Pose { $pose } die Pose des Flansches bei diesen Gelenkwerten berechnen: { $joints }. Mit den vorherigen Parametern muss die eigene Software die erste Zeile ergeben, mit der Datei die zweite. Beide Zeilen gelten im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
         [one] 1 Umkehrpunkt
        *[other] { $turns } Umkehrpunkte
     }
+way-back-test-software = An Pose { $pose } die Pose des Flansches bei diesen Gelenkwerten berechnen: { $joints }. Mit den vorherigen Parametern muss die eigene Software die erste Zeile ergeben, mit der Datei die zweite. Beide Zeilen gelten im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
 weaving = Pendeln
 weaving-frequency = Pendelfrequenz
 weaving-frequency-measured = { $measured } Hz, Sollwert { $commanded } Hz: WF { $ratio } %

@@ -95,8 +95,11 @@ bootstrap-resamples = Bootstrap: { $count } resamples of poses and cycles.
 both = both
 box-of-poses = The box encloses the poses; its edges are parallel to the axes.
 branch-and-bound-nodes = branch-and-bound nodes
+budget-left-out = U does not include, because the campaign gives no values: { $sources }.
 budget-note = Contributions to the standard uncertainties (k = 1), in the unit of each row. The last column is the root sum of squares. Effects common to several readings are treated as correlated.
+budget-of-default-tolerances = Default tolerances are multiplied by { $factor }, the factor that agrees best with the data.
 budget-of-errors-note = Measurement uncertainty of the errors that are compared with the limits: readings, frames, and fitted base and targets. The identified parameters are under test, so their uncertainty is not included. The limits are judged with the expanded uncertainty, twice these values (k = 2).
+budget-of-nominal-values = Standard uncertainty of a nominal value: tolerance / √3, for a rectangular distribution (GUM 4.3.7).
 budget-of-parameters = Uncertainty budget of the parameters
 budget-shares-description = One bar per result: squared contributions in percent of the variance.
 budget-shares-title = Shares of the uncertainty sources in the variance
@@ -237,6 +240,7 @@ clause-stabilisation = position stabilisation time
 clause-tested = tested
 clause-velocity = path velocity characteristics
 clause-weaving = weaving deviations
+clauses-evidence = Clauses of ISO 9283:1998: tested, not tested, and verification of the evaluation
 clauses-note = The report makes statements about the tested clauses only. `etalon selftest` repeats the comparisons with the independent program.
 clauses-summary = Tested clauses of ISO 9283:1998: { $tested }. Not tested: { $untested }.
 clauses-title = Clauses of ISO 9283:1998
@@ -542,7 +546,9 @@ folds-over-u = SD between folds / u
 force-up-to = force up to
 formats = formats
 formats-without-all-parameters = These formats cannot hold all identified parameters. Their files contain a second identification with the remaining parameters held at their nominal values. Position errors: RMS and maximum.
-formula-sources = frames and identification: weighted least squares, compared with the tables of a thesis (A. Joubair, ÉTS Montréal 2012, chapters 1 to 4); characteristics: after ISO 9283:1998, of which only the text of clause 7.2.2 was compared; uncertainties: after JCGM 100:2008 and JCGM 101:2008
+formulas-of-characteristics = characteristics: after ISO 9283:1998, of which only the text of clause 7.2.2 was compared
+formulas-of-identification = frames and identification: weighted least squares, compared with the tables of a thesis (A. Joubair, ÉTS Montréal 2012, chapters 1 to 4)
+formulas-of-uncertainties = uncertainties: after JCGM 100:2008 and JCGM 101:2008
 frame-as-exported = the coordinates of the exports are in the world frame
 frame-from-plane = xy plane: feature `{ $plane }`; origin: `{ $origin }`; { $axis } axis: `{ $from }` to `{ $to }`; other axis towards `{ $towards }`
 frame-from-targets = best fit of the targets { $targets }: origin at the first target, x axis to the second, third in the xy plane
@@ -598,6 +604,7 @@ head-severity = severity
 head-stroke = stroke
 head-symbols = symbols
 head-tested = this report
+head-u-nominal = u of the nominal value
 head-verified = evaluation verified by
 head-what = what
 held = held
@@ -632,6 +639,8 @@ instrument-good-enough = Suitability of the instrument
 instrument-good-for-all = Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.
 instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
+left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
+left-out-temperature = thermal expansion of robot and part ([expansion])
 orientations-without-quarter-rule = The measurement uncertainty of orientations is not evaluated.
 instrument-uncertainty = instrument's uncertainty
 instrument-uncertainty-of-position = U = { $uncertainty } µm for a position
@@ -803,10 +812,10 @@ no-correlated-pairs = No pair has a correlation of 0.9 or more.
 no-error-to-draw = No errors to plot.
 no-errors-are-given = The document contains no errors.
 no-messages = None.
-no-messages-but-routine = None, but { $count ->
-        [one] one routine remark
-       *[other] { $count } routine remarks
-    }, for example about parameters held at their nominal values: see the annex of the report.
+no-messages-but-routine = None that limits the results. The annex of the report contains { $count ->
+        [one] one further remark
+       *[other] { $count } further remarks
+    }.
 no-noise-stated = no noise given
 no-quantity-changed = Significant changes: 0 of { $total } quantities of the robot.
 no-significant-change = no significant change
@@ -1123,7 +1132,7 @@ robust-fit-difference = The robust fit differs from the least-squares fit. Large
 robust-fit-note = Readings far from the others have a low weight (Cauchy loss, c = { $c } σ with σ = { $sigma } µm; Holland & Welsch 1977). Difference: robust minus least-squares value. Its standard uncertainty is the larger of two estimates: from normal residuals, and from the scatter of the poses. The table lists the parameters with the largest differences.
 robust-fit-poses = Poses with a residual above { $factor } σ, inconsistent with the others: { $poses }.
 round-off-cr = round-off CR
-routine-remarks = Routine remarks
+routine-remarks = Further remarks
 rows = rows
 rows-in-frame = { $count } rows: scroll in the table.
 rows-in-workbook = { $count } more rows: see the workbook.

@@ -104,8 +104,11 @@ bootstrap-resamples = Bootstrap : { $count } rééchantillonnages des poses et 
 both = les deux
 box-of-poses = La boîte englobe les poses ; ses arêtes sont parallèles aux axes.
 branch-and-bound-nodes = nœuds de séparation et évaluation
+budget-left-out = U ne comprend pas, faute de valeurs dans la campagne : { $sources }.
 budget-note = Contributions aux incertitudes-types (k = 1), dans l’unité de chaque ligne. La dernière colonne est la racine carrée de la somme de leurs carrés. Les effets communs à plusieurs lectures sont traités comme corrélés.
+budget-of-default-tolerances = Les tolérances par défaut sont multipliées par { $factor }, le facteur le plus compatible avec les données.
 budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, repères, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
+budget-of-nominal-values = Incertitude-type d’une valeur nominale : tolérance / √3, pour une loi rectangulaire (GUM 4.3.7).
 budget-of-parameters = Bilan d’incertitude des paramètres
 budget-shares-description = Une barre par résultat : carrés des contributions, en pour cent de la variance.
 budget-shares-title = Parts des sources d’incertitude dans la variance
@@ -252,6 +255,7 @@ clause-stabilisation = temps de stabilisation de pose
 clause-tested = essayé
 clause-velocity = caractéristiques de vitesse sur trajectoire
 clause-weaving = écarts de balayage
+clauses-evidence = Articles de l’ISO 9283:1998 : essayés, non essayés et vérification de l’évaluation
 clauses-note = Le rapport ne vaut que pour les articles essayés. `etalon selftest` répète les comparaisons avec le programme indépendant.
 clauses-summary = Articles de l’ISO 9283:1998 essayés : { $tested }. Non essayés : { $untested }.
 clauses-title = Articles de l’ISO 9283:1998
@@ -572,7 +576,9 @@ folds-over-u = écart-type entre blocs / u
 force-up-to = force jusqu’à
 formats = formats
 formats-without-all-parameters = Ces formats ne peuvent pas contenir tous les paramètres identifiés. Leurs fichiers contiennent une seconde identification, les autres paramètres étant fixés à leurs valeurs nominales. Erreurs de position : RMS et maximum.
-formula-sources = repères et identification : moindres carrés pondérés, comparés aux tableaux d’une thèse (A. Joubair, ÉTS Montréal 2012, chapitres 1 à 4) ; caractéristiques : d’après l’ISO 9283:1998, dont seul le texte de 7.2.2 a été comparé ; incertitudes : d’après JCGM 100:2008 et JCGM 101:2008
+formulas-of-characteristics = caractéristiques : d’après l’ISO 9283:1998, dont seul le texte de 7.2.2 a été comparé
+formulas-of-identification = repères et identification : moindres carrés pondérés, comparés aux tableaux d’une thèse (A. Joubair, ÉTS Montréal 2012, chapitres 1 à 4)
+formulas-of-uncertainties = incertitudes : d’après JCGM 100:2008 et JCGM 101:2008
 frame-as-exported = les coordonnées des exports sont dans le repère atelier
 frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
 frame-from-targets = ajustement aux cibles { $targets } : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
@@ -628,6 +634,7 @@ head-severity = gravité
 head-stroke = course
 head-symbols = symboles
 head-tested = ce rapport
+head-u-nominal = u de la valeur nominale
 head-verified = évaluation vérifiée par
 head-what = objet
 held = fixé
@@ -665,6 +672,8 @@ instrument-good-enough = Aptitude de l’instrument
 instrument-good-for-all = Apte : l’incertitude de mesure des positions est au plus 25 % de AP et de RP à toutes les poses.
 instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
+left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
+left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
 orientations-without-quarter-rule = L’incertitude de mesure des orientations n’est pas évaluée.
 instrument-uncertainty = incertitude de l’instrument
 instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
@@ -842,10 +851,10 @@ no-correlated-pairs = Aucune paire n’a une corrélation de 0,9 ou plus.
 no-error-to-draw = Aucune erreur à tracer.
 no-errors-are-given = Le document ne contient aucune erreur.
 no-messages = Aucun.
-no-messages-but-routine = Aucun, sauf { $count ->
-        [one] une remarque de routine
-       *[other] { $count } remarques de routine
-    }, par exemple sur des paramètres fixés à leur valeur nominale : voir l’annexe du rapport.
+no-messages-but-routine = Aucun qui limite les résultats. L’annexe du rapport contient { $count ->
+        [one] une autre remarque
+       *[other] { $count } autres remarques
+    }.
 no-noise-stated = aucun bruit indiqué
 no-quantity-changed = Changements significatifs : 0 grandeur du robot sur { $total }.
 no-significant-change = pas de changement significatif
@@ -1180,7 +1189,7 @@ robust-fit-difference = L’ajustement robuste diffère de l’ajustement par mo
 robust-fit-note = Les lectures éloignées des autres ont un faible poids (fonction de perte de Cauchy, c = { $c } σ avec σ = { $sigma } µm ; Holland & Welsch 1977). Différence : valeur robuste moins valeur des moindres carrés. Son incertitude-type est la plus grande de deux estimations : l’une suppose des résidus de loi normale, l’autre s’appuie sur la dispersion des poses. Le tableau donne les paramètres dont les différences sont les plus grandes.
 robust-fit-poses = Poses dont un résidu dépasse { $factor } σ, incompatibles avec les autres : { $poses }.
 round-off-cr = arrondi d’angle CR
-routine-remarks = Remarques de routine
+routine-remarks = Autres remarques
 rows = lignes
 rows-in-frame = { $count } lignes : faire défiler à l’intérieur du tableau.
 rows-in-workbook = { $count ->
@@ -1559,10 +1568,10 @@ weave-passes = { $passes ->
         [one] { $passes } passage
        *[other] { $passes } passages
     }, { $turns ->
-way-back-test-software = À la pose { $pose }, calculer la pose de la bride pour ces valeurs articulaires : { $joints }. Avec les paramètres précédents, votre logiciel doit donner la première ligne, avec le fichier la seconde. Les deux lignes sont dans le référentiel de la base, sans outil ni pièce.
         [one] { $turns } inversion
        *[other] { $turns } inversions
     }
+way-back-test-software = À la pose { $pose }, calculer la pose de la bride pour ces valeurs articulaires : { $joints }. Avec les paramètres précédents, votre logiciel doit donner la première ligne, avec le fichier la seconde. Les deux lignes sont dans le référentiel de la base, sans outil ni pièce.
 weaving = Balayage
 weaving-frequency = fréquence du balayage
 weaving-frequency-measured = { $measured } Hz, commandée { $commanded } Hz : WF { $ratio } %
