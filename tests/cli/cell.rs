@@ -636,3 +636,27 @@ fn orientations_that_hardly_differ_do_not_make_a_tool_point() {
     // few degrees suffice where the touches are good
     document(&pivot(8.0), &solve);
 }
+
+#[test]
+fn all_missing_columns_of_a_problem_are_named_at_once() {
+    let three = |prefix: &str| ["x_mm", "y_mm", "z_mm"].map(|name| format!("{prefix}{name}")).to_vec();
+    let flange = [three("flange_"), vec!["cell-orientation-missing".to_owned()]].concat();
+    let own = |name: &str| vec![name.to_owned()];
+    let problems = [
+        ("tool-point", flange.clone()),
+        ("tool-reflector", [flange.clone(), three("")].concat()),
+        ("tool-axes", [own("point"), flange.clone()].concat()),
+        ("hand-eye", [own("cell-mounting-missing"), flange, three(""), own("cell-orientation-missing")].concat()),
+        ("object", [three("nominal_"), three("")].concat()),
+        ("three-points", [own("point"), three("")].concat()),
+        ("rotary-axis", [own("cell-axis-missing"), three("")].concat()),
+    ];
+    for (problem, expected) in problems {
+        let answer = run("note\na\n", &["--solve", problem]);
+        let named = answer.messages.iter().map(|m| match m.arguments.get("column") {
+            Some(Argument::Text(column)) if m.id == "column-unknown" => column.to_string(),
+            _ => m.id.to_string(),
+        });
+        assert_eq!(named.collect::<Vec<_>>(), expected, "{problem}");
+    }
+}

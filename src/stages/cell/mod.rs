@@ -26,7 +26,7 @@ use etalon_identify::cell::{
 };
 use etalon_robots::Quantity;
 use rayon::prelude::*;
-use readings::WrittenPoses;
+use readings::{WrittenPoses, both, coordinates};
 use std::collections::BTreeMap;
 
 /// Problem that is solved.
@@ -314,8 +314,8 @@ impl Task<'_> {
     }
 
     fn tool_reflector(&self) -> Result<Found> {
-        let written = self.flange()?;
-        let (poses, measured) = (written.poses(), readings::coordinates(self.file, "")?);
+        let (written, measured) = both(self.flange(), coordinates(self.file, ""))?;
+        let poses = written.poses();
         let fit = reflector(&poses, &measured, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let few = Few::new(poses.len(), &self.uncertain);
         let points = few.rows(&measured);
@@ -355,12 +355,12 @@ impl Task<'_> {
 
     fn hand_eye(&self) -> Result<Found> {
         let mounting = match self.stated.mounting {
-            Some(CellMounting::Target) => Mounting::Target,
-            Some(CellMounting::Sensor) => Mounting::Sensor,
-            None => return Err(error!("cell-mounting-missing").into()),
+            Some(CellMounting::Target) => Ok(Mounting::Target),
+            Some(CellMounting::Sensor) => Ok(Mounting::Sensor),
+            None => Err(error!("cell-mounting-missing").into()),
         };
-        let written = self.flange()?;
-        let seen = readings::poses(self.file, "", self.stated.measured_order)?;
+        let seen = readings::poses(self.file, "", self.stated.measured_order);
+        let (mounting, (written, seen)) = both(mounting, both(self.flange(), seen))?;
         let (poses, measured) = (written.poses(), seen.poses());
         let fit = hand_eye(&poses, &measured, mounting, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let few = Few::new(poses.len(), &self.uncertain);
@@ -402,8 +402,7 @@ impl Task<'_> {
     }
 
     fn object(&self) -> Result<Found> {
-        let known = readings::coordinates(self.file, "nominal_")?;
-        let measured = readings::coordinates(self.file, "")?;
+        let (known, measured) = both(coordinates(self.file, "nominal_"), coordinates(self.file, ""))?;
         let fit = object_frame(&known, &measured, &self.uncertain).map_err(|fault| self.fault(fault))?;
         let line = |i: usize| readings::line(self.file, i);
         let described = |slip: ObjectSlip| match slip {
@@ -444,7 +443,7 @@ impl Task<'_> {
 
     fn three_points(&self) -> Result<Found> {
         const NAMES: [&str; 6] = ["origin", "x", "xy", "x1", "x2", "y1"];
-        let (roles, points) = (self.roles(&NAMES)?, readings::coordinates(self.file, "")?);
+        let (roles, points) = both(self.roles(&NAMES), coordinates(self.file, ""))?;
         if roles.iter().any(|r| *r < 3) && roles.iter().any(|r| *r >= 3) {
             return Err(error!("cell-roles-mixed").into());
         }
@@ -474,8 +473,7 @@ impl Task<'_> {
     }
 
     fn tool_axes(&self) -> Result<Found> {
-        let roles = self.roles(&["tip", "z", "x"])?;
-        let written = self.flange()?;
+        let (roles, written) = both(self.roles(&["tip", "z", "x"]), self.flange())?;
         let role = |r: &usize| [AxisRole::Tip, AxisRole::Z, AxisRole::X][*r];
         let with = |poses: Vec<Pose>| -> Vec<(AxisRole, Pose)> { roles.iter().map(role).zip(poses).collect() };
         let uncertain = Stated { measured_mm: Vec::new(), ..self.uncertain.clone() };
@@ -502,10 +500,11 @@ impl Task<'_> {
     fn axis(&self) -> Result<Found> {
         let prismatic = self.stated.solve == CellKind::LinearAxis;
         let quantity = if prismatic { Quantity::Length } else { Quantity::Angle };
-        let Some(values) = readings::values(&self.file.table, "axis", quantity)? else {
-            return Err(error!("cell-axis-missing", column = if prismatic { "axis_mm" } else { "axis_deg" }).into());
-        };
-        let points = readings::coordinates(self.file, "")?;
+        let values = readings::values(&self.file.table, "axis", quantity).and_then(|found| {
+            let column = if prismatic { "axis_mm" } else { "axis_deg" };
+            found.ok_or_else(|| error!("cell-axis-missing", column).into())
+        });
+        let (values, points) = both(values, coordinates(self.file, ""))?;
         let mut targets: Vec<&str> = Vec::new();
         let mut all = Vec::new();
         for (i, (value, position_mm)) in values.iter().zip(points).enumerate() {

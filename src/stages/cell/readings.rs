@@ -36,13 +36,15 @@ pub(super) fn values(table: &Table, name: &str, quantity: Quantity) -> Result<Op
 /// # Errors
 /// Reports missing columns and cells.
 pub(super) fn coordinates(file: &TableFile, prefix: &str) -> Result<Vec<Vector>> {
-    let mut columns = Vec::new();
+    let (mut columns, mut problems) = (Vec::new(), Problems::default());
     for (axis, whole) in ["x", "y", "z"].into_iter().zip(XYZ) {
-        match values(&file.table, &format!("{prefix}{axis}"), Quantity::Length)? {
-            Some(values) => columns.push(values),
-            None => file.table.require([format!("{prefix}{whole}")])?,
-        }
+        let found = values(&file.table, &format!("{prefix}{axis}"), Quantity::Length).and_then(|found| {
+            let missing = found.is_none().then(|| format!("{prefix}{whole}"));
+            file.table.require(missing).map(|()| found)
+        });
+        columns.extend(problems.keep(found).flatten());
     }
+    problems.check()?;
     let rows: Vec<Vector> = (0..file.table.height()).map(|i| [0, 1, 2].map(|k| columns[k][i])).collect();
     let bad = |p: &Vector| !p.iter().all(|v| v.is_finite());
     let missing =
@@ -67,22 +69,35 @@ pub(super) fn uncertainties(file: &TableFile) -> Result<Vec<Vector>> {
     Ok(rows)
 }
 
+/// Both values, or the problems of both.
+pub(super) fn both<A, B>(first: Result<A>, second: Result<B>) -> Result<(A, B)> {
+    let mut problems = Problems::default();
+    match (problems.keep(first), problems.keep(second)) {
+        (Some(first), Some(second)) => Ok((first, second)),
+        _ => Err(problems),
+    }
+}
+
+/// Orientations whose columns begin with `prefix`.
+fn orientations(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -> Result<Vec<Written>> {
+    let table = file.table.without_prefix(prefix);
+    if !orientations::are_in(&table) {
+        return Err(error!("cell-orientation-missing", prefix).at(table.header()).into());
+    }
+    let all = orientations::written(&table)?;
+    if order.is_none() && all.iter().any(|o| o.angles().is_some()) {
+        let option = if prefix.is_empty() { "--measured-orientation" } else { "--orientation" };
+        return Err(error!("cell-order-missing", prefix, option).into());
+    }
+    Ok(all)
+}
+
 /// Poses of the flange (`flange_x_mm` ...), or measured ones (`x_mm` ...).
 ///
 /// # Errors
 /// Reports missing columns, and three angles without their order.
 pub(super) fn poses(file: &TableFile, prefix: &str, order: Option<AngleOrder>) -> Result<WrittenPoses> {
-    let positions_mm = coordinates(file, prefix)?;
-    let table = file.table.without_prefix(prefix);
-    if !orientations::are_in(&table) {
-        return Err(error!("cell-orientation-missing", prefix).at(table.header()).into());
-    }
-    let orientations = orientations::written(&table)?;
-    let unordered = order.is_none() && orientations.iter().any(|o| o.angles().is_some());
-    if unordered {
-        let option = if prefix.is_empty() { "--measured-orientation" } else { "--orientation" };
-        return Err(error!("cell-order-missing", prefix, option).into());
-    }
+    let (positions_mm, orientations) = both(coordinates(file, prefix), orientations(file, prefix, order))?;
     let all = WrittenPoses { positions_mm, orientations, order };
     let wrong = (0..all.orientations.len()).filter_map(|i| {
         all.orientations[i].pose(all.order).err().map(|problems| problems.0.into_iter().map(move |m| (i, m)))
