@@ -11,7 +11,7 @@ SCHEMAS = Path(__file__).parent.parent / "schemas"
 HEAD = '''"""Classes of the documents; written by generate_stubs.py from the JSON schemas."""
 
 from collections.abc import Iterator
-from typing import Any, TypeVar
+from typing import Any, SupportsIndex, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,8 +43,12 @@ class Document(Record):
     """A document with a schema, as ``--json`` of the program prints it."""
 
 class Records(list[_T]):
-    """A list of records, which is also a table."""
+    """A list of records, which is also a table; a part of it is one too."""
 
+    @overload
+    def __getitem__(self, at: SupportsIndex, /) -> _T: ...
+    @overload
+    def __getitem__(self, at: slice[Any, Any, Any], /) -> Records[_T]: ...
     def column(self, name: str) -> list[Any]:
         """Return the values of a member of all records; None where it is absent."""
     def to_dict(self) -> dict[str, list[Any]]:

@@ -17,9 +17,11 @@ def refuse_masked(values: Any, name: str, remedy: str = "leave their rows out, o
         raise Error(f"`{name}` has masked values: {remedy}")
 
 
-def numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Return an array of numbers in C order; masked values are refused."""
-    refuse_masked(values, name)
+def numbers(values: ArrayLike | None, name: str, masked: str = "leave their rows out, or fill them") -> NDArray[np.float64]:
+    """Return an array of numbers in C order: the same array where it is one already. Masked values are refused."""
+    refuse_masked(values, name, masked)
+    if values is None:
+        raise Error(f"`{name}` is None: expected numbers")
     try:
         return np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from keyword import iskeyword
 from pathlib import Path
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from . import _etalon, documents
 from ._errors import Error, Message, warn, with_warnings
-from ._options import Progress, called
+from ._options import Progress, called, whole
 from ._residuals import Residuals
 from .documents import load
 from .kinematics import json_of
@@ -180,7 +180,8 @@ def uncertainty(
         :class:`etalon.documents.UncertaintyDocument`.
     """
     with _keys():
-        text = _etalon.uncertainty(_path(folder), (draws, resamples, seed), called(progress))
+        counts = (whole(draws, "draws"), whole(resamples, "resamples"), whole(seed, "seed"))
+        text = _etalon.uncertainty(_path(folder), counts, called(progress))
     return cast(documents.UncertaintyDocument, with_warnings(load(text), in_campaign=True))
 
 
@@ -196,6 +197,8 @@ def batch(folders: Sequence[str | os.PathLike[str]] | str | os.PathLike[str], *,
         :class:`etalon.documents.BatchDocument`: ``.campaigns`` says how each ended.
     """
     listed = [folders] if isinstance(folders, (str, os.PathLike)) else folders
+    if not isinstance(listed, Iterable):
+        raise Error(f"`folders` is of type {type(folders).__name__}: expected paths of campaigns")
     with _keys():
         return cast(documents.BatchDocument, load(_etalon.batch([_path(folder) for folder in listed], reports, called(progress))))
 

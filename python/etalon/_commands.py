@@ -62,7 +62,7 @@ def command(*words: str | os.PathLike[str] | Document | Robot, **options: Any) -
     if isinstance(options.get("columns"), Mapping):
         options["column"] = options.pop("columns")
     with ExitStack() as files:
-        names = [os.fspath(_written(word, files)) for word in words]
+        names = [_word(_written(word, files)) for word in words]
         options = {name: _written(value, files) for name, value in options.items()}
         code, text, said, stated = _etalon.command(names + options_of(**options))
     # the help of a command, and a text that is no document, stay texts
@@ -72,9 +72,17 @@ def command(*words: str | os.PathLike[str] | Document | Robot, **options: Any) -
         answer = None
     document = load(text) if answer is not None else None
     if code == 2 and document is None:
-        raise Error(said.strip(), stated)
+        # the options of a shell are no help here
+        raise Error(said.partition("\n\nUsage: ")[0].strip(), stated)
     messages = tuple(Message(message) for message in json.loads(stated))
     return Answer(code == 0, text, document, messages)
+
+
+def _word(word: Any) -> str:
+    """Return a word of a command line."""
+    if not isinstance(word, (str, os.PathLike)):
+        raise Error(f"`words` contains a value of type {type(word).__name__}: expected texts, paths, documents and robots; options are keyword arguments")
+    return os.fspath(word)
 
 
 def _written(value: Any, files: ExitStack) -> Any:

@@ -35,8 +35,9 @@ _OF_INSTRUMENT = re.compile(r"(, )?`\w+` in \[instrument\],? or |,? or `\w+` in 
 _IN_SECTION = re.compile(
     r"`(\w+)( = [^`]+)?`(?: in \[(?:identify|observations|poses|limits)\](?:(?:,? or | \()`?--([a-z-]+)`?\)?)?|, --([a-z-]+))"
 )
-#: Help of a command that is a function.
+#: Help of a command that is a function, and of any command.
 _HELP = re.compile(r"`etalon (identify|plan|verify|axes|cell|iso9283|iso230|fit) --help`")
+_ANY_HELP = re.compile(r"`etalon COMMAND --help` lists the values")
 
 
 def campaign_words(text: str) -> str:
@@ -49,6 +50,7 @@ def python_words(text: str) -> str:
     text = _OF_INSTRUMENT.sub(lambda found: ", or " if found[1] else "", _IN_CAMPAIGN.sub("", _BESIDE.sub("", text)))
     text = _IN_SECTION.sub(_keyword_of_section, text)
     text = _HELP.sub(r"`help(etalon.\1)`", text)
+    text = _ANY_HELP.sub("the documentation of the function lists the values", text)
     text = _INLINE.sub(lambda found: f"`{found[1]}={{" + _ENTRY.sub(r'"\1": \2', found[2]) + "}`", text)
     text = _KEY.sub(r"`\1=\2`", text)
 
@@ -95,20 +97,21 @@ class Message:
         arguments: Arguments of the message by name.
     """
 
-    def __init__(self, stated: dict[str, Any], *, in_campaign: bool = False) -> None:
+    def __init__(self, stated: dict[str, Any], *, in_campaign: bool = False, in_memory: bool = False) -> None:
         def words(text: str | None) -> str | None:
             if text is None or in_campaign:
                 return None if text is None else campaign_words(text)
-            return python_words(row_words(text) if in_memory else text)
+            return python_words(row_words(text) if has_rows else text)
 
         place: dict[str, Any] | None = stated.get("place")
-        in_memory = (place or {}).get("file") in TABLES
-        if place is not None and in_memory and "line" in place:
+        has_rows = place["file"] in TABLES if place and "file" in place else in_memory
+        if place is not None and has_rows and "line" in place:
             place = {"file": place["file"], **({"row": place["line"] - 1} if place["line"] > 1 else {})}
         self.severity: str = stated.get("severity", "error")
         self.what: str = words(stated.get("what") or stated.get("text")) or ""
         self.expected: str | None = words(stated.get("expected"))
         self.hint: str | None = words(stated.get("hint"))
+        self.stated_hint: str | None = stated.get("hint")
         self.place: dict[str, Any] | None = place
         self.id: str | None = stated.get("id")
         self.arguments: dict[str, Any] = stated.get("arguments", {})
@@ -182,9 +185,18 @@ def warn(messages: Iterable[Message]) -> None:
 
 def with_warnings(document: Any, *, in_campaign: bool = False) -> Any:
     """Warn of the messages of a document, and return it."""
-    stated = document.to_dict().get("messages") or []
-    warn(Message(message, in_campaign=in_campaign) for message in stated)
+    warn(messages_of(document._members, in_campaign=in_campaign))
     return document
+
+
+def messages_of(members: dict[str, Any], *, in_campaign: bool = False) -> list[Message]:
+    """Return the messages of a document. Without a place they speak of the table in memory, if the document is of one."""
+    inputs = (members.get("provenance") or {}).get("inputs") or {}
+    in_memory = any(name in TABLES for name in inputs)
+    if members.get("schema", "").startswith("etalon/iso"):
+        # other tables may be files
+        in_memory = in_memory and all(name in TABLES for name in inputs)
+    return [Message(message, in_campaign=in_campaign, in_memory=in_memory) for message in members.get("messages") or []]
 
 
 #: Texts of remedies for a column with another heading, with the name of the column if it is no argument.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -16,6 +17,14 @@ def called(progress: Progress | None) -> Progress | None:
     if progress is not None and not callable(progress):
         raise Error(f"`progress` is of type {type(progress).__name__}: expected a function of what is done and the whole")
     return progress
+
+
+def whole(value: Any, name: str) -> int:
+    """Return a whole number, which may be one of NumPy."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise Error(f"`{name}` is of type {type(value).__name__}: expected a whole number") from None
 
 
 def options_of(**stated: Any) -> list[str]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import numbers
 from ._errors import Error
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ def _axes(axes: Any, **options: Any) -> Any:
         from matplotlib import pyplot
     except ImportError as missing:
         raise Error("drawings need matplotlib: pip install etalon-robot[plot]") from missing
-    return pyplot.figure().add_subplot(**options)
+    return pyplot.figure(layout="constrained").add_subplot(**options)
 
 
 def residuals_of_points(residuals_mm: NDArray[np.float64], axes: Any = None) -> Any:
@@ -53,7 +54,7 @@ def robot_poses(robot: Robot, joints: ArrayLike, parameters: Any = None, axes: A
     from .kinematics import direct
 
     axes = _axes(axes, projection="3d")
-    matrices = direct(robot, np.atleast_2d(np.asarray(joints, dtype=np.float64)), parameters=parameters).matrix
+    matrices = direct(robot, np.atleast_2d(numbers(joints, "joints")), parameters=parameters).matrix
     places = matrices[:, :3, 3]
     size = 0.15 * max(1.0, float(np.nanmax(np.linalg.norm(places, axis=1))))
     for matrix in [np.eye(4), *matrices]:

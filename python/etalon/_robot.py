@@ -87,6 +87,8 @@ class Robot:
     @classmethod
     def from_toml(cls, text: str) -> Robot:
         """Return the robot that the text of a ``robot.toml`` describes."""
+        if not isinstance(text, str):
+            raise Error(f"`text` is of type {type(text).__name__}: expected the text of a robot.toml")
         return cls._of(_etalon.Robot.parse(text))
 
     @classmethod
@@ -97,7 +99,7 @@ class Robot:
         tool_link: str | None = None,
     ) -> Robot:
         """Return a chain of a URDF, by default the one with the most moving joints; :attr:`chain` names it."""
-        return cls._of(*_urdf_robot(os.fspath(path), base_link, tool_link))
+        return cls._of(*_urdf_robot(path, base_link, tool_link))
 
     def with_targets(self, targets: Targets) -> Robot:
         """Return the robot with nominal positions (mm) of targets at the flange: ``{"SMR": (80, 0, 25)}``."""
@@ -179,7 +181,13 @@ def robot_of(robot: Robot | str | os.PathLike[str], targets: Targets | None = No
     return _with_targets((robot if isinstance(robot, Robot) else Robot(robot))._native, targets)
 
 
-def _urdf_robot(path: str, base_link: str | None, tool_link: str | None) -> tuple[_etalon.Robot, Chain]:
+def _urdf_robot(path: str | os.PathLike[str], base_link: str | None, tool_link: str | None) -> tuple[_etalon.Robot, Chain]:
+    for name, link in (("base_link", base_link), ("tool_link", tool_link)):
+        if link is not None and not isinstance(link, str):
+            raise Error(f"`{name}` is of type {type(link).__name__}: expected the name of a link")
+    if not isinstance(path, (str, os.PathLike)):
+        raise Error(f"`path` is of type {type(path).__name__}: expected the path of a URDF")
+    path = os.fspath(path)
     native, base, tool, messages = _etalon.Robot.urdf(path, base_link, tool_link)
     warn(Message(stated) for stated in json.loads(messages))
     return native, Chain(base, tool, native.joints)

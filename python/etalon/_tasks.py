@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Literal, cast
+
+import numpy as np
 
 from . import _etalon, documents
 from ._errors import Error, with_warnings
-from ._options import Progress, called
+from ._options import Progress, called, whole
 from ._residuals import Residuals
 from ._robot import Robot, Targets, robot_of
 from ._tables import Marks
@@ -140,7 +142,7 @@ def identify(
         hold=_names(hold, "hold"),
         exclude=_names(exclude, "exclude"),
         exclude_rows=_names(exclude_rows, "exclude_rows"),
-        effects=_listed(effects),
+        effects=_listed(effects, "effects"),
         prior=prior,
         uncertainty_bound=uncertainty_bound,
         target=target,
@@ -148,7 +150,11 @@ def identify(
         column=_headings(columns),
         **marks.options(observations=observations),
     )
-    document, errors = _etalon.identify(robot_of(robot, targets), marks.named(observations, "observations"), options)
+    native, table = robot_of(robot, targets), marks.named(observations, "observations")
+    try:
+        document, errors = _etalon.identify(native, table, options)
+    except Error as error:
+        raise _with_units(error, native.joints, _headings(columns)) from None
     return cast(Identification, with_warnings(Identification(load(document)._members, errors)))
 
 
@@ -212,17 +218,17 @@ def plan(
     """
     marks = Marks(delimiter, decimal, sheet)
     options = _json(
-        positions=positions,
+        positions=whole(positions, "positions"),
         index=index,
         single=single,
-        start=_listed(start),
-        compare=_listed(compare),
+        start=_listed(start, "start"),
+        compare=_listed(compare, "compare"),
         starts=starts,
         nodes=nodes,
-        seed=seed,
+        seed=whole(seed, "seed"),
         standard_uncertainty_um=standard_uncertainty_um,
         hold=_names(hold, "hold"),
-        effects=_listed(effects),
+        effects=_listed(effects, "effects"),
         prior=prior,
         target=target,
         pose=pose,
@@ -329,9 +335,9 @@ def axes(
     """
     marks = Marks(delimiter, decimal, sheet)
     options = _json(
-        joints=_listed(joints),
-        prismatic=_listed(prismatic),
-        backwards=_listed(backwards),
+        joints=_listed(joints, "joints"),
+        prismatic=_listed(prismatic, "prismatic"),
+        backwards=_listed(backwards, "backwards"),
         standard_uncertainty_um=standard_uncertainty_um,
         convention=convention,
         uncertainty_bound=uncertainty_bound,
@@ -469,7 +475,7 @@ def iso9283(
     reading = _json(pose=pose, constant=counted, column=_headings(columns), **stated)
     beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("reference", reference))]
     with marks.apart(attained=attained, commanded=commanded, reference=reference):
-        found = load(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], seed))
+        found = load(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], whole(seed, "seed")))
     return cast(documents.Iso9283Document, with_warnings(found))
 
 
@@ -533,7 +539,7 @@ def iso9283_path(
     )
     beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("path", path))]
     with marks.apart(recording=recording, commanded=commanded, path=path):
-        found = load(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, seed))
+        found = load(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, whole(seed, "seed")))
     return cast(documents.Iso9283StreamDocument, with_warnings(found))
 
 
@@ -569,6 +575,9 @@ def iso230(
 def _json(**options: Any) -> str:
     """Return options as JSON text, which the types of the tasks read; None is left out."""
     stated = {name: value for name, value in options.items() if value is not None}
+    for name, value in stated.items():
+        if isinstance(value, (float, np.floating)) and not np.isfinite(value):
+            raise Error(f"`{name}` is {value}: expected a finite number")
     return json.dumps(stated, default=lambda value: value.tolist() if hasattr(value, "tolist") else str(value))
 
 
@@ -581,11 +590,36 @@ def _names(values: Sequence[str] | str, name: str) -> list[str]:
     return list(values)
 
 
-def _listed(values: Any) -> list[Any] | None:
+def _listed(values: Any, name: str) -> list[Any] | None:
     """Return the values of an option that also takes a text with commas."""
     if isinstance(values, str):
         return values.split(",")
+    if values is not None and not isinstance(values, Iterable):
+        raise Error(f"`{name}` is of type {type(values).__name__}: expected a list")
     return None if values is None else list(values)
+
+
+#: Unit of a column, and the unit of its numbers, by the name of the change in a message.
+_UNITS = {"m-mm": ("mm", "m"), "inch-mm": ("mm", "inch"), "mm-m": ("m", "mm"), "mm-inch": ("inch", "mm"), "rad-deg": ("deg", "rad"), "deg-rad": ("rad", "deg")}
+
+
+def _with_units(error: Error, joints: Sequence[str], columns: dict[str, str | int]) -> Error:
+    """Return an error whose hint finds points or joints in another unit, with the columns in this unit."""
+    for message in error.messages:
+        change: Any = message.arguments.get("hint")
+        for inner in ("first", "slip"):
+            change = change.get("arguments", {}).get(inner) if isinstance(change, dict) else None
+        stated = change["arguments"] if isinstance(change, dict) and change.get("id") == "slip-unit" else {}
+        stems = {"points": ["x", "y", "z"], "all-joints": [name.rsplit("_", 1)[0] for name in joints]}.get(str(stated.get("quantity")), [])
+        if not stems or stated["slip"] not in _UNITS or message.id is None:
+            continue
+        unit, other = _UNITS[stated["slip"]]
+        changed = {f"{stem}_{other}": columns.get(f"{stem}_{unit}", f"{stem}_{unit}") for stem in stems}
+        others = {name: heading for name, heading in columns.items() if name not in {f"{stem}_{unit}" for stem in stems}}
+        remedy = json.dumps(others | changed, ensure_ascii=False)
+        hint = (message.stated_hint or "").replace(" (`unit` of the export)", "")
+        error = error.with_hint(message.id, f"{hint}; then set `columns={remedy}`")
+    return error
 
 
 def _headings(columns: Columns | None) -> dict[str, str | int]:

@@ -20,11 +20,10 @@ import numpy as np
 from ._members import MEMBERS
 
 _ROWS = 50
-#: Values with uncertainties and other lines in the text of a document; rows, columns and width of a table in it.
+#: Values with uncertainties and other lines in the text of a document; rows and width of a table in it.
 _VALUES = 100
 _LINES = 60
 _SHOWN = 6
-_COLUMNS = 7
 _WIDTH = 110
 
 
@@ -103,9 +102,8 @@ class Record:
         return Records([Record(row) for row in rows])
 
     def _repr_html_(self) -> str:
-        messages = self._members.get("messages") or []
         others = {name: value for name, value in self._members.items() if name != "messages"}
-        return _said(messages) + _section(type(self).__name__, others)
+        return _said(self._members) + _section(type(self).__name__, others)
 
 
 class Document(Record):
@@ -115,7 +113,11 @@ class Document(Record):
 
 
 class Records(list):  # type: ignore[type-arg]
-    """A list of records, which is also a table."""
+    """A list of records, which is also a table; a part of it is one too."""
+
+    def __getitem__(self, at: Any) -> Any:
+        found = super().__getitem__(at)
+        return Records(found) if isinstance(at, slice) else found
 
     def column(self, name: str) -> list[Any]:
         """Return the values of a member of all records; None where it is absent."""
@@ -131,7 +133,8 @@ class Records(list):  # type: ignore[type-arg]
         """Return the table as a DataFrame of pandas."""
         import pandas
 
-        return pandas.DataFrame(self.to_dict())
+        # a column without any value is one of missing numbers
+        return pandas.DataFrame({name: np.full(len(self), np.nan) if column.count(None) == len(column) else column for name, column in self.to_dict().items()})
 
     def to_polars(self) -> Any:
         """Return the table as a DataFrame of polars."""
@@ -144,6 +147,10 @@ class Records(list):  # type: ignore[type-arg]
         import pyarrow
 
         return pyarrow.table(self.to_dict())
+
+    def __repr__(self) -> str:
+        rows = [record._members for record in self if isinstance(record, Record)]
+        return "\n".join([f"Records({len(self)})", *_grid(rows, len(rows) if len(rows) <= _ROWS else _SHOWN)]) if rows else "Records(0)"
 
     def _repr_html_(self) -> str:
         return _table([record._members for record in self if isinstance(record, Record)])
@@ -242,7 +249,7 @@ def _with_expanded(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _table(rows: list[dict[str, Any]]) -> str:
-    rows = _with_expanded(rows)
+    rows = _with_expanded([{name: value for name, value in row.items() if not _is_translation(name)} for row in rows])
     names = list(dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (dict, list))))
     head = "".join(f"<th>{html.escape(name)}</th>" for name in names)
     body = "".join(f"<tr>{''.join(f'<td>{_cell(row.get(name))}</td>' for name in names)}</tr>" for row in rows[:_ROWS])
@@ -250,19 +257,19 @@ def _table(rows: list[dict[str, Any]]) -> str:
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
 
 
-def _said(messages: Iterable[dict[str, Any]]) -> str:
-    def item(message: dict[str, Any]) -> str:
-        from ._errors import Message
+def _said(members: dict[str, Any]) -> str:
+    from ._errors import Message, messages_of
 
-        said = Message(message)
+    def item(said: Message) -> str:
         hint = f"<br><i>{html.escape(said.hint)}</i>" if said.hint else ""
         return f"<li><b>{html.escape(said.severity)}</b> <code>{html.escape(said.id or '')}</code>: {html.escape(said.what)}{hint}</li>"
 
-    items = "".join(item(message) for message in messages)
+    items = "".join(map(item, messages_of(members)))
     return f"<ul>{items}</ul>" if items else ""
 
 
 def _section(title: str, members: dict[str, Any]) -> str:
+    members = {name: value for name, value in members.items() if not _is_translation(name)}
     plain = {name: value for name, value in members.items() if not isinstance(value, (dict, list))}
     tables = [(name, value) for name, value in members.items() if _is_table(value)]
     # values with their uncertainties come first
@@ -293,29 +300,39 @@ def _short(value: Any) -> str:
     return text if len(text) <= 100 else text[:97] + "..."
 
 
+def _grid(rows: list[dict[str, Any]], shown: int) -> list[str]:
+    """Return the first rows of a table as text: the first columns with numbers and words that fit on a line."""
+    rows, left = rows[:shown], len(rows) - shown
+    names = dict.fromkeys(name for row in rows for name, value in row.items() if isinstance(value, (int, float, str)) and not _is_translation(name))
+    columns = [[name, *(_short(row.get(name, "")) for row in rows)] for name in names]
+    widths = np.cumsum([2 + max(map(len, column)) for column in columns])
+    columns = columns[: int(np.searchsorted(widths, _WIDTH, side="right"))]
+    lines = ["  " + "".join(f"{cell:{2 + max(map(len, column))}}" for cell, column in zip(cells, columns)).rstrip() for cells in zip(*columns)]
+    more = list(names)[len(columns) :]
+    return lines + (["  ..."] if left > 0 and lines else []) + ([f"  more columns: {', '.join(more)}"] if more and lines else [])
+
+
 def _rows(name: str, rows: list[dict[str, Any]]) -> list[str]:
-    """Return the text of a table: names and numbers of its first columns and rows."""
-    columns = [column for column, value in rows[0].items() if isinstance(value, (int, float, str))][:_COLUMNS]
-    shown = [columns] + [[_short(row.get(column, "")) for column in columns] for row in rows[:_SHOWN]]
-    widths = [max(len(cells[k]) for cells in shown) for k in range(len(columns))]
-    if not columns or sum(widths) > _WIDTH:
-        return [f"  {name}: {len(rows)} entries"]
-    lines = ["    " + "  ".join(f"{cell:{width}}" for cell, width in zip(cells, widths)).rstrip() for cells in shown]
-    return [f"  {name}: {len(rows)} entries", *lines, *(["    ..."] if len(rows) > _SHOWN else [])]
+    """Return the text of a table that is a member of a document."""
+    return [f"  {name}: {len(rows)} entries", *(f"  {line}" for line in _grid(rows, _SHOWN))]
+
+
+def _is_translation(name: str) -> bool:
+    """Return True for a member with the id and the arguments of a text, from which a report in another language has the text."""
+    return name.endswith(("_phrase", "_phrases")) or name in ("meaning_id", "title_id")
 
 
 def _lines(title: str, members: dict[str, Any]) -> list[str]:
     """Return the text of a record: messages, values with their uncertainties, then the other members."""
-    from ._errors import Message
+    from ._errors import messages_of
 
     lines = [title]
-    for stated in members.get("messages") or []:
-        message = Message(stated)
+    for message in messages_of(members):
         lines.append(f"  {message.severity}: {message.id or ''}: {message.what}")
     others: list[list[str]] = []
     names: list[str] = []
     for name, value in members.items():
-        if name in ("messages", "schema") or name.endswith("_phrases"):
+        if name in ("messages", "schema") or _is_translation(name):
             continue
         if _is_table(value) and any(_value_with_uncertainty(row) for row in value):
             lines += _values(name, value)

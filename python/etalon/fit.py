@@ -185,11 +185,7 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 def points_of(points: ArrayLike) -> NDArray[np.float64]:
     """Return points as an array ``(n, 3)``, float64, C order: the same array where it is one already. Masked points are refused."""
-    refuse_masked(points, "points", "leave these points out (`points[~points.mask.any(axis=1)]`)")
-    try:
-        array = np.ascontiguousarray(points, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise Error(f"`points`: expected numbers: {error}") from error
+    array = numbers(points, "points", "leave these points out (`points[~points.mask.any(axis=1)]`)")
     if array.ndim == 2 and array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
     if array.ndim != 2 or array.shape[1] != 3:

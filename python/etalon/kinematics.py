@@ -7,8 +7,9 @@ pose is a single answer, without the first dimension.
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -42,7 +43,7 @@ class Poses:
     @classmethod
     def from_matrix(cls, matrix: ArrayLike) -> Poses:
         """Return the poses of homogeneous matrices ``(n, 4, 4)`` or ``(4, 4)``; lengths in mm."""
-        stated = _numbers(matrix, "matrix")
+        stated = numbers(matrix, "matrix")
         if stated.ndim not in (2, 3) or stated.shape[-2:] != (4, 4):
             raise Error(f"`matrix` has the shape {stated.shape}: expected (n, 4, 4) or (4, 4)")
         rotation = stated[..., :3, :3]
@@ -108,7 +109,7 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
         joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
-        parameters: A parameters document, or the path of one; nominal values without.
+        parameters: A parameters document, its ``to_dict()``, or the path of one; nominal values without.
 
     Returns:
         Poses; NaN where the robot cannot be there.
@@ -162,7 +163,7 @@ def sensitivity(robot: Robot | str | os.PathLike[str], parameters: Any, joints: 
 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
-        parameters: The document of :func:`etalon.identify`, or the path of a ``parameters.json``.
+        parameters: The document of :func:`etalon.identify`, its ``to_dict()``, or the path of a ``parameters.json``.
         joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
         target: Name of an identified target.
 
@@ -203,7 +204,7 @@ def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: Arra
 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
-        parameters: The document of :func:`etalon.identify`, or the path of a ``parameters.json``.
+        parameters: The document of :func:`etalon.identify`, its ``to_dict()``, or the path of a ``parameters.json``.
         joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
         target: Name of an identified target.
 
@@ -275,7 +276,7 @@ def inverse(
         near: Start of the search: ``(joints,)`` for all poses, or ``(n, joints)``, one row for each pose. By default it is the solution of the
             previous pose. If the start reaches the pose, it is the answer. At a singular pose, the answer is the nearest of all solutions.
         all_solutions: All solutions of each pose instead of the nearest; of robots with at most six joints.
-        parameters: A parameters document, or the path of one; nominal values without.
+        parameters: A parameters document, its ``to_dict()``, or the path of one; nominal values without.
 
     Returns:
         :class:`Solutions`: ``.joints``, and ``.unreachable`` with the reason for each pose without a solution.
@@ -288,7 +289,10 @@ def inverse(
     if starts is not None and len(starts) not in (1, len(stated)):
         raise Error(f"`near` has {len(starts)} rows: expected one, or one for each of the {len(stated)} poses")
     search = {"near": starts, "all": all_solutions}
-    rows, joints, missing = _etalon.inverse(robot_of(robot), stated, search, json_of(parameters))
+    try:
+        rows, joints, missing = _etalon.inverse(robot_of(robot), stated, search, json_of(parameters))
+    except Error as error:
+        raise error.with_hint("infinite-solutions", "leave `all_solutions` out to get one solution") from None
     row = np.asarray(rows, dtype=np.intp)
     unreachable = {at: Reason(text, id) for at, id, text in missing}
     if all_solutions:
@@ -300,7 +304,7 @@ def inverse(
 
 def _joint_rows(joints: ArrayLike, name: str = "joints") -> tuple[NDArray[np.float64], bool]:
     """Return joint values as rows, and whether those of a single pose were given."""
-    values = _numbers(joints, name)
+    values = numbers(joints, name)
     if values.ndim not in (1, 2):
         raise Error(f"`{name}` has the shape {values.shape}: expected (n, joints), or (joints,) of a single pose")
     return np.atleast_2d(values), values.ndim == 1
@@ -309,7 +313,7 @@ def _joint_rows(joints: ArrayLike, name: str = "joints") -> tuple[NDArray[np.flo
 def _pose_rows(poses: Poses | ArrayLike) -> tuple[NDArray[np.float64], bool]:
     """Return poses as rows of seven numbers, and whether a single pose was given."""
     if not isinstance(poses, Poses):
-        stated = _numbers(poses, "poses")
+        stated = numbers(poses, "poses")
         if stated.shape[-1:] == (7,) and stated.ndim in (1, 2):
             turned = np.linalg.norm(stated[..., 3:], axis=-1)
             if np.any(np.abs(turned - 1.0) > _ORTHOGONAL):
@@ -346,7 +350,11 @@ def json_of(document: Any, name: str = "parameters") -> str | None:
         return str(document.to_json())
     if isinstance(document, (str, os.PathLike)):
         return file_text(document, name)
-    raise Error(f"`{name}` is of type {type(document).__name__}: expected a document of etalon, or the path of its JSON file")
+    if isinstance(document, Mapping):
+        return json.dumps(document)
+    raise Error(
+        f"`{name}` is of type {type(document).__name__}: expected a document of etalon, its `to_dict()`, or the path of its JSON file"
+    )
 
 
 def _needed(parameters: Any) -> str:
@@ -354,12 +362,3 @@ def _needed(parameters: Any) -> str:
     if text is None:
         raise Error("`parameters` is missing: a prediction needs identified parameters")
     return text
-
-
-def _numbers(values: ArrayLike, name: str) -> NDArray[np.float64]:
-    """Return an array of numbers in C order, of at most three dimensions."""
-    array = numbers(values, name)
-    # np.ascontiguousarray makes a single number an array of one
-    if array.ndim > 3:
-        raise Error(f"`{name}` has the shape {array.shape}")
-    return array

@@ -26,7 +26,7 @@ pub fn direct<'py>(
     let mut model = robot.model()?;
     set_parameters(model.as_mut(), parameters).map_err(refused)?;
     let arm = kinematics(model.as_ref())?;
-    let rows = inward(arm, &joints)?;
+    let rows = inward(arm, &joints, "joints")?;
     let nominal = arm.nominal();
     let poses: Vec<f64> = py.detach(|| {
         let pose = |q: &Vec<f64>| match arm.tool_pose(&nominal, q) {
@@ -49,7 +49,7 @@ pub fn predict<'py>(
     target: &str,
 ) -> PyResult<(Rows<'py>, Rows<'py>)> {
     let model = robot.model()?;
-    let rows = inward(model.as_ref(), &joints)?;
+    let rows = inward(model.as_ref(), &joints, "joints")?;
     let document = parse_parameters("parameters", parameters).map_err(refused)?;
     let found = py.detach(|| {
         let prediction = robot.prediction(&document, target)?;
@@ -73,7 +73,7 @@ pub fn jacobian<'py>(
     parameters: Option<&str>,
 ) -> PyResult<Rows<'py>> {
     let model = robot.model()?;
-    let (rows, twists) = (inward(model.as_ref(), &joints)?, robot.twists(parameters)?);
+    let (rows, twists) = (inward(model.as_ref(), &joints, "joints")?, robot.twists(parameters)?);
     let units: Vec<f64> = model.joints().iter().map(|joint| joint.quantity.inward(1.0)).collect();
     let n = units.len();
     let row = |q: &Vec<f64>| {
@@ -99,7 +99,7 @@ pub fn sensitivity<'py>(
     target: &str,
 ) -> PyResult<(Vec<String>, Rows<'py>)> {
     let model = robot.model()?;
-    let rows = inward(model.as_ref(), &joints)?;
+    let rows = inward(model.as_ref(), &joints, "joints")?;
     let document = parse_parameters("parameters", parameters).map_err(refused)?;
     let prediction = robot.prediction(&document, target).map_err(refused)?;
     let parameters = prediction.robot().parameters();
@@ -146,7 +146,7 @@ pub fn inverse<'py>(
     let mut model = robot.model()?;
     set_parameters(model.as_mut(), parameters).map_err(refused)?;
     let arm = kinematics(model.as_ref())?;
-    let starts = search.near.as_ref().map(|near| inward(arm, near)).transpose()?.unwrap_or_default();
+    let starts = search.near.as_ref().map(|near| inward(arm, near, "near")).transpose()?.unwrap_or_default();
     let poses: Vec<Pose> = crate::fit::rows::<POSE>(&poses)?.iter().map(pose).collect();
     let found = compute_long(py, None, |_| tasks::inverse(arm, &poses, &starts, !search.all))?.map_err(refused)?;
     let mut missing = Vec::new();
@@ -178,11 +178,11 @@ fn values_of(arm: &dyn Model) -> usize {
     arm.joints().len() + usize::from(arm.has_assembly_modes())
 }
 
-/// Rows of joint values in rad and mm.
-fn inward(arm: &dyn Model, joints: &PyReadonlyArray2<f64>) -> PyResult<Vec<Vec<f64>>> {
+/// Rows of joint values in rad and mm, from the argument with this name.
+fn inward(arm: &dyn Model, joints: &PyReadonlyArray2<f64>, name: &str) -> PyResult<Vec<Vec<f64>>> {
     let (shape, width) = (joints.shape(), values_of(arm));
     if shape[1] != width {
-        let message = Message::error(format!("joint values have the shape ({}, {})", shape[0], shape[1]));
+        let message = Message::error(format!("`{name}` has the shape ({}, {})", shape[0], shape[1]));
         let columns: Vec<String> = arm.joints().iter().map(|joint| joint.column()).collect();
         return Err(refused(message.expected(format!("(n, {width}): {}", columns.join(", "))).into()));
     }

@@ -1,5 +1,6 @@
 """Answers that were wrong in silence, and what makes answers easy to use."""
 
+import json
 import os
 import pickle
 import warnings
@@ -127,8 +128,34 @@ def test_a_text_shows_every_value_or_counts_the_rest(arm):
     many = {"parameters": [{"name": f"p_{i}", "value": 1.0, "standard_uncertainty": 0.1, "unit": "mm"} for i in range(130)]}
     assert "and 30 more with uncertainties" in repr(etalon.documents.Record(many))
     # no member is left out without its name
-    others = [name for name in found if name not in ("messages", "schema") and not name.endswith("_phrases")]
+    others = [name for name in found if name not in ("messages", "schema") and not name.endswith(("_phrase", "_phrases"))]
     assert all(name in text for name in others)
+
+
+def test_tables_are_shown_and_missing_numbers_are_numbers(arm):
+    pandas = pytest.importorskip("pandas")
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    errors = found.residuals_table()
+    lines = repr(errors).splitlines()
+    # headings, six of sixty rows, and the names of the columns that do not fit
+    assert lines[0] == "Records(60)" and len(lines) == 10 and "q6_deg" in lines[-1] and all(len(line) < 180 for line in lines)
+    assert len(repr(errors[:3]).splitlines()) == 6 and errors[:3].column("pose") == [1, 2, 3]
+    frame = errors.to_pandas()
+    assert all(pandas.api.types.is_numeric_dtype(frame[name]) for name in frame if name not in ("set", "target", "quantity"))
+    assert frame["before_deg"].isna().all()
+
+
+def test_parameters_are_taken_as_a_dictionary(arm):
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    joints = [10.0, -20, 30, -40, 50, -60]
+    stored = json.loads(found.to_json())
+    assert etalon.kinematics.predict(robot, stored, joints, "SMR").xyz_mm.tolist() == etalon.kinematics.predict(robot, found, joints, "SMR").xyz_mm.tolist()
 
 
 def test_members_are_explained(arm):

@@ -77,6 +77,25 @@ def test_inverted_headings_are_turned(recorded):
     assert taken[0]["columns"] == right and found.residuals.position_rms_mm < 0.03
 
 
+@pytest.mark.parametrize("unit", ["rad", "m", "inch"])
+def test_numbers_in_another_unit_get_their_columns(arm, unit):
+    robot, table, _ = arm
+    joints = [f"q{i}_deg" for i in range(1, 7)] if unit == "rad" else ["x_mm", "y_mm", "z_mm"]
+    size = {"rad": np.pi / 180, "m": 1e-3, "inch": 1 / 25.4}[unit]
+    others = {"target": "Reflector"}
+    changed = {others.get(name, name): np.asarray(column) * size if name in joints else column for name, column in table.items()}
+    found, taken = followed(etalon.identify, (robot, changed), {"columns": dict(others), "standard_uncertainty_um": 10})
+    right = {f"{name.rsplit('_', 1)[0]}_{unit}": name for name in joints}
+    assert taken == [{"columns": others | right}] and found.residuals.position_rms_mm < 0.03
+
+
+def test_a_pose_of_seven_joints_has_infinitely_many_solutions():
+    joints = [0.0, -30, 0, -100, 0, 70, 40]
+    pose = etalon.kinematics.direct("panda", joints)
+    with pytest.raises(etalon.Error) as raised:
+        etalon.kinematics.inverse("panda", pose, near=joints, all_solutions=True)
+    assert raised.value.id == "infinite-solutions" and "`all_solutions`" in raised.value.hint
+    assert etalon.kinematics.inverse("panda", pose, near=joints).joints == pytest.approx(joints, abs=1e-6)
 
 
 POSES = {
@@ -209,6 +228,12 @@ def test_rows_of_a_table_in_memory_are_counted_from_one(arm):
         etalon.identify(robot, broken)
     assert "row 5, 11, 21" in str(raised.value), str(raised.value)
     assert "line" not in str(raised.value) and raised.value.messages[-1].place == {"file": "observations", "row": 5}
+    # a message of the answer counts in the same way
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = etalon.identify(robot, dict(table, q3_deg=np.where(np.arange(60) == 4, np.nan, table["q3_deg"])), standard_uncertainty_um=10)
+    left = next(entry.message.message for entry in caught if entry.message.message.id == "rows-not-measured")
+    assert left.what.endswith("(row 5)") and left.what in repr(found) and left.what in found._repr_html_()
     # the same number leaves the row out
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -227,8 +252,8 @@ def test_a_misspelt_target_is_corrected(arm):
 def test_cells_and_verifications_take_the_headings_of_their_hints(arm):
     points = {"point": ["origin", "x", "xy"], "X": [100.0, 400, 120], "Y": [50.0, 60, 300], "Z": [20.0, 25, 22]}
     found, taken = followed(etalon.cell, (points, "three-points"), {"standard_uncertainty_um": 2})
-    stated = {name: heading for step in taken for name, heading in step["columns"].items()}
-    assert stated == {f"{axis}_mm": axis.upper() for axis in "xyz"} and found.frames[0].xyz_mm == pytest.approx([100, 50, 20])
+    # all missing columns are named at once
+    assert taken == [{"columns": {f"{axis}_mm": axis.upper() for axis in "xyz"}}] and found.frames[0].xyz_mm == pytest.approx([100, 50, 20])
     robot, table, _ = arm
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -181,11 +181,27 @@ def test_errors_are_those_of_etalon(arm, tmp_path):
         "a number as progress": lambda: etalon.plan(robot, table, 20, progress=5),
         "a Series as a table": lambda: identify(robot, pytest.importorskip("pandas").Series([1.0])),
         "an unknown element": lambda: etalon.fit.element("square", np.eye(3)),
+        "no joints": lambda: etalon.kinematics.direct(robot, None),
+        "no points": lambda: etalon.fit.plane(None),
+        "an uncertainty that is no number": lambda: identify(robot, table, standard_uncertainty_um=float("nan")),
+        "a number as effects": lambda: identify(robot, table, effects=3),
+        "a text as positions": lambda: etalon.plan(robot, table, "many"),
+        "fewer than no positions": lambda: etalon.plan(robot, table, -1),
+        "a text as a seed": lambda: etalon.iso9283(table, seed="x"),
+        "a text as draws": lambda: etalon.uncertainty(tmp_path, draws="x"),
+        "a number as campaigns": lambda: etalon.batch(5),
+        "a number as a command": lambda: etalon.command(5),
+        "no text of a robot": lambda: etalon.Robot.from_toml(None),
+        "no URDF": lambda: etalon.Robot.from_urdf(None),
+        "a number as a link": lambda: etalon.Robot.from_urdf(tmp_path / "a.urdf", tool_link=5),
+        "text as joints of a drawing": lambda: robot.plot("x"),
     }
     for name, call in wrong.items():
         with pytest.raises(etalon.Error) as raised:
             call()
-        assert str(raised.value), name
+        assert str(raised.value) and not re.search(r"usize|u64|NoneType\b.*object|Usage:", str(raised.value)), name
+    with pytest.raises(etalon.Error, match="`near` has the shape"):
+        etalon.kinematics.inverse(robot, np.eye(4), near=[0.0] * 5)
 
 
 def test_a_missing_coordinate_is_named_with_its_row(arm):

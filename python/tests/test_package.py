@@ -96,6 +96,8 @@ OF_FILES = {
     "--controller --name --number --with --tool-length-mm --force",
     # the plan of a verification, and of an ISO test, by `command`
     "--positions --candidates --plan --stream --compliance",
+    # a controller file whose joint zeros are loaded: by `command`
+    "--mastered",
 }
 OF_PLAN = "--poses --targets --generate --program --truth --workspace --grouped --column --target --pose"
 

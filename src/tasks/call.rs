@@ -24,7 +24,8 @@ fn read<T: Args + DeserializeOwned>(json: &str) -> std::result::Result<T, String
     if let Some(unknown) = stated.keys().find(|name| !known.contains(name)) {
         return Err(format!("unknown option `{unknown}`, expected one of {}", known.join(", ")));
     }
-    let typed = |stated: Map<String, Value>| T::deserialize(Value::Object(stated)).map_err(|error| error.to_string());
+    let typed =
+        |stated: Map<String, Value>| T::deserialize(Value::Object(stated)).map_err(|error| plain(&error.to_string()));
     typed(stated.clone()).map_err(|reason| {
         // the option without which the reason is another, last a mandatory one
         let without = |name: &String| {
@@ -37,6 +38,14 @@ fn read<T: Args + DeserializeOwned>(json: &str) -> std::result::Result<T, String
         let mut names = stated.keys().filter(is_other);
         let cause = names.clone().find(is_optional).or_else(|| names.next());
         cause.map_or(reason.clone(), |name| format!("`{name}`: {reason}"))
+    })
+}
+
+/// Reason with the types of the reader's language.
+fn plain(reason: &str) -> String {
+    let types = [("usize", "a whole number from 0"), ("u64", "a whole number from 0"), ("f64", "a number")];
+    types.iter().fold(reason.to_owned(), |text, (own, words)| {
+        text.replace(&format!("expected {own}"), &format!("expected {words}"))
     })
 }
 
@@ -119,5 +128,7 @@ mod tests {
         assert!(refused(r#"{"positions": 3, "index": "O9"}"#).contains("`index`: "));
         assert!(refused(r#"{"positions": 3, "effects": "zeros,nonsense"}"#).contains("one of `zeros`"));
         assert!(refused(r#"{"positions": 3, "starts": 100001}"#).contains("`starts`: "));
+        assert!(refused(r#"{"positions": -1}"#).ends_with("expected a whole number from 0"));
+        assert!(refused(r#"{"positions": 3, "standard_uncertainty_um": "x"}"#).ends_with("expected a number"));
     }
 }
