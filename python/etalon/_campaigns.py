@@ -62,6 +62,8 @@ class Run(Residuals):
             return load(path.read_text(encoding="utf-8"))
 
     def _residual_columns(self) -> str:
+        if not (self.folder / "accuracy.json").is_file():
+            raise Error(f"the campaign has no residuals, because it identifies no parameters: it has {', '.join(self._documents())}")
         return _etalon.residuals(str(self.folder))
 
     def _documents(self) -> list[str]:

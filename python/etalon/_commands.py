@@ -61,6 +61,10 @@ def command(*words: str | os.PathLike[str] | Document | Robot, **options: Any) -
     # the word of hints and of the functions on tables
     if isinstance(options.get("columns"), Mapping):
         options["column"] = options.pop("columns")
+    # commands read a robot.toml
+    robot = options.get("robot")
+    if isinstance(robot, (str, os.PathLike)) and os.fspath(robot).endswith(".urdf"):
+        options["robot"] = Robot(robot)
     with ExitStack() as files:
         names = [_word(_written(word, files)) for word in words]
         options = {name: _written(value, files) for name, value in options.items()}

@@ -146,7 +146,6 @@ class ImplausibleWarning(MessageWarning):
     """The result can be that of no such robot: a message of severity ``error``. The program ends with exit code 1."""
 
 
-@cache
 def warning_class(id: str) -> type[MessageWarning]:
     """Return the class of the warnings with an id.
 
@@ -155,7 +154,21 @@ def warning_class(id: str) -> type[MessageWarning]:
 
     Args:
         id: Id of a message, as in ``docs/messages.md``.
+
+    Raises:
+        Error: No message has this id.
     """
+    from . import _etalon
+
+    code, _, said, messages = _etalon.command(["explain", id])
+    if code != 0:
+        raise Error(said.partition("\n\nUsage: ")[0].strip(), messages)
+    return _class_of(id)
+
+
+@cache
+def _class_of(id: str) -> type[MessageWarning]:
+    """Return the class of the warnings with an id."""
     name = "".join(part.capitalize() for part in re.split(r"\W+", id)) + "Warning"
     return type(name, (MessageWarning,), {"__doc__": f"Message `{id}`.", "__module__": __name__, "id": id})
 
@@ -163,14 +176,14 @@ def warning_class(id: str) -> type[MessageWarning]:
 @cache
 def _implausible_class(id: str) -> type[MessageWarning]:
     """Return the class of the messages with an id that make a result implausible."""
-    own = warning_class(id)
+    own = _class_of(id)
     return type("Implausible" + own.__name__, (ImplausibleWarning, own), {"__doc__": own.__doc__, "__module__": __name__, "id": id})
 
 
 def _warning(message: Message) -> MessageWarning:
     """Return a message as a warning with the class of its id."""
     name = message.id or "message"
-    return (_implausible_class(name) if message.severity == "error" else warning_class(name))(message)
+    return (_implausible_class(name) if message.severity == "error" else _class_of(name))(message)
 
 
 def warn(messages: Iterable[Message]) -> None:
@@ -193,9 +206,6 @@ def messages_of(members: dict[str, Any], *, in_campaign: bool = False) -> list[M
     """Return the messages of a document. Without a place they speak of the table in memory, if the document is of one."""
     inputs = (members.get("provenance") or {}).get("inputs") or {}
     in_memory = any(name in TABLES for name in inputs)
-    if members.get("schema", "").startswith("etalon/iso"):
-        # other tables may be files
-        in_memory = in_memory and all(name in TABLES for name in inputs)
     return [Message(message, in_campaign=in_campaign, in_memory=in_memory) for message in members.get("messages") or []]
 
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 def _axes(axes: Any, **options: Any) -> Any:
     """Return the stated axes, or those of a new figure."""
     if axes is not None:
+        if options and not hasattr(axes, "set_zlabel"):
+            raise Error('`axes` has two dimensions: expected axes with `projection="3d"`')
         return axes
     try:
         from matplotlib import pyplot

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _etalon
-from ._arrays import refuse_masked
+from ._arrays import numbers, refuse_masked
 from ._errors import Error, Message, warn
 
 #: Nominal positions (mm) of targets at the flange, by name.
@@ -90,6 +90,47 @@ class Robot:
         if not isinstance(text, str):
             raise Error(f"`text` is of type {type(text).__name__}: expected the text of a robot.toml")
         return cls._of(_etalon.Robot.parse(text))
+
+    @classmethod
+    def from_dh(
+        cls,
+        alpha_deg: ArrayLike,
+        a_mm: ArrayLike,
+        theta_deg: ArrayLike,
+        d_mm: ArrayLike,
+        *,
+        modified: bool = False,
+        prismatic: Sequence[bool] | None = None,
+        limits: ArrayLike | None = None,
+    ) -> Robot:
+        """Return a serial arm of Denavit-Hartenberg parameters, from the base; a value for each joint.
+
+        Args:
+            alpha_deg: Twists of the links, deg.
+            a_mm: Lengths of the links, mm.
+            theta_deg: Joint angles at the joint value 0, deg.
+            d_mm: Link offsets, mm; of prismatic joints at the joint value 0.
+            modified: Modified parameters (Craig) instead of the standard ones.
+            prismatic: True for prismatic joints; all are revolute if None.
+            limits: Lower and upper limit of each joint, ``(joints, 2)``, deg or mm; infinite without a limit.
+        """
+        stated = {"alpha_deg": alpha_deg, "a_mm": a_mm, "theta_deg": theta_deg, "d_mm": d_mm}
+        columns = {name: numbers(values, name).ravel() for name, values in stated.items()}
+        count = len(columns["alpha_deg"])
+        ends = np.full((count, 2), np.inf) if limits is None else numbers(limits, "limits")
+        slides = [False] * count if prismatic is None else [bool(slide) for slide in prismatic]
+        if any(len(values) != count for values in columns.values()) or len(slides) != count or ends.shape != (count, 2):
+            raise Error("expected one value of each parameter, and limits (joints, 2), for each joint")
+        rows = []
+        for joint, slide in enumerate(slides):
+            keys = {name: repr(float(values[joint])) for name, values in columns.items()}
+            if slide:
+                keys["prismatic"] = "true"
+            if np.isfinite(ends[joint]).all():
+                keys["limits_mm" if slide else "limits_deg"] = str([float(end) for end in ends[joint]])
+            rows.append("  { " + ", ".join(f"{key} = {value}" for key, value in keys.items()) + " },")
+        convention = "mdh" if modified else "dh"
+        return cls.from_toml("\n".join(['model = "serial"', f'convention = "{convention}"', "joint = [", *rows, "]", ""]))
 
     @classmethod
     def from_urdf(

@@ -96,22 +96,34 @@ def text_of(table: Any, name: str, decimal: str | None = None) -> str:
         name: Name for messages.
         decimal: Decimal mark of texts that are numbers; a point if None.
     """
-    text = _text_of(table, name)
+    comma = decimal is not None and decimal not in (".", "point")
+    text = _text_of(table, name, comma)
     if not text.partition("\n")[2].strip():
         raise Error(f"`{name}` has no rows")
-    if decimal is None or decimal in (".", "point"):
+    if not comma or not _is_arrow(table):
         return text
-    rows = csv.reader(io.StringIO(text))
-    return _csv([next(rows), *([_with_point(cell) for cell in row] for row in rows)])
+    # a library with the Arrow interface: columns of texts are columns with a comma
+    head, *rows = csv.reader(io.StringIO(text))
+    columns = [
+        [_with_point(cell, f"`{name}`, column {heading!r}, row {row}") for row, cell in enumerate(cells, 1)] if any(map(_COMMA.fullmatch, cells)) else cells
+        for heading, cells in zip(head, zip(*rows))
+    ]
+    return _csv([head, *zip(*columns)])
 
 
-def _with_point(cell: str) -> str:
-    """Return a number with a decimal comma as one with a point; other texts as they are."""
-    return cell.replace(",", ".") if _COMMA.fullmatch(cell.strip()) else cell
+def _with_point(cell: str, place: str) -> str:
+    """Return a number with a decimal comma as one with a point; other texts as they are. A number with a point has another mark."""
+    stated = cell.strip()
+    if _POINT.fullmatch(stated):
+        raise Error(f"{place}: `{stated}` has a point, but the decimal mark is `,`: remove thousands marks, for example by `.str.replace(\".\", \"\")` of pandas")
+    return stated.replace(",", ".") if _COMMA.fullmatch(stated) else cell
 
 
-#: Number with a decimal comma.
+#: Number with a decimal comma, and one with points before it.
 _COMMA = re.compile(r"[+-]?\d+,\d*(?:[eE][+-]?\d+)?")
+_POINT = re.compile(r"[+-]?\d+(?:\.\d+)+(?:,\d*)?(?:[eE][+-]?\d+)?")
+#: Columns of names, which may contain points.
+_NAMES = frozenset({"pose", "target", "cycle", "point", "joint", "kind", "label"})
 
 
 def _csv(rows: Iterable[Sequence[Any]]) -> str:
@@ -120,11 +132,16 @@ def _csv(rows: Iterable[Sequence[Any]]) -> str:
     return text.getvalue()
 
 
-def _text_of(table: Any, name: str) -> str:
+def _is_arrow(table: Any) -> bool:
+    """Return True for a table that is read through the Arrow interface."""
+    return not (isinstance(table, (Mapping, np.ndarray)) or (hasattr(table, "iloc") and hasattr(table, "columns")))
+
+
+def _text_of(table: Any, name: str, comma: bool) -> str:
     if isinstance(table, Mapping):
-        return _columns_text([(_heading(heading, k), column) for k, (heading, column) in enumerate(table.items())], name)
+        return _columns_text([(_heading(heading, k), column) for k, (heading, column) in enumerate(table.items())], name, comma)
     if isinstance(table, np.ndarray) and table.dtype.names:
-        return _columns_text([(heading, table[heading]) for heading in table.dtype.names], name)
+        return _columns_text([(heading, table[heading]) for heading in table.dtype.names], name, comma)
     if hasattr(table, "iloc") and hasattr(table, "columns"):
         # pandas: its own Arrow interface needs pyarrow
         frame: Any = table
@@ -132,7 +149,7 @@ def _text_of(table: Any, name: str) -> str:
         # a named index is a column, as `reset_index` makes it
         levels = [level for level in frame.index.names if level is not None and level not in frame.columns]
         columns[:0] = [(str(level), frame.index.get_level_values(level).to_numpy(dtype=object)) for level in levels]
-        return _columns_text(columns, name)
+        return _columns_text(columns, name, comma)
     if hasattr(table, "__arrow_c_stream__"):
         try:
             return _etalon.csv(table)
@@ -170,8 +187,8 @@ def _pandas_values(column: Any) -> Any:
     return values
 
 
-def _columns_text(columns: Iterable[tuple[str, Any]], name: str) -> str:
-    stated = [(heading, _cells(column, f"`{name}`, column {heading!r}")) for heading, column in columns]
+def _columns_text(columns: Iterable[tuple[str, Any]], name: str, comma: bool) -> str:
+    stated = [(heading, _cells(column, f"`{name}`, column {heading!r}", comma and heading not in _NAMES)) for heading, column in columns]
     headings = [heading for heading, _ in stated]
     twice = sorted({heading for heading in headings if headings.count(heading) > 1})
     if twice:
@@ -182,8 +199,8 @@ def _columns_text(columns: Iterable[tuple[str, Any]], name: str) -> str:
     return _csv([headings, *zip(*(cells for _, cells in stated), strict=True)])
 
 
-def _cells(column: Any, place: str) -> list[Any]:
-    """Return the cells of a column. Masked values, None and missing values of pandas are empty."""
+def _cells(column: Any, place: str, comma: bool) -> list[Any]:
+    """Return the cells of a column. Masked values, None and missing values of pandas are empty; texts are numbers with a decimal comma, if there is one."""
     if isinstance(column, (str, bytes)) or not hasattr(column, "__len__"):
         raise Error(f"{place}: a {type(column).__name__} is not a column: give a list or an array of one dimension")
     if hasattr(column, "isna"):
@@ -192,4 +209,7 @@ def _cells(column: Any, place: str) -> list[Any]:
     if array.ndim != 1:
         raise Error(f"{place} has the shape {array.shape}: a column has one dimension and one length")
     # `tolist` of a masked array has None where values are masked
-    return ["" if cell is None else cell for cell in array.tolist()]
+    cells = ["" if cell is None else cell for cell in array.tolist()]
+    if not comma:
+        return cells
+    return [_with_point(cell, f"{place}, row {row}") if isinstance(cell, str) else cell for row, cell in enumerate(cells, 1)]

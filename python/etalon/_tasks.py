@@ -10,11 +10,11 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from . import _etalon, documents
-from ._errors import Error, with_warnings
+from ._errors import Error, row_words, with_warnings
 from ._options import Progress, called, whole
 from ._residuals import Residuals
 from ._robot import Robot, Targets, robot_of
-from ._tables import Marks
+from ._tables import Marks, is_path
 from .documents import load
 from .kinematics import _needed
 
@@ -475,7 +475,7 @@ def iso9283(
     reading = _json(pose=pose, constant=counted, column=_headings(columns), **stated)
     beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("reference", reference))]
     with marks.apart(attained=attained, commanded=commanded, reference=reference):
-        found = load(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], whole(seed, "seed")))
+        found = _loaded(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], whole(seed, "seed")), attained, commanded, reference)
     return cast(documents.Iso9283Document, with_warnings(found))
 
 
@@ -539,7 +539,7 @@ def iso9283_path(
     )
     beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("path", path))]
     with marks.apart(recording=recording, commanded=commanded, path=path):
-        found = load(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, whole(seed, "seed")))
+        found = _loaded(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, whole(seed, "seed")), recording, commanded, path)
     return cast(documents.Iso9283StreamDocument, with_warnings(found))
 
 
@@ -569,7 +569,16 @@ def iso230(
     """
     marks = Marks(delimiter, decimal, sheet)
     reading = _json(column=_headings(columns), **marks.options(positions=positions))
-    return cast(documents.AxisDocument, with_warnings(load(_etalon.iso230(marks.named(positions, "positions"), reading))))
+    return cast(documents.AxisDocument, with_warnings(_loaded(_etalon.iso230(marks.named(positions, "positions"), reading), positions)))
+
+
+def _loaded(text: str, *tables: Any) -> documents.Document:
+    """Return a document that does not name its inputs; messages about tables in memory count rows."""
+    found = load(text)
+    if not any(is_path(table) for table in tables):
+        for message in found._members.get("messages") or []:
+            message |= {part: row_words(message[part]) for part in ("what", "hint") if isinstance(message.get(part), str)}
+    return found
 
 
 def _json(**options: Any) -> str:
@@ -585,9 +594,11 @@ def _names(values: Sequence[str] | str, name: str) -> list[str]:
     """Return the values of an option that is repeated; a text is one of them."""
     if isinstance(values, str):
         return [values]
-    if not isinstance(values, Sequence):
-        raise Error(f"`{name}` is of type {type(values).__name__}: expected a list of texts")
-    return list(values)
+    stated: list[str] = list(values) if isinstance(values, Iterable) else [values]
+    if not all(isinstance(value, str) for value in stated):
+        example = '"11, 13-15: reason"' if name.startswith("exclude") else '"a_3"'
+        raise Error(f"`{name}` contains a value that is no text: expected a text such as {example}, or a list of texts")
+    return stated
 
 
 def _listed(values: Any, name: str) -> list[Any] | None:

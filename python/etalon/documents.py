@@ -116,8 +116,17 @@ class Records(list):  # type: ignore[type-arg]
     """A list of records, which is also a table; a part of it is one too."""
 
     def __getitem__(self, at: Any) -> Any:
+        if isinstance(at, str):
+            return self._named(at)
         found = super().__getitem__(at)
         return Records(found) if isinstance(at, slice) else found
+
+    def _named(self, name: str) -> Any:
+        """Return the record with this name."""
+        names = [record.get("name") for record in self if isinstance(record, Record)]
+        if name not in names:
+            raise KeyError(f"no record has the name {name!r}: the names are {', '.join(str(other) for other in names if other is not None) or 'missing'}")
+        return super().__getitem__(names.index(name))
 
     def column(self, name: str) -> list[Any]:
         """Return the values of a member of all records; None where it is absent."""
@@ -129,10 +138,12 @@ class Records(list):  # type: ignore[type-arg]
         names = dict.fromkeys(name for row in rows for name in row)
         return {name: [row.get(name) for row in rows] for name in names}
 
-    def to_pandas(self) -> Any:
-        """Return the table as a DataFrame of pandas."""
+    def to_pandas(self, *, flat: bool = False) -> Any:
+        """Return the table as a DataFrame of pandas. ``flat`` gives members of members columns of their own: ``interval.low_mm``."""
         import pandas
 
+        if flat:
+            return pandas.json_normalize([record._members for record in self])
         # a column without any value is one of missing numbers
         return pandas.DataFrame({name: np.full(len(self), np.nan) if column.count(None) == len(column) else column for name, column in self.to_dict().items()})
 
@@ -294,8 +305,8 @@ def _short(value: Any) -> str:
         numbers = len(value) <= 8 and all(isinstance(item, (int, float, str)) for item in value)
         return "[" + ", ".join(map(_short, value)) + "]" if numbers else f"{len(value)} entries"
     if isinstance(value, dict):
-        shown = [f"{name}={_short(item)}" for name, item in value.items() if not isinstance(item, (dict, list))]
-        return ", ".join(shown[:8])
+        shown = [f"{name}=({_short(item)})" if isinstance(item, dict) else f"{name}={_short(item)}" for name, item in value.items() if not isinstance(item, list)]
+        return ", ".join(shown[:12])
     text = str(value)
     return text if len(text) <= 100 else text[:97] + "..."
 

@@ -39,12 +39,14 @@ class Records(list[_T]):
     def __getitem__(self, at: SupportsIndex, /) -> _T: ...
     @overload
     def __getitem__(self, at: slice[Any, Any, Any], /) -> Records[_T]: ...
+    @overload
+    def __getitem__(self, at: str, /) -> _T: ...
     def column(self, name: str) -> list[Any]:
         """Return the values of a member of all records; None where it is absent."""
     def to_dict(self) -> dict[str, list[Any]]:
         """Return the table as columns; None where a record has no value."""
-    def to_pandas(self) -> Any:
-        """Return the table as a DataFrame of pandas."""
+    def to_pandas(self, *, flat: bool = False) -> Any:
+        """Return the table as a DataFrame of pandas. ``flat`` gives members of members columns of their own: ``interval.low_mm``."""
     def to_polars(self) -> Any:
         """Return the table as a DataFrame of polars."""
     def to_arrow(self) -> Any:

@@ -93,7 +93,8 @@ def three_points(origin: Fit | ArrayLike, x: Fit | ArrayLike, xy: Fit | ArrayLik
         origin: Point ``(3,)`` in mm, several readings ``(n, 3)`` of it, or a fitted sphere or circle, whose centre is the point.
         x: Point on the positive x axis, likewise.
         xy: Point in the x-y plane, likewise.
-        standard_uncertainty_um: Of one coordinate of a point (k = 1), um; from the scatter of several readings if None.
+        standard_uncertainty_um: Of one coordinate of a point (k = 1), um; if None, from the scatter of several readings, or of three fitted
+            elements the uncertainty of the most uncertain centre.
 
     Raises:
         Error: The points are on one line.
@@ -102,6 +103,10 @@ def three_points(origin: Fit | ArrayLike, x: Fit | ArrayLike, xy: Fit | ArrayLik
         MessageWarning: Messages of ``etalon cell`` with ``three-points``, by id.
     """
     readings = {name: _readings(point, name) for name, point in (("origin", origin), ("x", x), ("xy", xy))}
+    known = [point.standard_uncertainty.point_mm for point in (origin, x, xy) if isinstance(point, Fit)]
+    if standard_uncertainty_um is None and len(known) == 3 and np.all(np.isfinite(known)):
+        # the most uncertain direction of the most uncertain centre
+        standard_uncertainty_um = 1000.0 * max(known)
     stacked = np.vstack(list(readings.values()))
     table = {"point": [name for name, rows in readings.items() for _ in rows]}
     found = cell(table | {f"{axis}_mm": stacked[:, k] for k, axis in enumerate("xyz")}, "three-points", standard_uncertainty_um=standard_uncertainty_um)

@@ -11,7 +11,7 @@ import json
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -108,7 +108,7 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
-        joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
+        joints: ``(n, joints)`` or ``(joints,)``, mm and deg; or a DataFrame with the columns :attr:`etalon.Robot.joints`, in any order.
         parameters: A parameters document, its ``to_dict()``, or the path of one; nominal values without.
 
     Returns:
@@ -117,8 +117,9 @@ def direct(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, paramete
     Raises:
         Error: The shape is another, or the parameters belong to another robot.
     """
-    rows, single = _joint_rows(joints)
-    found = _etalon.direct(robot_of(robot), rows, json_of(parameters))
+    native = robot_of(robot)
+    rows, single = _joint_rows(joints, native)
+    found = _etalon.direct(native, rows, json_of(parameters))
     poses = Poses(found[:, :3], found[:, 3:])
     return poses[0] if single else poses
 
@@ -131,7 +132,7 @@ def jacobian(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, parame
 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
-        joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
+        joints: ``(n, joints)`` or ``(joints,)``, mm and deg; or a DataFrame with the columns :attr:`etalon.Robot.joints`, in any order.
         parameters: As in :func:`direct`.
 
     Returns:
@@ -140,8 +141,9 @@ def jacobian(robot: Robot | str | os.PathLike[str], joints: ArrayLike, *, parame
     Raises:
         Error: The shape is another, or the robot has no whole pose in space.
     """
-    rows, single = _joint_rows(joints)
-    found = _etalon.jacobian(robot_of(robot), rows, json_of(parameters)).reshape(len(rows), 6, -1)
+    native = robot_of(robot)
+    rows, single = _joint_rows(joints, native)
+    found = _etalon.jacobian(native, rows, json_of(parameters)).reshape(len(rows), 6, -1)
     return found[0] if single else found
 
 
@@ -164,14 +166,15 @@ def sensitivity(robot: Robot | str | os.PathLike[str], parameters: Any, joints: 
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
         parameters: The document of :func:`etalon.identify`, its ``to_dict()``, or the path of a ``parameters.json``.
-        joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
+        joints: ``(n, joints)`` or ``(joints,)``, mm and deg; or a DataFrame with the columns :attr:`etalon.Robot.joints`, in any order.
         target: Name of an identified target.
 
     Raises:
         Error: As :func:`predict`.
     """
-    rows, single = _joint_rows(joints)
-    names, found = _etalon.sensitivity(robot_of(robot), _needed(parameters), rows, target)
+    native = robot_of(robot)
+    rows, single = _joint_rows(joints, native)
+    names, found = _etalon.sensitivity(native, _needed(parameters), rows, target)
     matrix = found.reshape(len(rows), 3, -1)
     return Sensitivity(names, matrix[0] if single else matrix)
 
@@ -198,6 +201,13 @@ class Positions:
             raise TypeError("a single position has no length")
         return len(self.xyz_mm)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Positions):
+            return NotImplemented
+        return np.array_equal(self.xyz_mm, other.xyz_mm, equal_nan=True) and np.array_equal(self.covariance_mm2, other.covariance_mm2, equal_nan=True)
+
+    __hash__ = None  # type: ignore[assignment]
+
 
 def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: ArrayLike, target: str) -> Positions:
     """Predict positions of a target by identified parameters, with their uncertainties.
@@ -205,7 +215,7 @@ def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: Arra
     Args:
         robot: The robot, or what :class:`etalon.Robot` takes.
         parameters: The document of :func:`etalon.identify`, its ``to_dict()``, or the path of a ``parameters.json``.
-        joints: ``(n, joints)`` or ``(joints,)``, mm and deg.
+        joints: ``(n, joints)`` or ``(joints,)``, mm and deg; or a DataFrame with the columns :attr:`etalon.Robot.joints`, in any order.
         target: Name of an identified target.
 
     Returns:
@@ -214,8 +224,9 @@ def predict(robot: Robot | str | os.PathLike[str], parameters: Any, joints: Arra
     Raises:
         Error: The shape is another, or the parameters belong to another robot or other targets.
     """
-    rows, single = _joint_rows(joints)
-    xyz_mm, covariance_mm2 = _etalon.predict(robot_of(robot), _needed(parameters), rows, target)
+    native = robot_of(robot)
+    rows, single = _joint_rows(joints, native)
+    xyz_mm, covariance_mm2 = _etalon.predict(native, _needed(parameters), rows, target)
     covariance_mm2 = covariance_mm2.reshape(-1, 3, 3)
     return Positions(xyz_mm[0], covariance_mm2[0]) if single else Positions(xyz_mm, covariance_mm2)
 
@@ -258,6 +269,19 @@ class Solutions:
         """Why the first pose without a solution has none; None if all poses have solutions."""
         return next(iter(self.unreachable.values()), None)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Solutions):
+            return NotImplemented
+        arrays = [(self.joints, other.joints), (self.pose, other.pose)]
+        return all(np.array_equal(own, of, equal_nan=True) for own, of in arrays) and self.unreachable == other.unreachable
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        found = len(set(self.pose.tolist()) - set(self.unreachable))
+        joints = np.array2string(self.joints, precision=4, suppress_small=True, threshold=70)
+        return f"Solutions({found} poses solved, {len(self.unreachable)} unreachable)\n{joints}" + (f"\nfirst reason: {self.reason}" if self.reason else "")
+
 
 def inverse(
     robot: Robot | str | os.PathLike[str],
@@ -275,7 +299,8 @@ def inverse(
             has no first dimension.
         near: Start of the search: ``(joints,)`` for all poses, or ``(n, joints)``, one row for each pose. By default it is the solution of the
             previous pose. If the start reaches the pose, it is the answer. At a singular pose, the answer is the nearest of all solutions.
-        all_solutions: All solutions of each pose instead of the nearest; of robots with at most six joints.
+        all_solutions: All solutions of each pose instead of the nearest; of robots with at most six joints. Solutions that differ by whole turns of
+            a joint are one solution.
         parameters: A parameters document, its ``to_dict()``, or the path of one; nominal values without.
 
     Returns:
@@ -284,13 +309,14 @@ def inverse(
     Raises:
         Error: The shape is another, or the robot has infinitely many solutions.
     """
+    native = robot_of(robot)
     stated, single = _pose_rows(poses)
-    starts = None if near is None else _joint_rows(near, "near")[0]
+    starts = None if near is None else _joint_rows(near, native, "near")[0]
     if starts is not None and len(starts) not in (1, len(stated)):
         raise Error(f"`near` has {len(starts)} rows: expected one, or one for each of the {len(stated)} poses")
     search = {"near": starts, "all": all_solutions}
     try:
-        rows, joints, missing = _etalon.inverse(robot_of(robot), stated, search, json_of(parameters))
+        rows, joints, missing = _etalon.inverse(native, stated, search, json_of(parameters))
     except Error as error:
         raise error.with_hint("infinite-solutions", "leave `all_solutions` out to get one solution") from None
     row = np.asarray(rows, dtype=np.intp)
@@ -302,12 +328,23 @@ def inverse(
     return Solutions(nearest[0] if single else nearest, np.arange(len(stated)), unreachable)
 
 
-def _joint_rows(joints: ArrayLike, name: str = "joints") -> tuple[NDArray[np.float64], bool]:
-    """Return joint values as rows, and whether those of a single pose were given."""
-    values = numbers(joints, name)
+def _joint_rows(joints: ArrayLike, robot: _etalon.Robot, name: str = "joints") -> tuple[NDArray[np.float64], bool]:
+    """Return joint values as rows, and whether those of a single pose were given. Columns of a DataFrame are selected by the names of the joints."""
+    values = numbers(_joint_columns(joints, robot, name), name)
     if values.ndim not in (1, 2):
         raise Error(f"`{name}` has the shape {values.shape}: expected (n, joints), or (joints,) of a single pose")
     return np.atleast_2d(values), values.ndim == 1
+
+
+def _joint_columns(joints: Any, robot: _etalon.Robot, name: str) -> ArrayLike:
+    """Return the columns of the joints of a DataFrame that names them; other values as they are."""
+    headings = [str(heading) for heading in joints.columns] if hasattr(joints, "columns") else []
+    missing = [joint for joint in robot.joints if joint not in headings]
+    if robot.model == "five_bar" or len(missing) == len(robot.joints):
+        return cast(ArrayLike, joints)
+    if missing:
+        raise Error(f"`{name}` has no columns {', '.join(missing)}: expected a column for each joint, or an array in the order of `Robot.joints`")
+    return np.column_stack([np.asarray(joints[joint], dtype=np.float64) for joint in robot.joints])
 
 
 def _pose_rows(poses: Poses | ArrayLike) -> tuple[NDArray[np.float64], bool]:
@@ -348,6 +385,8 @@ def json_of(document: Any, name: str = "parameters") -> str | None:
         return None
     if hasattr(document, "to_json"):
         return str(document.to_json())
+    if isinstance(document, str) and document.lstrip().startswith("{"):
+        return document
     if isinstance(document, (str, os.PathLike)):
         return file_text(document, name)
     if isinstance(document, Mapping):

@@ -95,6 +95,8 @@ def test_documents_and_robots_take_the_place_of_files(arm, tmp_path):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         found = etalon.identify(robot, observed, standard_uncertainty_um=10)
+    by_path = etalon.command("export", found, robot=path, format="urdf", to=tmp_path / "of_path")
+    assert by_path.met and (tmp_path / "of_path" / "calibrated.urdf").is_file()
     path.unlink()
     answer = etalon.command("export", found, robot=robot, format=["csv", "urdf"], to=tmp_path / "cell")
     assert answer.met and {"controller.csv", "calibrated.urdf"} <= set(os.listdir(tmp_path / "cell"))
@@ -164,3 +166,71 @@ def test_members_are_explained(arm):
     assert meanings["radius_mm"].meaning and meanings["radius_mm"].type == "number | absent"
     assert {entry.name for entry in found.solver.describe()} >= set(found.solver)
     assert set(meanings) >= set(found)
+
+
+def test_records_are_found_by_their_names(arm):
+    robot, table, _ = arm
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = etalon.identify(robot, table, standard_uncertainty_um=10)
+    assert found.parameters["a_3"].nominal == 270.0
+    with pytest.raises(KeyError, match="a_33"):
+        found.parameters["a_33"]
+    poses = etalon.kinematics.direct(robot, [[10.0, -20, 30, -40, 50, -60]])
+    for answer in (etalon.kinematics.predict(robot, found, [[0.0] * 6], "SMR"), etalon.kinematics.inverse(robot, poses)):
+        assert pickle.loads(pickle.dumps(answer)) == answer
+    assert "1 poses solved, 0 unreachable" in repr(etalon.kinematics.inverse(robot, poses))
+
+
+def test_columns_of_a_frame_are_joints_by_their_names(arm):
+    pandas = pytest.importorskip("pandas")
+    robot, table, _ = arm
+    frame = pandas.DataFrame(table)
+    right = etalon.kinematics.direct(robot, frame[robot.joints].to_numpy())
+    assert etalon.kinematics.direct(robot, frame) == etalon.kinematics.direct(robot, frame[robot.joints[::-1]]) == right
+    # other headings are taken in their order
+    assert etalon.kinematics.direct(robot, frame[robot.joints].rename(columns=str.upper)) == right
+    with pytest.raises(etalon.Error, match="q2_deg"):
+        etalon.kinematics.direct(robot, frame.drop(columns="q2_deg"))
+
+
+def test_an_arm_is_made_of_arrays():
+    alpha, a, theta, d = IRB120
+    limits = np.array([[-165, 165], [-110, 110], [-110, 70], [-160, 160], [-120, 120], [-400, 400]])
+    robot = etalon.Robot.from_dh(alpha, a, theta, d, modified=True, limits=limits)
+    joints = np.random.default_rng(3).uniform(-60, 60, (10, 6))
+    assert etalon.kinematics.direct(robot, joints).matrix == pytest.approx(dh(joints, *IRB120), abs=1e-9)
+    assert robot.limits == pytest.approx(limits)
+    slide = etalon.Robot.from_dh([0, 90], [0, 0], [0, 0], [100, 0], prismatic=[True, False])
+    assert slide.joints == ["q1_mm", "q2_deg"] and etalon.kinematics.direct(slide, [20.0, 0]).xyz_mm == pytest.approx([0, 0, 120], abs=1e-9)
+    with pytest.raises(etalon.Error, match="for each joint"):
+        etalon.Robot.from_dh(alpha, a[:5], theta, d)
+
+
+@pytest.mark.parametrize("text", ["1.000", "1.500,0"])
+def test_thousands_marks_in_texts_are_refused(text):
+    """In German texts 1.000 is one thousand."""
+    table = {"position_mm": [text] * 4, "measured_mm": ["0,1", "0,2", "0,1", "0,2"], "direction": [1, 1, -1, -1]}
+    with pytest.raises(etalon.Error, match="row 1: .* has a point"):
+        etalon.iso230(table, decimal=",")
+    polars = pytest.importorskip("polars")
+    with pytest.raises(etalon.Error, match="row 2: .* has a point"):
+        etalon.iso230(polars.DataFrame(dict(table, position_mm=["0,0", text, "0,0", text])), decimal=",")
+
+
+def test_a_frame_of_fitted_balls_has_their_uncertainty():
+    noise = np.random.default_rng(5)
+    centres = np.array([[0.0, 0, 0], [400, 0, 0], [0, 300, 0]])
+    directions = noise.normal(size=(3, 40, 3))
+    touched = centres[:, None] + 12.7 * directions / np.linalg.norm(directions, axis=2, keepdims=True) + noise.normal(0, 0.003, (3, 40, 3))
+    balls = [etalon.fit.sphere(points) for points in touched]
+    worst = max(ball.standard_uncertainty.point_mm for ball in balls)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        frame = etalon.frames.three_points(*balls)
+    assert frame.standard_uncertainty_mm == pytest.approx([worst] * 3, rel=1e-9)
+
+
+def test_an_unknown_id_has_no_class_of_warnings():
+    with pytest.raises(etalon.Error, match="columns-not-red"):
+        etalon.warning_class("columns-not-red")
