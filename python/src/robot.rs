@@ -131,10 +131,12 @@ impl Robot {
     /// Lower and upper limit (deg or mm) of each joint; infinite without a limit.
     #[getter]
     fn limits(&self) -> PyResult<Vec<[f64; 2]>> {
+        // without the rounding error of the conversion to radians and back
+        let rounded = |value: f64| (value * 1e9).round() / 1e9;
         let model = self.model()?;
         let joints = model.joints().iter().enumerate();
         let limits = joints.map(|(i, joint)| match model.joint_range(i) {
-            JointRange::Limits(ends) => ends.map(|q| joint.quantity.outward(q)),
+            JointRange::Limits(ends) => ends.map(|q| rounded(joint.quantity.outward(q))),
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         });
         Ok(limits.collect())

@@ -64,6 +64,23 @@ def test_every_pose_that_joint_values_reach_has_a_solution_within_the_limits(nam
     assert (found.joints >= lower - 1e-9).all() and (found.joints <= upper + 1e-9).all()
 
 
+@pytest.mark.parametrize("name", ["kr6-r900-sixx", "irb120", "tx60"])
+def test_joints_at_their_limits_are_solutions(name):
+    robot = etalon.Robot(name)
+    assert (robot.limits == np.round(robot.limits, 6)).all()
+    noise = np.random.default_rng(11)
+    ends = robot.limits[np.arange(6), noise.integers(0, 2, (60, 6))]
+    joints = np.where(noise.random((60, 6)) < 0.3, ends, noise.uniform(*robot.limits.T, (60, 6)))
+    found = etalon.kinematics.inverse(robot, etalon.kinematics.direct(robot, joints))
+    assert not found.unreachable, found.reason
+
+
+def test_a_pose_without_numbers_has_its_reason():
+    pose = etalon.kinematics.direct("ur5e", [[0.0, -80, 70, 0, 50, 0], [np.nan] * 6])
+    found = etalon.kinematics.inverse("ur5e", pose)
+    assert list(found.unreachable) == [1] and found.reason.id == "pose-not-finite"
+
+
 def test_joints_without_limits_do_not_wind_up():
     arm = etalon.Robot.from_toml(toml(IRB120))
     poses = etalon.kinematics.direct(arm, np.random.default_rng(1).uniform(-150, 150, (200, 6)))

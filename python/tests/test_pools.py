@@ -162,3 +162,23 @@ def test_ctrl_c_ends_a_search():
     finally:
         process.kill()
     assert out.split() == ["ended", "True"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+def test_ctrl_c_ends_inverse_kinematics():
+    script = """
+        poses = etalon.kinematics.direct("panda", noise.uniform(-80, -10, (1_000_000, 7)))
+        try:
+            print("begins", flush=True)
+            etalon.kinematics.inverse("panda", poses)
+        except KeyboardInterrupt:
+            print("ended")
+    """
+    process = subprocess.Popen([sys.executable, "-c", HEAD + textwrap.dedent(script)], stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parent)
+    try:
+        assert process.stdout.readline().strip() == "begins"
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    assert out.split() == ["ended"]

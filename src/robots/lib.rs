@@ -575,13 +575,17 @@ fn nearest<R: Robot + ?Sized>(
     within.ok_or_else(|| why.unwrap_or_else(|| phrase!("out-of-reach")))
 }
 
+/// Distance (deg or mm) of a joint value from its limit that is a rounding error of the solution.
+const ROUNDING: f64 = 1e-6;
+
 /// Description of the joint value beyond its limits (rad or mm), if any.
 fn limit_violation(joints: &[Joint], limits: &[Option<[f64; 2]>], values: &[f64]) -> Option<Phrase> {
     let beyond = |(joint, (q, limit)): (&Joint, (&f64, &Option<[f64; 2]>))| {
         let [lower, upper] = (*limit)?.map(|v| joint.quantity.outward(v));
         let (q, unit) = (joint.quantity.outward(*q), joint.quantity.unit());
         let name = &joint.name;
-        (!(lower..=upper).contains(&q)).then(|| phrase!("joint-beyond-limits", joint = name, q, unit, lower, upper))
+        (!(lower - ROUNDING..=upper + ROUNDING).contains(&q))
+            .then(|| phrase!("joint-beyond-limits", joint = name, q, unit, lower, upper))
     };
     joints.iter().zip(values.iter().zip(limits)).find_map(beyond)
 }

@@ -3,9 +3,10 @@
 use crate::run::documents::parse_parameters;
 use crate::stages::verify::earlier_parameters::{other_nominal, robot_values};
 use etalon_base::catalogue::Phrase;
-use etalon_base::error;
+use etalon_base::interruption::checkpoint;
 use etalon_base::message::{Place, Result};
 use etalon_base::pose::{Pose, Vector, cross, minus};
+use etalon_base::{error, phrase};
 use etalon_campaign::RobotFile;
 use etalon_documents::ParametersDocument;
 use etalon_robots::{Kinematics, Robot, Role};
@@ -56,6 +57,10 @@ pub fn inverse(arm: &dyn Kinematics, poses: &[Pose], starts: &[Vec<f64>], neares
     }
     let mut last = vec![0.0; joints];
     let solutions = poses.iter().enumerate().map(|(row, pose)| {
+        checkpoint();
+        if !pose.translation_mm.iter().chain(&pose.quaternion()).all(|value| value.is_finite()) {
+            return Err(phrase!("pose-not-finite"));
+        }
         let start = if starts.len() == 1 { starts.first() } else { starts.get(row) }.unwrap_or(&last);
         let found = match nearest {
             true => arm.nearest_joints(&nominal, pose, start).map(|joints| vec![joints]),

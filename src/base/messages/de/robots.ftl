@@ -85,6 +85,7 @@ measure-different-angles = Posen mit verschiedenen |theta| messen, zum Beispiel 
 
 out-of-reach = nicht erreichbar
 out-of-reach-by = nicht erreichbar: { FIXED($away_mm, 1) } mm vom ersten Gelenk entfernt, der Arm reicht { FIXED($reach_mm, 1) } mm weit
+pose-not-finite = die Pose enthält Werte, die keine endlichen Zahlen sind
 no-solution-found = keine Lösung von { $starts } Startwerten innerhalb der Gelenkgrenzen gefunden
 out-of-nominal-reach = für den nominalen Roboter nicht erreichbar
 joint-beyond-limits = { $joint } = { $q } { $unit }, außerhalb der Grenzen { $lower } und { $upper } { $unit }

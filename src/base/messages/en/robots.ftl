@@ -85,6 +85,7 @@ measure-different-angles = measure poses with different values of |theta|, for e
 
 out-of-reach = out of reach
 out-of-reach-by = out of reach: { FIXED($away_mm, 1) } mm from the first joint; the reach of the arm is { FIXED($reach_mm, 1) } mm
+pose-not-finite = the pose contains values that are not finite numbers
 no-solution-found = no solution within the joint limits was found from { $starts } starting points
 out-of-nominal-reach = out of reach of the nominal robot
 joint-beyond-limits = { $joint } = { $q } { $unit } is outside its limits { $lower } and { $upper } { $unit }

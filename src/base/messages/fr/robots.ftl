@@ -84,6 +84,7 @@ measure-all-working-modes = mesurer chaque position dans tous les modes de trava
 measure-different-angles = mesurer des poses de |theta| différents, par exemple 0 et la plus grande valeur de la table
 out-of-reach = hors de portée
 out-of-reach-by = hors de portée : à { FIXED($away_mm, 1) } mm de la première articulation, le bras atteint { FIXED($reach_mm, 1) } mm
+pose-not-finite = la pose contient des valeurs qui ne sont pas des nombres finis
 no-solution-found = aucune solution trouvée à partir de { $starts } départs dans les limites articulaires
 out-of-nominal-reach = hors de portée du robot nominal
 joint-beyond-limits = { $joint } = { $q } { $unit }, hors des limites { $lower } et { $upper } { $unit }
