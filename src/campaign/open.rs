@@ -16,8 +16,8 @@ pub enum OpenPart<'l> {
     AngleUnit,
 }
 
-/// Names of a rotation in `columns` of an export, whose unit is open.
-const ROTATION: [&str; 3] = ["rx_UNIT", "ry_UNIT", "rz_UNIT"];
+/// Names of a rotation in `columns` of an export or of a table, whose unit is open.
+const ROTATION: [&str; 6] = ["rx_UNIT", "ry_UNIT", "rz_UNIT", " a_UNIT", " b_UNIT", " c_UNIT"];
 
 impl OpenPart<'_> {
     /// Completes this part of a line with a value of TOML, or with a unit.
@@ -26,8 +26,10 @@ impl OpenPart<'_> {
             Self::Value(key) => line.replace(&format!("{key} = \"?\""), &format!("{key} = {answer}")),
             Self::JointUnit => {
                 // the unit of the times is another question
-                let others = line.replace("time_UNIT", "time_\u{1}").replace("_UNIT", &format!("_{answer}"));
-                others.replace("time_\u{1}", "time_UNIT")
+                let kept = std::iter::once("time_UNIT").chain(ROTATION);
+                let hidden =
+                    kept.fold(line.to_owned(), |line, name| line.replace(name, &name.replace("UNIT", "\u{1}")));
+                hidden.replace("_UNIT", &format!("_{answer}")).replace('\u{1}', "UNIT")
             }
             Self::TimeUnit => line.replace("time_UNIT", &format!("time_{answer}")),
             Self::AngleUnit => {
@@ -55,7 +57,7 @@ pub fn open_parts(line: &str) -> Vec<OpenPart<'_>> {
     if stated.contains("time_UNIT") {
         parts.push(OpenPart::TimeUnit);
     }
-    if stated.contains(ROTATION[0]) {
+    if ROTATION.iter().any(|name| stated.contains(name)) {
         parts.push(OpenPart::AngleUnit);
     }
     let others =
@@ -102,9 +104,12 @@ mod tests {
                 "columns = { time_UNIT = \"t\", q1_UNIT = 1, q2_UNIT = { number = 2, per_count = \"?\" } }",
                 vec![Value("per_count"), TimeUnit, JointUnit],
             ),
+            ("columns = { q1_UNIT = 1, x_mm = 2, a_UNIT = 3, b_UNIT = 4, c_UNIT = 5 }", vec![AngleUnit, JointUnit]),
         ] {
             assert_eq!(open_parts(line), parts, "{line}");
         }
+        let line = "columns = { q1_UNIT = 1, a_UNIT = 3 }";
+        assert_eq!(JointUnit.answered(line, "rad"), "columns = { q1_rad = 1, a_UNIT = 3 }");
         let line = "format = { rotation = \"?\", columns = [\"rx_UNIT\", \"ry_UNIT\", \"rz_UNIT\"] }";
         let line = Value("rotation").answered(&AngleUnit.answered(line, "deg"), "\"zyx\"");
         assert_eq!(line, "format = { rotation = \"zyx\", columns = [\"rx_deg\", \"ry_deg\", \"rz_deg\"] }");

@@ -28,7 +28,7 @@ pub struct Init {
     /// Propose the whole campaign from these files: exports, logs, tables with both, observations.
     ///
     /// The files are copied into the folder, and `etalon check` lists the data that they do not
-    /// contain. Needs --robot or --urdf.
+    /// contain. Needs --robot or --urdf, except for tests of poses.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "synthetic")]
     from: Vec<PathBuf>,
     /// Print the names of the files written as JSON.

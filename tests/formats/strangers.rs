@@ -336,6 +336,12 @@ fn a_motion_without_a_common_clock_is_proposed_by_its_speeds() {
     assert_eq!(code, Some(0), "{said}");
     let proposed = text(at, "mine/campaign.toml");
     assert!(proposed.contains("clock_offset_s = \"motion\"") && proposed.contains("interpolate = true"), "{proposed}");
+    // robot.toml states no place of the reflector, which is 60 mm beside the flange
+    assert_eq!(answer(at, &[("unit", "\"mm\""), ("UNIT", "rad"), INSTRUMENT[0], INSTRUMENT[1]]).len(), 4);
+    let document = found(at);
+    let value = |name: &str| document.parameters.iter().find(|p| p.name.ends_with(name)).map(|p| p.value).unwrap();
+    assert!((value("_x") - 60.0).abs() < 0.1, "{}", value("_x"));
+    assert!(document.residuals.rms < 0.05, "{}", document.residuals.rms);
 }
 
 /// Poses in four rows each, and records of a total station, are refused by their names.
@@ -345,13 +351,146 @@ fn files_without_rows_of_points_are_named() {
     let at = folder.path();
     let matrix = "1,0,0,512.5\n0,1,0,-20.25\n0,0,1,300.5\n0,0,0,1\n";
     let gsi = |line: &str| format!("{line}110002+00000001 21.102+10000000 22.102+15000000 31..00+00002000\n");
+    let feet = gsi("").replace("31..00+", "31..07+");
     let station = gsi("110003+00000ST1 84..40+00519659 85..40+00465244 86..40-00000588\n");
     for (id, arguments, text) in [
         ("matrices-in-blocks", &["formats", "f.txt"][..], matrix.repeat(3)),
         ("stations-several", &["fit", "plane", "f.txt", "--format", "leica_gsi", "--unit", "m"], station.repeat(2)),
+        (
+            "numbers-behind-names",
+            &["formats", "f.txt"],
+            "mark index: 1\npoint x:428.031 y:-37.130 z:431.590\n".repeat(3),
+        ),
+        ("gsi-feet", &["fit", "plane", "f.txt", "--format", "leica_gsi", "--unit", "m"], feet.repeat(4)),
     ] {
         std::fs::write(at.join("f.txt"), text).unwrap();
         let (code, said) = program(at, arguments);
         assert!(code == Some(2) && said.contains(&format!("error[{id}]")), "{said}");
     }
+}
+
+/// Rows of the log under these headings, behind a number of the row.
+fn numbered_log(rows: &[(Vec<f64>, [f64; 3], [f64; 4])], head: &str) -> String {
+    let mut log = format!("Nr;{head}\n");
+    for (i, (q, ..)) in (1..).zip(rows) {
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.5}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i};{}", cells.join(";"));
+    }
+    log
+}
+
+/// The number of the rows joins files in another order, and the names of a controller's joints are those of the robot's own order.
+#[test]
+fn a_number_joins_rows_in_another_order_with_the_joints_of_a_controller() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = measured(at, 60);
+    let mut points = "Nr;X [mm];Y [mm];Z [mm]\n".to_owned();
+    for i in (0..60).map(|i| (7 * i) % 60).filter(|i| i % 12 != 5) {
+        let p = rows[i].1;
+        let _ = writeln!(points, "{};{:.4};{:.4};{:.4}", i + 1, p[0], p[1], p[2]);
+    }
+    std::fs::write(at.join("points.csv"), points).unwrap();
+    std::fs::write(at.join("log.csv"), numbered_log(&rows, "Base;Shoulder;Elbow;Wrist 1;Wrist 2;Wrist 3")).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "ur5e", "--from", "points.csv", "log.csv"]);
+    assert_eq!(code, Some(0), "{said}");
+    let proposed = text(at, "mine/campaign.toml");
+    for part in ["by = [\"pose\"]", "pose = \"Nr\", q1_deg = \"Base\"", "q6_deg = \"Wrist 3\""] {
+        assert!(proposed.contains(part), "{part}: {proposed}");
+    }
+    assert_eq!(answer(at, &INSTRUMENT).len(), 2);
+    is_calibrated(&found(at));
+}
+
+/// Headings that name the joints in another order than the kinematics are repaired with a doubt.
+#[test]
+fn headings_of_swapped_joints_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rows = measured(at, 40);
+    let mut points = "Nr;X [mm];Y [mm];Z [mm]\n".to_owned();
+    for (i, (_, p, _)) in (1..).zip(&rows) {
+        let _ = writeln!(points, "{i};{:.4};{:.4};{:.4}", p[0], p[1], p[2]);
+    }
+    std::fs::write(at.join("points.csv"), points).unwrap();
+    let told = |head: &str| {
+        std::fs::write(at.join("log.csv"), numbered_log(&rows, head)).unwrap();
+        let (code, said) =
+            program(at, &["formats", "points.csv", "log.csv", "--robot", "nominal/robot.toml", "--json"]);
+        assert_eq!(code, Some(0), "{said}");
+        said.contains("robot-contradicts-order")
+    };
+    assert!(!told("shoulder_pan;shoulder_lift;elbow;wrist_1;wrist_2;wrist_3"));
+    assert!(told("shoulder_pan;elbow;shoulder_lift;wrist_1;wrist_2;wrist_3"));
+    assert!(!told("J1;J2;J3;J4;J5;J6") && told("J1;J3;J2;J4;J5;J6"));
+}
+
+/// A test of poses needs no robot: its tables may have the headings of a stranger, and may be one table.
+#[test]
+fn a_test_of_poses_is_started_without_a_robot() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let place = |p: i32| [100.0 * f64::from(p), 50.0 * f64::from(p * p), 300.0 - 10.0 * f64::from(p)];
+    let cells = |[x, y, z]: [f64; 3]| format!("{x:.4};{y:.4};{z:.4}");
+    let (mut attained, mut both) = (
+        "Pose;Zyklus;X Ist;Y Ist;Z Ist\n".to_owned(),
+        "Pose;Zyklus;X Ist;Y Ist;Z Ist;X Soll;Y Soll;Z Soll\n".to_owned(),
+    );
+    for (cycle, p) in (1..=30).flat_map(|cycle| (1..=5).map(move |p| (cycle, p))) {
+        let off = 0.01 * f64::from((7 * cycle + 3 * p) % 5);
+        let _ = writeln!(attained, "{p};{cycle};{}", cells(place(p).map(|v| v + off)));
+        let _ = writeln!(both, "{p};{cycle};{};{}", cells(place(p).map(|v| v + off)), cells(place(p)));
+    }
+    let commanded =
+        (1..=5).fold("Pose;X Soll;Y Soll;Z Soll\n".to_owned(), |all, p| all + &format!("{p};{}\n", cells(place(p))));
+    for (file, text) in [("ist.csv", attained), ("soll.csv", commanded), ("beide.csv", both)] {
+        std::fs::write(at.join(file), text).unwrap();
+    }
+    let mut found = Vec::new();
+    for files in [&["ist.csv", "soll.csv"][..], &["beide.csv"]] {
+        let (code, said) = program(at, &[&["init", "mine", "--from"], files].concat());
+        assert_eq!(code, Some(0), "{said}");
+        let path = at.join("mine/campaign.toml");
+        let proposed = std::fs::read_to_string(&path).unwrap();
+        assert!(proposed.contains("\n[poses]\n") && !proposed.contains("robot.toml\""), "{proposed}");
+        let stated = proposed.replace("_UNIT", "_mm").replacen("name = \"?\"", "name = \"tracker\"", 1);
+        std::fs::write(&path, stated.replace("expanded_uncertainty_um = \"?\"", "expanded_uncertainty_um = 10"))
+            .unwrap();
+        let (code, said) = program(at, &["run", "mine"]);
+        assert_eq!(code, Some(0), "{said}");
+        let document: serde_json::Value = serde_json::from_str(&text(at, "mine/out/iso9283.json")).unwrap();
+        found.push(document["poses"].as_array().unwrap().iter().map(|pose| pose["ap_mm"].clone()).collect::<Vec<_>>());
+        std::fs::remove_dir_all(at.join("mine")).unwrap();
+    }
+    assert!(found[0].len() == 5 && found[0] == found[1], "{found:?}");
+    // other files need the robot
+    std::fs::write(at.join("points.csv"), "Pose;X;Y;Z\n1;1.5;2.5;3.5\n2;2.5;3.5;5.5\n3;7.5;1.5;3.5\n").unwrap();
+    let (code, said) = program(at, &["init", "mine", "--from", "points.csv"]);
+    assert!(code == Some(2) && said.contains("error[from-needs-robot]"), "{said}");
+}
+
+/// Labels of a target and a pose in the words of a stranger are read in their own form.
+#[test]
+fn labels_with_words_for_target_and_pose_are_split_at_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let mut points = "Name;X [mm];Y [mm];Z [mm]\n".to_owned();
+    for i in 0..24 {
+        let t = f64::from(i);
+        let _ = writeln!(
+            points,
+            "Pos{}:Ball{};{:.3};{:.3};{:.3}",
+            i / 3 + 1,
+            i % 3 + 1,
+            900.0 + 50.0 * t.sin(),
+            t * t,
+            3.5 * t
+        );
+    }
+    std::fs::write(at.join("points.csv"), points).unwrap();
+    let (code, said) = program(at, &["formats", "points.csv"]);
+    assert!(
+        code == Some(0) && said.contains("label = \"Pos{pose}:{target}\"   # all 24 labels have this form"),
+        "{said}"
+    );
 }

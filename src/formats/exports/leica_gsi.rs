@@ -195,7 +195,10 @@ fn row(text: &Text, line: usize, content: &str) -> Result<(Kind, Point), Message
     let word = |index: u8| all.iter().find(|word| word.index == index);
     let value = |index: u8, read: fn(Word) -> Option<f64>| -> Result<Option<f64>, Message> {
         let Some(word) = word(index).filter(|word| !word.is_missing()) else { return Ok(None) };
-        let invalid = || error!("record-invalid", text = word.value, format = "leica_gsi", valid = "81..00+00001234");
+        let invalid = || match (word.unit, index) {
+            (b'1' | b'7', 31 | 81..=83) => error!("gsi-feet"),
+            _ => error!("record-invalid", text = word.value, format = "leica_gsi", valid = "81..00+00001234"),
+        };
         read(*word).map(Some).ok_or_else(|| invalid().at(text.place(line)))
     };
     let label = word(11).map_or("", |word| word.value.trim_start_matches('0'));
@@ -268,8 +271,10 @@ mod tests {
         let other = "110004+00000001 21.102+30000000 22.102+10000000 31..00+00009000\n";
         let (_, problems) = read(&format!("{polar}{code}{other}{other}"));
         assert!(problems.0.len() == 1 && problems.0[0].is("stations-several", &[("line", &2)]), "{problems:?}");
-        // feet
+        // feet are not said to be international or of the US survey
         assert!(read("110001+00000001 81..01+00001234 82..01+00001 83..01+0").1.0[0].is("record-invalid", &[]));
+        let feet = "110001+00000001 81..07+00001234 82..07+00001234 83..07+00001234\n";
+        assert!(read(feet).1.0[0].is("gsi-feet", &[]));
         let document = crate::propose("s.gsi", text);
         assert_eq!(document.format.as_deref(), Some("leica_gsi"), "{}", document.toml);
         assert!(document.toml.contains("unit = \"m\""), "{}", document.toml);

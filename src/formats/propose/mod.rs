@@ -1,20 +1,24 @@
 //! Proposals for reading a file: lines for campaign.toml with reasons, doubts and questions.
 
 mod by_robot;
+mod labels;
 mod layout;
 mod native;
 #[cfg(test)]
 mod reading_tests;
 mod recording;
 mod several;
+#[cfg(test)]
+mod stranger_tests;
 mod structure;
 
 use by_robot::{against, branches, kinematics, motion, turned};
 use layout::{arrays, coordinates, headings, lines, meaning, table};
 
 pub use branches::{TargetFit, fit_targets};
+pub use labels::label_form;
 pub use lines::JOINTS as JOINTS_REMARK;
-pub use several::{FilesProposal, has_several_tables, label_form, propose_files, world_lines};
+pub use several::{FilesProposal, has_several_tables, propose_files, world_lines};
 pub use table::heading_without_unit;
 
 use super::exports::qif::is_xml;
@@ -44,9 +48,20 @@ fn without_points(text: &str) -> Option<(&'static str, f64)> {
     let certificate = head(text).contains("digitalCalibrationCertificate") || head(text).contains("dfm.dk");
     let roughness = text.starts_with("// Header") && text.contains("Version;SJ-4");
     // records of total stations, by their first line
-    let station = [("sdr33", "00NMSDR"), ("m5", "For M5|"), ("m5", "For_M5|")];
-    if let Some((kind, _)) = station.into_iter().find(|(_, mark)| text.starts_with(mark)) {
+    let station = [("sdr33", "00NMSDR"), ("m5", "For M5|"), ("m5", "For_M5|"), ("south", "INST    NTS")];
+    let begins = |mark: &str| text.lines().take(3).any(|line| line.trim_start_matches('\u{feff}').starts_with(mark));
+    if let Some((kind, _)) = station.into_iter().find(|(_, mark)| begins(mark)) {
         return Some((kind, 0.9));
+    }
+    if text
+        .lines()
+        .take(400)
+        .any(|line| ["movej(", "movel(", "movep("].iter().any(|mark| line.trim_start().starts_with(mark)))
+    {
+        return Some(("urscript", 0.9));
+    }
+    if structure::is_mesh(text) {
+        return Some(("mesh", 0.9));
     }
     match (is_xml(text), roughness) {
         (_, true) => Some(("roughness", 1.0)),
@@ -76,6 +91,18 @@ fn known(text: &str) -> Option<Known> {
 /// Score above which a log is proposed in its format; below it the format is a question.
 const SURE: f64 = 0.5;
 
+/// Writes the form of the labels of an export into the lines of a file that is proposed alone.
+fn state_label_form(document: &mut FormatsDocument, labels: &[String]) {
+    let has_both = |(form, targets): &(String, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
+    let Some((form, _)) = labels::label_form(labels).filter(has_both) else { return };
+    let line = format!("label = {}   # all {} labels have this form\n", quoted(&form), labels.len());
+    // a format of its own gives no form of its labels
+    match document.format.is_some() {
+        true => document.toml += &line,
+        false => document.toml = document.toml.replacen(several::LABEL_LINE, &line, 1),
+    }
+}
+
 /// Maximum number of columns that are explained in the comments of a proposal.
 const SHOWN_COLUMNS: usize = 60;
 
@@ -93,12 +120,18 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// # Errors
 /// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
-    match robot {
-        Some(known) => {
-            propose_corrected(path, None, robot, Some(&mut |table, found| against::correct(known, table, found)))
-        }
-        None => propose_corrected(path, None, None, None),
-    }
+    let mut labels: Vec<String> = Vec::new();
+    let mut document = propose_corrected(
+        path,
+        None,
+        robot,
+        Some(&mut |table, found| {
+            labels = found.first(Meaning::Label).map(|at| several::texts(&table.columns[at])).unwrap_or_default();
+            robot.map(|robot| against::correct(robot, table, found)).unwrap_or_default()
+        }),
+    )?;
+    state_label_form(&mut document, &labels);
+    Ok(document)
 }
 
 /// Correction of the interpretation of a table before its lines are written.
@@ -122,6 +155,9 @@ fn propose_corrected(
     if bytes.is_empty() {
         return Err(here(error!("file-empty")).into());
     }
+    if bytes.starts_with(b"LASF") {
+        return Err(here(error!("file-without-points", kind = "las")).into());
+    }
     if ros_bag::is_recording(&bytes) {
         return recording::propose_recording(&name, &bytes, robot).map_err(|message| here(message).into());
     }
@@ -139,6 +175,7 @@ fn propose_corrected(
     let other = match known(&text) {
         Some(Known::Points(..)) => None,
         Some(Known::Other(kind)) => Some(kind),
+        None if structure::has_named_numbers(&text) => return Err(here(error!("numbers-behind-names")).into()),
         None => structure::structured(&text),
     };
     if other == Some("yaml") && structure::is_of_lists(&text) {
@@ -250,7 +287,9 @@ fn propose_known_format(
     let caution = Format::named(format).and_then(|format| format.caution());
     caution.into_iter().for_each(|warning| document.doubt(warning.phrase()));
     let read = Format::named(format).zip(Unit::named(unit.unwrap_or("mm")));
-    let points = read.map(|(format, unit)| format.read(file, &text.into(), unit).0).unwrap_or_default();
+    let (points, problems) = read.map(|(format, unit)| format.read(file, &text.into(), unit)).unwrap_or_default();
+    let unread = [lines::problems_as_doubts(&problems), lines::refused_as_doubts(&points)].concat();
+    unread.into_iter().for_each(|doubt| document.doubt(doubt));
     document.rows = points.len();
     let (mut table, mut found) = points_alone(&points, unit);
     if let Some(correct) = correct {
@@ -296,7 +335,7 @@ fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpr
         taken: (0..3).map(|axis| Taken { meaning: Meaning::Point(0, axis), why: None }).collect(),
         ..Interpretation::default()
     };
-    if points.iter().all(|point| !point.label.is_empty()) {
+    if !points.is_empty() && points.iter().all(|point| !point.label.is_empty()) {
         let cells = points.iter().map(|point| (*point.label).into()).collect();
         columns.push(Column { name: Some("label".to_owned()), cells, ..Column::default() });
         found.taken.push(Taken { meaning: Meaning::Label, why: None });
@@ -460,6 +499,9 @@ fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
         doubts.push(phrase!("doubt-decimal-mark", mark));
     } else if best.threes == best.fractions && best.form.thousands.is_none() {
         doubts.push(phrase!("doubt-thousands-mark", mark));
+    }
+    if let Some(line) = best.head.line.filter(|_| best.head.is_of_groups) {
+        doubts.push(phrase!("doubt-groups-alone", line));
     }
     if let Some(line) = best.unread.filter(|_| !rows_may_differ) {
         doubts.push(phrase!("doubt-rows-not-read", count = best.rows - best.read, line));

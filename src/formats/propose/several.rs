@@ -2,7 +2,8 @@
 
 use super::against::{Remarks, described, name_joints};
 use super::kinematics::{Outcome, Sample, test};
-use super::meaning::{Interpretation, Meaning};
+use super::labels::{ALONE, FEWER, Labels, MOST_TARGETS, NUMBER, are_numbers};
+use super::meaning::{Interpretation, Meaning, PointSet};
 use super::motion::{Meeting, Motion};
 use super::table::{Column, Table};
 use super::{FormatsDocument, against, files_beside, propose_corrected, recording, sheets, turned};
@@ -13,7 +14,6 @@ use crate::input::read_bytes;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Result, printable};
 use etalon_base::phrase;
-use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_documents::FormatsJoin;
 use etalon_robots::Robot;
@@ -22,28 +22,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Forms of labels that are tried.
-const LABELS: [&str; 8] = [
-    "{target}_{pose}_{cycle}",
-    "{target}-{pose}-{cycle}",
-    "{target}_{pose}",
-    "{target}-{pose}",
-    "{pose}_{target}",
-    "P{pose}_{target}",
-    "{target}{pose}",
-    "P{pose}",
-];
-/// Form of a label that is the number of its pose.
-const NUMBER: &str = "{pose}";
-/// Form of labels that name a target and no pose.
-const ALONE: &str = "{target}";
 /// Remark on an export of points that do not move with the robot.
 const STATIONARY_LINE: &str = "# stationary points: the labels name no pose, and no row of the log belongs to them\n";
-/// Maximum number of targets that labels name without a pose, and of stationary points.
-const MOST_TARGETS: usize = 12;
-/// Points that do not move with the robot have fewer names that could be poses than this part of
-/// the poses of the others.
-const FEWER: usize = 5;
 /// Line of a proposal for labels.
 pub(super) const LABEL_LINE: &str =
     "label = \"{target}_{pose}_{cycle}\"   # how a label names target, pose and repeat, if it does\n";
@@ -97,7 +77,7 @@ pub(super) struct Keys {
     labels: Option<Vec<String>>,
     times: Option<Vec<f64>>,
     /// Form of the labels, and the targets that the labels name.
-    form: Option<(&'static str, Vec<String>)>,
+    form: Option<(String, Vec<String>)>,
     /// Labels of stationary points among the labels of targets.
     still: Vec<String>,
 }
@@ -253,7 +233,7 @@ fn leave_stationary(parts: &mut [Part], found: &mut [(usize, Keys, Option<Join>)
         (*keys, *join) = (Keys::new(&parts[*at]), None);
         let names: BTreeSet<String> = keys.labels.iter().flatten().cloned().collect();
         parts[*at].doubt(phrase!("doubt-stationary-points", count = names.len(), poses = most));
-        keys.form = Some((ALONE, names.into_iter().collect()));
+        keys.form = Some((ALONE.to_owned(), names.into_iter().collect()));
     }
     Ok(())
 }
@@ -293,18 +273,27 @@ const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
 /// those of etalon are named in it.
 fn poses(parts: &mut [Part]) -> Option<String> {
     let of_kind = |parts: &[Part], kind: &str| parts.iter().position(|part| part.document.kind == kind);
-    if let Some([attained, commanded]) = tables_of_poses(parts) {
-        parts[attained].document.kind = "poses".to_owned();
+    let tables = tables_of_poses(parts);
+    if let Some([attained, commanded]) = tables {
         parts[commanded].document.kind = "commanded".to_owned();
-        for at in [attained, commanded] {
+        parts[attained].document.kind = "poses".to_owned();
+        // the remark that no column was measured
+        parts[commanded].withdraw_doubt("doubt-all-commanded");
+        for at in BTreeSet::from([attained, commanded]) {
             parts[at].document.because(phrase!("because-test-of-poses"));
         }
     }
-    let (attained, commanded) = (of_kind(parts, "poses")?, of_kind(parts, "commanded")?);
+    let other = || of_kind(parts, "poses").zip(of_kind(parts, "commanded")).map(|(a, c)| [a, c]);
+    let [attained, commanded] = tables.or_else(other)?;
     let file = |at: usize| quoted(&parts[at].document.file);
-    let own = |at: usize| parts[at].read.as_ref().filter(|_| parts[at].document.toml.contains("[[export]]"));
-    let form = |at: usize| own(at).map(|(table, found)| table_of_poses(table, found));
-    let (of_attained, of_commanded) = (form(attained), form(commanded));
+    let is_foreign = |at: usize| tables.is_some_and(|tables| tables.contains(&at));
+    let own = |at: usize| parts[at].read.as_ref().filter(|_| is_foreign(at));
+    let set = |at: usize, is_commanded: bool| {
+        let (table, found) = own(at)?;
+        let set = if is_commanded { found.commanded_point() } else { found.points.first() };
+        Some(table_of_poses(table, found, set?, is_commanded))
+    };
+    let (of_attained, of_commanded) = (set(attained, false), set(commanded, true));
     let reference = of_kind(parts, "reference").map(|at| format!("reference = {}\n", file(at))).unwrap_or_default();
     let stated = |at: usize, form: &Option<Vec<String>>| match form {
         Some(keys) => format!("{{ file = {}, {} }}", file(at), keys.join(", ")),
@@ -322,23 +311,33 @@ fn poses(parts: &mut [Part]) -> Option<String> {
     Some(section)
 }
 
-/// Two exports without a log that are a test of poses: poses that were attained in several cycles,
-/// and each of these poses once.
+/// Tables without a log that are a test of poses: poses that were attained in several cycles, and
+/// each of these poses once, or a table that has both in each row.
 fn tables_of_poses(parts: &[Part]) -> Option<[usize; 2]> {
-    if parts.iter().any(|part| !["export", "reference"].contains(&&*part.document.kind)) {
+    if parts.iter().any(|part| !["export", "commanded", "reference"].contains(&&*part.document.kind)) {
         return None;
     }
     let poses = |part: &Part| -> Option<(Vec<String>, bool)> {
-        let (table, found) = part.read.as_ref().filter(|(_, found)| found.points.len() == 1)?;
-        let [Some(_), Some(_), _] = found.points[0].columns else { return None };
+        let (table, found) = part.read.as_ref().filter(|(_, found)| found.points.len() < 2)?;
+        let [Some(_), Some(_), _] = found.points.first().or(found.commanded_point())?.columns else { return None };
         Some((texts(&table.columns[found.first(Meaning::Pose)?]), found.first(Meaning::Cycle).is_some()))
     };
     let tables: Vec<(usize, Vec<String>, bool)> = parts
         .iter()
         .enumerate()
-        .filter(|(_, part)| part.document.kind == "export")
+        .filter(|(_, part)| ["export", "commanded"].contains(&&*part.document.kind))
         .map(|(at, part)| poses(part).map(|(names, cycles)| (at, names, cycles)))
         .collect::<Option<_>>()?;
+    let has_both = |at: usize| {
+        let found = parts[at].read.as_ref().map(|(_, found)| found);
+        found.is_some_and(|found| !found.points.is_empty() && found.commanded_point().is_some())
+    };
+    if let [(at, names, true)] = &tables[..]
+        && has_both(*at)
+        && names.iter().collect::<BTreeSet<&String>>().len() < names.len()
+    {
+        return Some([*at, *at]);
+    }
     let [(a, of_a, in_cycles), (b, of_b, again)] = &tables[..] else { return None };
     let (attained, commanded, order) = match (in_cycles, again) {
         (true, false) => (of_a, of_b, [*a, *b]),
@@ -350,8 +349,9 @@ fn tables_of_poses(parts: &[Part]) -> Option<[usize; 2]> {
     (once.len() == commanded.len() && all && attained.len() > commanded.len()).then_some(order)
 }
 
-/// Keys of a table of poses in other headings than those of etalon: its form and its columns.
-fn table_of_poses(table: &Table, found: &Interpretation) -> Vec<String> {
+/// Keys of a table of poses in other headings than those of etalon: its form and the columns of its
+/// attained or commanded point.
+fn table_of_poses(table: &Table, found: &Interpretation, set: &PointSet, is_commanded: bool) -> Vec<String> {
     let form = &table.form;
     let mut keys: Vec<String> = match &form.sheet {
         Some(sheet) => vec![format!("sheet = {}", quoted(sheet))],
@@ -370,13 +370,15 @@ fn table_of_poses(table: &Table, found: &Interpretation) -> Vec<String> {
         columns.push(format!("{name} = {source}"));
     };
     for (name, meaning) in [("pose", Meaning::Pose), ("cycle", Meaning::Cycle)] {
-        found.first(meaning).into_iter().for_each(|at| column(name.to_owned(), at));
+        let of_table = found.first(meaning).filter(|_| !is_commanded || meaning == Meaning::Pose);
+        of_table.into_iter().for_each(|at| column(name.to_owned(), at));
     }
     let unit = |at: usize| table.columns[at].heading.unit.unwrap_or("UNIT");
-    for (axis, at) in ["x", "y", "z"].into_iter().zip(found.points[0].columns) {
+    for (axis, at) in ["x", "y", "z"].into_iter().zip(set.columns) {
         at.into_iter().for_each(|at| column(format!("{axis}_{}", unit(at)), at));
     }
-    for (name, at) in ["a", "b", "c"].into_iter().zip(found.rotation_columns()) {
+    let angles = if found.points.is_empty() || !is_commanded { found.rotation_columns() } else { Vec::new() };
+    for (name, at) in ["a", "b", "c"].into_iter().zip(angles) {
         column(format!("{name}_{}", unit(at)), at);
     }
     keys.push(format!("columns = {{ {} }}", columns.join(", ")));
@@ -493,17 +495,22 @@ fn tested(robot: &dyn Robot, export: &Part, log: &Part, join: &Join) -> Option<(
     let ((points, of_export), (joints, of_log)) = (export.read.as_ref()?, log.read.as_ref()?);
     let set = of_export.points.first()?;
     let [Some(x), Some(y), Some(z)] = set.columns else { return None };
-    let columns = of_log.joint_columns();
-    let sample = Sample {
-        joints: columns
-            .iter()
-            .map(|c| join.pairs.iter().map(|(_, l)| joints.columns[*c].values[*l]).collect())
-            .collect(),
-        stated: columns.iter().map(|c| joints.columns[*c].heading.unit).collect(),
-        points: [x, y, z].map(|c| join.pairs.iter().map(|(e, _)| points.columns[c].values[*e]).collect()),
-        targets: target_numbers(export, join),
+    let targets = target_numbers(export, join);
+    let outcome = |columns: &[usize], thorough: bool| {
+        let values = |c: &usize| join.pairs.iter().map(|(_, l)| joints.columns[*c].values[*l]).collect();
+        let sample = Sample {
+            joints: columns.iter().map(values).collect(),
+            stated: columns.iter().map(|c| joints.columns[*c].heading.unit).collect(),
+            points: [x, y, z].map(|c| join.pairs.iter().map(|(e, _)| points.columns[c].values[*e]).collect()),
+            targets: targets.clone(),
+        };
+        test(robot, &sample.finite(), thorough)
     };
-    let outcome = test(robot, &sample.finite(), true);
+    let lists = against::joint_lists(robot, joints, of_log);
+    let fits = |columns: &&Vec<usize>| matches!(outcome(columns, false), Outcome::Reproduced(_));
+    let chosen = if lists.len() > 1 { lists.iter().find(fits) } else { None };
+    let columns = chosen.or(lists.first()).cloned().unwrap_or_else(|| of_log.joint_columns());
+    let outcome = outcome(&columns, true);
     Some((columns, outcome))
 }
 
@@ -549,7 +556,7 @@ pub(super) fn best_join(robot: Option<&dyn Robot>, export: &Part, keys: &Keys, l
     };
     let rest = keys.labels.as_deref().and_then(behind_common_beginning);
     let (form, rest) = rest.map(|(form, rest)| (Some(form), Some(rest))).unwrap_or_default();
-    let of_form = |(form, targets): &(&str, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
+    let of_form = |(form, targets): &(String, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
     let several_targets = keys.form.as_ref().is_some_and(of_form);
     let named = keys.poses.clone().filter(|_| !keys.by_row);
     let row = (keys.rows == of_log.rows && keys.still.is_empty()).then(|| Join {
@@ -637,9 +644,9 @@ fn name_targets(part: &mut Part, keys: &Keys, join: Option<&Join>, targets: &mut
         let by_row = join.is_some_and(|join| join.by == "row");
         // numbers that name no row of the log are names of points
         let of_join = join.and_then(|join| join.form.as_deref());
-        let form = keys.form.as_ref().filter(|(form, _)| !(by_row && *form == NUMBER));
+        let form = keys.form.as_ref().filter(|(form, _)| !(by_row && form == NUMBER));
         let form = form.filter(|_| of_join.is_none());
-        let stated = of_join.or(form.map(|(form, _)| *form));
+        let stated = of_join.or(form.map(|(form, _)| form.as_str()));
         let mut line = stated
             .map(|form| match keys.still.len() {
                 0 => format!("label = {}   # all {} labels have this form\n", quoted(form), keys.rows),
@@ -701,7 +708,11 @@ impl Part {
                 let whole = !found.points.is_empty() && !found.joint_columns().is_empty();
                 // columns of joints of several branches are known by their headings alone
                 let by_headings = robot.is_some_and(|robot| !robot.branches().is_empty());
-                let remarks = robot.filter(|_| whole || by_headings).map(|robot| against::correct(robot, table, found));
+                // numbers without headings may be joints and a point
+                let nameless = table.columns.iter().all(|column| column.name.is_none());
+                let remarks = robot
+                    .filter(|_| whole || by_headings || nameless)
+                    .map(|robot| against::correct(robot, table, found));
                 read = Some((table.clone(), found.clone()));
                 remarks.unwrap_or_default()
             }),
@@ -796,6 +807,11 @@ impl Part {
         }
     }
 
+    /// Removes a doubt that the other file settles.
+    fn withdraw_doubt(&mut self, id: &str) {
+        self.document.doubts.retain(|doubt| doubt.phrase().is_none_or(|phrase| phrase.id != id));
+    }
+
     /// Removes a question that is answered.
     fn withdraw(&mut self, id: &str) {
         let is_asked = |question: &Worded| question.phrase().is_some_and(|phrase| phrase.id == id);
@@ -846,7 +862,7 @@ impl Part {
         }
         let labels = texts(&table.columns[found.first(Meaning::Label)?]);
         let Labels { form, .. } = Labels::new(&labels)?;
-        let pattern = Pattern::parse(form).ok()?;
+        let pattern = Pattern::parse(&form).ok()?;
         let target = |label: &String| pattern.read(label, |_| false).and_then(|named| named.target).unwrap_or_default();
         Some(labels.iter().map(target).collect())
     }
@@ -863,7 +879,7 @@ impl Keys {
         let of_targets = |labels: &Vec<String>| {
             let targets = column(Meaning::Target)?;
             let rows: BTreeSet<(&String, &String)> = targets.iter().zip(labels).collect();
-            (are_numbers(labels) && rows.len() == labels.len()).then(|| (NUMBER, Vec::new()))
+            (are_numbers(labels) && rows.len() == labels.len()).then(|| (NUMBER.to_owned(), Vec::new()))
         };
         let mut still = Vec::new();
         let form = labels.as_ref().and_then(|labels| {
@@ -909,92 +925,16 @@ impl Keys {
     /// Names of points that were measured several times, if the labels name no pose.
     fn stationary(&self) -> Option<&[String]> {
         let (form, names) = self.form.as_ref()?;
-        (*form == ALONE).then_some(names)
+        (form == ALONE).then_some(names)
     }
 }
 
 /// Returns the cells of a column as keys.
-fn texts(column: &Column) -> Vec<String> {
+pub(super) fn texts(column: &Column) -> Vec<String> {
     match column.is_numeric() {
         true => column.values.iter().map(f64::to_string).collect(),
         false => column.cells.iter().map(|cell| cell.trim().to_owned()).collect(),
     }
-}
-
-/// Form of labels, the targets that they name, and the labels of stationary points among them.
-struct Labels {
-    form: &'static str,
-    targets: Vec<String>,
-    still: Vec<String>,
-}
-
-impl Labels {
-    /// Finds the form of all labels, or of all but those of a few points; a target that few poses
-    /// name is stationary.
-    fn new(labels: &[String]) -> Option<Self> {
-        if let Some((form, targets)) = label_form(labels) {
-            return Some(Self::with_form(labels, form, targets));
-        }
-        LABELS.iter().filter(|form| form.contains("{pose}")).find_map(|form| {
-            let pattern = Pattern::parse(form).ok()?;
-            let (of_form, others): (Vec<String>, Vec<String>) =
-                labels.iter().cloned().partition(|label| pattern.read(label, |_| false).is_some());
-            let still: BTreeSet<String> = others.into_iter().collect();
-            let (found, targets) =
-                label_form(&of_form).filter(|_| of_form.len() * FEWER > labels.len() * (FEWER - 1))?;
-            (found == *form && still.len() <= MOST_TARGETS).then(|| {
-                let all = Self::with_form(&of_form, form, targets);
-                Self { still: still.into_iter().chain(all.still).collect(), ..all }
-            })
-        })
-    }
-
-    fn with_form(labels: &[String], form: &'static str, targets: Vec<String>) -> Self {
-        let mut poses: BTreeMap<String, BTreeSet<PoseName>> = BTreeMap::new();
-        let pattern = Pattern::parse(form).ok();
-        let read = |label: &String| pattern.as_ref().and_then(|pattern| pattern.read(label, |_| false));
-        for named in labels.iter().filter_map(read) {
-            poses.entry(named.target.unwrap_or_default()).or_default().extend(named.pose);
-        }
-        let most = poses.values().map(BTreeSet::len).max().unwrap_or(0);
-        let is_still = |target: &String| poses.get(target).is_some_and(|of| !of.is_empty() && of.len() * FEWER <= most);
-        let (at_rest, targets): (Vec<String>, Vec<String>) = targets.into_iter().partition(is_still);
-        let of_rest =
-            |label: &&String| read(label).and_then(|named| named.target).is_some_and(|t| at_rest.contains(&t));
-        let still: BTreeSet<String> = labels.iter().filter(of_rest).cloned().collect();
-        Self { form, targets, still: still.into_iter().collect() }
-    }
-}
-
-/// Returns the form that all labels have, and the targets that they name.
-pub fn label_form(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
-    let of = |form: &'static str| {
-        let pattern = Pattern::parse(form).ok()?;
-        let named: Vec<_> =
-            labels.iter().map(|label| pattern.read(label.as_ref(), |_| false)).collect::<Option<_>>()?;
-        let targets: BTreeSet<String> = named.iter().filter_map(|named| named.target.clone()).collect();
-        let poses: BTreeSet<_> = named.iter().filter_map(|named| named.pose).collect();
-        let few = poses.len() * 2 < labels.len() / targets.len().max(1) && !form.contains("{cycle}");
-        // a number of many rows names a point or a cycle
-        let again = form == NUMBER && poses.len() < labels.len();
-        (!few && !again && targets.len() * 3 <= labels.len()).then(|| (form, targets.into_iter().collect()))
-    };
-    let forms = if are_numbers(labels) { &[NUMBER][..] } else { &LABELS[..] };
-    forms.iter().copied().find_map(of).or_else(|| targets_alone(labels))
-}
-
-/// `true` if all labels are whole numbers.
-fn are_numbers(labels: &[impl AsRef<str>]) -> bool {
-    let is_number = |label: &str| !label.is_empty() && label.bytes().all(|byte| byte.is_ascii_digit());
-    labels.iter().all(|label| is_number(label.as_ref()))
-}
-
-/// Returns the form of labels that name a target and nothing else: few labels, each of many rows.
-fn targets_alone(labels: &[impl AsRef<str>]) -> Option<(&'static str, Vec<String>)> {
-    let targets: BTreeSet<&str> = labels.iter().map(AsRef::as_ref).collect();
-    let is_name = |name: &&str| name.starts_with(char::is_alphabetic);
-    let few = targets.len() <= MOST_TARGETS && targets.len() * 3 <= labels.len();
-    (few && targets.iter().all(is_name)).then(|| (ALONE, targets.into_iter().map(str::to_owned).collect()))
 }
 
 /// World frame of a robot whose base is identified.

@@ -62,6 +62,27 @@ fn count_lists(text: &str) -> [usize; 2] {
     [lists.count(), lines.len()]
 }
 
+/// `true` if a quarter of the lines contain two and more numbers behind their names: `x:1.5 y:2.5`.
+pub(super) fn has_named_numbers(text: &str) -> bool {
+    let is_number = |value: &str| value.trim_end_matches([',', ';']).parse::<f64>().is_ok();
+    let named = |word: &&str| {
+        let pair = word.split_once([':', '=']);
+        pair.is_some_and(|(name, value)| name.starts_with(char::is_alphabetic) && is_number(value))
+    };
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(400).collect();
+    let of_names = lines.iter().filter(|line| line.split_whitespace().filter(named).count() > 1).count();
+    4 * of_names >= lines.len() && of_names > 1
+}
+
+/// `true` for a mesh as OFF or Wavefront OBJ: vertices, and faces of their numbers.
+pub(super) fn is_mesh(text: &str) -> bool {
+    if text.lines().next().is_some_and(|line| line.trim() == "OFF") {
+        return true;
+    }
+    let count = |mark: &str| text.lines().filter(|line| line.starts_with(mark)).take(3).count();
+    count("v ") > 2 && count("f ") > 0
+}
+
 /// `true` for matrices of four lines with four numbers each, the last of which is 0 0 0 1.
 pub(super) fn is_of_matrices(text: &str) -> bool {
     let row = |line: &str| -> Option<[f64; 4]> {
@@ -96,6 +117,9 @@ mod tests {
         ] {
             assert!(is_of_lists(text), "{text}");
         }
+        assert!(has_named_numbers("mark\npoint x:428.031 y:-37.1 A:-3.12\nmark\npoint x:428.2 y:-36.1 A:-3.1\n"));
+        assert!(!has_named_numbers("P1: 10:15 1.5\nP2: 10:16 2.5\n") && !has_named_numbers("x,y\n1,2\n"));
+        assert!(is_mesh("# o\nv 1 2 3\nv 2 3 4\nv 4 5 6\nf 1 2 3\n") && !is_mesh("v 1 2 3\nv 1 2 4\nv 1 2 5\n"));
         let matrix = "1,0,0,5.5\n0,1,0,6.5\n0,0,1,7.5\n0,0,0,1\n";
         assert!(is_of_matrices(matrix) && is_of_matrices(&format!("{matrix}\n{matrix}")));
         assert!(!is_of_matrices("1,2,3,4\n5,6,7,8\n9,8,7,6\n0,0,0,2\n") && !is_of_matrices(""));

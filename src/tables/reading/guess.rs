@@ -123,10 +123,21 @@ pub fn guesses<'t>(text: &'t str, sheet: Option<&str>) -> Vec<Guess<'t>> {
         guesses = guesses.into_iter().filter_map(|g| guess(more, Form { header: None, ..g.form })).collect();
         guesses.sort_by(|a, b| b.score.total_cmp(&a.score));
     }
+    prefer_tabs(&mut guesses);
     for guess in &mut guesses {
         guess.stated_units = stated_units(text, &guess.form, guess.first, &|at| guess.numeric.get(at) == Some(&true));
     }
     guesses
+}
+
+/// Removes the dialects with blanks if tabs divide the same rows into as many columns of numbers:
+/// blanks also divide labels such as `EU3 NE`.
+fn prefer_tabs(guesses: &mut Vec<Guess>) {
+    let count = |guess: &Guess| guess.numeric.iter().filter(|is| **is).count();
+    let of = |guess: &Guess, delimiter: Delimiter| guess.form.delimiter == Some(delimiter);
+    let by_tabs = guesses.iter().filter(|guess| of(guess, Delimiter::Tab));
+    let Some([columns, read]) = by_tabs.map(|guess| [count(guess), guess.read]).max() else { return };
+    guesses.retain(|guess| !of(guess, Delimiter::Blank) || count(guess) > columns || guess.read > read);
 }
 
 fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
@@ -155,10 +166,17 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         (of_sheet || (least..=most).contains(&filled_width(row)))
             && (numbers(row) >= 2 || row.fields.iter().any(|f| !f.is_empty() && is_gap(f)))
     };
-    let good: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
+    let of_width: Vec<&Row> = data.iter().filter(|row| fits(row)).collect();
+    let mark = if decimal == Decimal::Point { '.' } else { ',' };
+    let fractional: Vec<usize> = (0..columns)
+        .filter(|at| has_few_texts(&of_width, *at, &holds, &|f| is_number(f) && f.contains(mark)))
+        .collect();
+    // a text in a column of fractions is a fault of its row
+    let is_read = |row: &Row| fits(row) && fractional.iter().all(|at| row.fields.get(*at).is_none_or(holds));
+    let fitting = of_width.len();
+    let good: Vec<&Row> = of_width.into_iter().filter(|row| is_read(row)).collect();
     let first = good.first()?.line;
     let used: Vec<&Cow<str>> = good.iter().flat_map(|row| &row.fields).filter(|f| is_number(f)).collect();
-    let mark = if decimal == Decimal::Point { '.' } else { ',' };
     let fractions = used.iter().filter(|f| f.contains(mark)).count();
     let threes = used.iter().filter(|field| has_three_digits(field, mark)).count();
     // a dialect that splits decimal numbers in two finds whole numbers only: prefer fractions
@@ -169,24 +187,14 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
     let plain = plain * used.len() as f64 / (used.len() + contradicted).max(1) as f64;
     // rows with numbers before the data may be data
     let passed = all[..header].iter().filter(|row| !is_worded(row)).count();
-    let taken = good.len() as f64 / (data.len() + passed) as f64;
+    let taken = fitting as f64 / (data.len() + passed) as f64;
     let score = plain * taken * (0.5 + 0.5 * fractions as f64 / used.len().max(1) as f64);
     let numeric = (0..columns)
         .map(|c| good.iter().filter_map(move |row| row.fields.get(c)))
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
     form.header = Some(Header::Rows(header));
     let numeric: Vec<bool> = numeric.collect();
-    let mut names = header.checked_sub(1).map(|i| all[i].clone());
-    let blanks = form.delimiter == Some(Delimiter::Blank);
-    let mut head = Head::new(&all[..header], numeric.len(), blanks);
-    let worded = names.as_ref().is_some_and(|row| row.fields.len() >= numeric.len());
-    let comment = form.comment.as_deref().filter(|_| !worded && head.names.is_none());
-    let named = comment.and_then(|comment| named_by_comment(sample, &form, comment, first, numeric.len()));
-    let commented = named.is_some();
-    if let Some(row) = named {
-        head = Head::new(std::slice::from_ref(&row), numeric.len(), blanks);
-        names = Some(row);
-    }
+    let Named { names, commented, head } = Named::new(sample, &form, &all[..header], first, numeric.len());
     Some(Guess {
         header,
         names,
@@ -197,7 +205,7 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         first,
         rows: data.len(),
         read: good.len(),
-        unread: data.iter().find(|row| !fits(row)).map(|row| row.line),
+        unread: data.iter().find(|row| !is_read(row)).map(|row| row.line),
         numeric,
         numbers: used.len(),
         fractions,
@@ -205,6 +213,46 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         score,
         form,
     })
+}
+
+/// Names of the columns: of the last row above the data, or of a comment.
+struct Named<'t> {
+    names: Option<Row<'t>>,
+    commented: bool,
+    head: Head,
+}
+
+impl<'t> Named<'t> {
+    /// Reads the names from the rows above the data, which begin at line `first`.
+    fn new(sample: &'t str, form: &Form, above: &[Row<'t>], first: usize, columns: usize) -> Self {
+        let names = above.last().cloned();
+        let blanks = form.delimiter == Some(Delimiter::Blank);
+        let head = Head::new(above, columns, blanks);
+        let worded = names.as_ref().is_some_and(|row| row.fields.len() >= columns);
+        let comment = form.comment.as_deref().filter(|_| !worded && head.names.is_none());
+        match comment.and_then(|comment| named_by_comment(sample, form, comment, first, columns)) {
+            Some(row) => {
+                let head = Head::new(std::slice::from_ref(&row), columns, blanks);
+                Self { names: Some(row), commented: true, head }
+            }
+            None => Self { names, commented: false, head },
+        }
+    }
+}
+
+/// `true` if a column has fractions in most rows, and a text in a few.
+fn has_few_texts(
+    rows: &[&Row],
+    at: usize,
+    holds: &dyn Fn(&Cow<str>) -> bool,
+    is_fraction: &dyn Fn(&Cow<str>) -> bool,
+) -> bool {
+    let fields = || rows.iter().filter_map(|row| row.fields.get(at));
+    let texts = fields().filter(|field| !holds(field)).count();
+    let fractions = fields().filter(|field| is_fraction(field)).count();
+    // a number in other marks is evidence about the marks
+    let in_other_marks = fields().any(|field| !holds(field) && has_marks(field));
+    texts > 0 && !in_other_marks && 20 * texts <= rows.len() && 2 * fractions > rows.len()
 }
 
 /// `true` if exactly three digits follow a mark: it may be a thousands mark, unless it follows a
@@ -276,7 +324,13 @@ pub fn is_time(cell: &str) -> bool {
     let marks = (0..bytes.len()).filter(|at| matches!(bytes[*at], b'-' | b'.' | b'/')).filter(between).count();
     let plain = bytes.iter().all(|b| b.is_ascii_digit() || matches!(b, b':' | b'-' | b'.' | b'/' | b' ' | b'T' | b'Z'));
     let digits = bytes.iter().filter(|b| b.is_ascii_digit()).count();
-    digits >= 4 && plain && (marks >= 2 || bytes.contains(&b':') || bytes.contains(&b'T'))
+    // three numbers with one mark between them; a version has more
+    let is_date = ['-', '.', '/'].into_iter().any(|mark| {
+        let parts: Vec<&str> = cell.split(mark).collect();
+        let lengths: Vec<usize> = parts.iter().map(|part| part.trim().len()).collect();
+        matches!(lengths[..], [1..=2, 1..=2, 1..=4] | [4, 1..=2, 1..=2])
+    });
+    digits >= 4 && plain && (marks >= 2 && is_date || bytes.contains(&b':') || bytes.contains(&b'T'))
 }
 
 #[cfg(test)]
@@ -310,7 +364,7 @@ mod tests {
         for time in ["2022-10-11", "11.10.2022", "02/12/25 16:52:45", "16:52:45.125", "20221011T150648Z"] {
             assert!(is_time(time), "{time}");
         }
-        for number in ["345.6780-", "-345.6780", "12345", "1234.5 678"] {
+        for number in ["345.6780-", "-345.6780", "12345", "1234.5 678", "2.5.3.50294", "1.272.619"] {
             assert!(!is_time(number), "{number}");
         }
     }

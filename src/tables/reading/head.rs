@@ -11,6 +11,8 @@ use std::ops::Range;
 const SEARCHED: usize = 60;
 /// Maximum number of rows above the headings that look like the data.
 const MOST_ABOVE: usize = 8;
+/// Maximum number of rows of counts above data without headings.
+const MOST_COUNTS: usize = 3;
 /// Number of rows that show how a data row looks.
 const SAMPLE: usize = 200;
 /// Maximum number of rows above the data that are searched for names of columns.
@@ -30,6 +32,8 @@ pub struct Head {
     pub groups: Vec<Option<String>>,
     /// Line of the row that names the columns.
     pub line: Option<usize>,
+    /// `true` if the row names groups of columns alone. Three members are x, y, z, others numbered.
+    pub is_of_groups: bool,
 }
 
 /// Unit of lengths that the head of a file contains.
@@ -92,6 +96,16 @@ pub(crate) fn first_data_row(
     };
     let heading = searched.iter().take(MOST_ABOVE + 1).position(names_all);
     let below = heading.and_then(|at| Some(at + searched[at..].iter().position(is_data)?));
+    // counts in front of the data, with the name of the file: whole numbers above fractions
+    let numbers_in =
+        |row: &Row, fits: &dyn Fn(&str) -> bool| row.fields.iter().filter(|f| is_number(f)).all(|f| fits(f));
+    let are_counts =
+        searched[..start].iter().all(|row| numbers_in(row, &|field| field.bytes().all(|b| b.is_ascii_digit())));
+    let in_fractions =
+        usual.iter().filter(|row| is_data(row)).all(|row| !numbers_in(row, &|field| !field.contains(['.', ','])));
+    if below.is_none() && (1..=MOST_COUNTS).contains(&start) && are_counts && in_fractions && data.len() >= 4 * start {
+        return Some(first + start);
+    }
     Some(first + below.filter(|at| data.len() >= 4 * at).unwrap_or(0))
 }
 
@@ -110,7 +124,9 @@ impl Head {
             (head.units, last) = (units, named);
             rows.next();
         }
-        let Some(mut names) = names_row(last, columns, blanks) else { return head };
+        let members = || members_of_groups(last, columns).filter(|_| !blanks && rows.peek().is_none());
+        let Some(mut names) = names_row(last, columns, blanks).or_else(members) else { return head };
+        head.is_of_groups = last.fields.len() < columns;
         head.line = Some(last.line);
         let mut groups: Vec<Vec<(String, bool)>> = rows
             .filter(|row| is_worded(row) && (!blanks || row.fields.len() == columns))
@@ -159,6 +175,30 @@ fn names_row(row: &Row, columns: usize, blanks: bool) -> Option<Vec<String>> {
         names.truncate(columns);
         names
     })
+}
+
+/// Names of the members of groups, if a row of words is shorter than the data and its cells stand
+/// above several columns each.
+fn members_of_groups(row: &Row, columns: usize) -> Option<Vec<String>> {
+    const ANGLES: [&str; 7] = ["joint", "axis", "achse", "gelenk", "angle", "winkel", "encoder"];
+    let group = spread(row, columns);
+    let is_shorter = (2..columns).contains(&row.fields.len()) && !row.field(0).is_empty();
+    if !is_shorter || !is_worded(row) || !is_spread(&group) {
+        return None;
+    }
+    let starts: Vec<usize> = (0..columns).filter(|at| group[*at].1).collect();
+    let ends = starts.iter().copied().skip(1).chain([columns]);
+    let mut names = Vec::with_capacity(columns);
+    for (from, to) in starts.iter().copied().zip(ends) {
+        let name = &group[from].0;
+        let is_of_angles = ANGLES.iter().any(|word| name.to_lowercase().contains(word));
+        names.extend((0..to - from).map(|k| match to - from {
+            1 => name.clone(),
+            3 if !is_of_angles => format!("{name} {}", ["x", "y", "z"][k]),
+            _ => format!("{name} {}", k + 1),
+        }));
+    }
+    Some(names)
 }
 
 /// Unit of each column, if every filled cell but the first one of the row is a unit.

@@ -28,6 +28,9 @@ pub(crate) struct RobotFiles {
     pub own: Option<RobotFile>,
 }
 
+/// Sections of tests that need no robot.
+const WITHOUT_ROBOT: [&str; 3] = ["poses", "stream", "compliance"];
+
 /// Poses from which on some are kept for the validation.
 const ENOUGH: usize = 30;
 
@@ -71,7 +74,12 @@ pub(super) fn campaign(paths: &[PathBuf], robot: RobotFiles) -> anyhow::Result<S
     let lines = directions_asked(lines);
     let stated: toml::Table = toml::from_str(&lines)
         .map_err(|e| Problems::from(error!("proposal-not-toml", name = names.join(" "), error = e.to_string())))?;
-    let mut text = head(&names, &lines, &robot.controllers_lines(built.as_deref())) + "\n" + &lines;
+    let needs_none = stated.keys().all(|key| WITHOUT_ROBOT.contains(&key.as_str()));
+    if robot.files.is_empty() && !needs_none {
+        return Err(Problems::from(error!("from-needs-robot")).into());
+    }
+    let controllers = (!robot.files.is_empty()).then(|| robot.controllers_lines(built.as_deref()));
+    let mut text = head(&names, &lines, controllers.as_deref()) + "\n" + &lines;
     let is_one_table = documents.iter().any(|document| document.kind == "export with joints");
     let has_branches = built.as_ref().is_some_and(|robot| !robot.branches().is_empty());
     if has_branches && is_one_table && !stated.contains_key("join") {
@@ -128,6 +136,18 @@ impl RobotFiles {
         }
     }
 
+    /// No robot: tests of poses need none.
+    pub fn none() -> Self {
+        Self {
+            files: Vec::new(),
+            path: PathBuf::new(),
+            joints: Vec::new(),
+            targets: Vec::new(),
+            controllers: "[]",
+            own: None,
+        }
+    }
+
     /// The nominal robot, whose kinematics test the proposal.
     pub fn built(&self) -> Option<Box<dyn Robot>> {
         let (_, text) = self.files.first()?;
@@ -172,12 +192,14 @@ fn identification(documents: &[FormatsDocument], stated: &toml::Table, robot: Op
     text + &split(rows / targets.max(1))
 }
 
-/// Name, robot and instrument.
-fn head(names: &[String], lines: &str, controllers: &str) -> String {
+/// Name, robot and instrument; without controllers there is no robot.
+fn head(names: &[String], lines: &str, controllers: Option<&str>) -> String {
+    let robot = controllers
+        .map_or_else(String::new, |controllers| format!("robot = \"robot.toml\"\n{controllers}\n"));
     format!(
         "# Proposed by `etalon init --from {}`. `etalon check` lists each `\"?\"` and UNIT to complete.\n\
          # Lengths are in mm, angles in degrees, unless a key states another unit.\n\n\
-         name = \"First campaign\"\nrobot = \"robot.toml\"\n{controllers}\n\n\
+         name = \"First campaign\"\n{robot}\n\
          [instrument]                                  # from the calibration certificate\n\
          name = \"?\"                                    # name of the instrument\n\
          expanded_uncertainty_um = \"?\"                 # of one coordinate, a number without quotes\n\

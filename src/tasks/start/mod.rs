@@ -14,8 +14,6 @@ pub(crate) use trial::{next as next_step, refusal_of_lines};
 
 use crate::tasks::known_robots::known_robot;
 use crate::tasks::urdf_text;
-use etalon_base::error;
-use etalon_base::message::Problems;
 use etalon_campaign::read_urdf;
 use etalon_robots::{Joint, Quantity, TreeChain};
 use robot_toml::{path as robot_path, robot_files as own_robot_files};
@@ -36,10 +34,10 @@ const UNTITLED: &str = "name = \"First campaign\"";
 const TITLED_BY_DEFAULT: &str =
     "# name = \"...\"                              # title; by default kind, robot and date";
 
-/// Proposes a campaign from files of measurements and logs.
+/// Proposes a campaign from files of measurements and logs. Tests of poses need no robot.
 ///
 /// # Errors
-/// Fails without a robot, and for files without measurements.
+/// Fails for files without measurements, and without a robot that the files need.
 pub(crate) fn start(files: &[PathBuf], robot: NamedRobot) -> anyhow::Result<Started> {
     from::campaign(files, robot.files(files)?)
 }
@@ -50,9 +48,7 @@ impl NamedRobot<'_> {
         if let Some(path) = self.urdf {
             return Ok(RobotFiles::from_urdf(path, tool_link::described(path, measured)?));
         }
-        let Some(name) = self.name else {
-            return Err(Problems::from(error!("from-needs-robot")).into());
-        };
+        let Some(name) = self.name else { return Ok(RobotFiles::none()) };
         if let Some(path) = robot_path(name) {
             return own_robot_files(&path);
         }

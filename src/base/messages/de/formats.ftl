@@ -394,6 +394,10 @@ file-without-points = das ist { $kind ->
         [certificate] ein digitaler Kalibrierschein: Ergebnisse einer Kalibrierung ohne Messpunkte
         [sdr33] eine Datei mit Beobachtungen einer Totalstation von Sokkia (SDR33)
         [m5] eine Datei mit Beobachtungen einer Totalstation von Zeiss oder Trimble (M5)
+        [south] eine Datei mit Beobachtungen einer Totalstation von South
+        [mesh] ein Netz (OBJ oder OFF): die Ecken sind keine Messpunkte eines Roboters
+        [las] ein Scan im Format LAS
+        [urscript] ein Programm einer Steuerung von Universal Robots mit Sollposen, ohne gemessene Posen
         [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
        *[xml] ein XML-Dokument unbekannter Art
     }
@@ -403,6 +407,10 @@ file-without-points = das ist { $kind ->
         [roughness] die Datei der Messpunkte angeben
         [sdr33] die Koordinaten der Punkte als Text exportieren, eine Zeile je Punkt
         [m5] die Koordinaten der Punkte als Text exportieren, eine Zeile je Punkt
+        [south] die Koordinaten der Punkte als Text exportieren, eine Zeile je Punkt
+        [mesh] die Datei mit den Messpunkten angeben; Netze eines Roboters gehören zu seiner URDF
+        [las] die Punkte als Text, PLY oder E57 exportieren
+        [urscript] die Datei mit den Messpunkten angeben
        *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
     }
 
@@ -413,19 +421,28 @@ matrices-in-blocks = die Zeilen sind 4×4-Matrizen, eine unter der anderen
     .expected = eine Zeile je Punkt oder Pose
     .hint = jede Matrix in eine Zeile mit 16 Zahlen schreiben, Zeile für Zeile
 
+gsi-feet = die Länge ist in Fuß, und GSI gibt nicht an, in welchem
+    .expected = Längen in Metern
+    .hint = die Punkte in Metern exportieren
+
+numbers-behind-names = die Zahlen stehen hinter ihren Namen, wie in `x:428.031`
+    .expected = eine Zahl je Spalte
+    .hint = die Namen einmal als Zeile von Überschriften schreiben und darunter die Zahlen
+
 numbers-in-brackets = die Zahlen stehen in Listen mit Klammern
     .expected = eine Zahl je Spalte
     .hint = die Zahlen ohne Klammern schreiben, zum Beispiel mit `numpy.savetxt`
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat
+        [arrays] kein Array der Datei enthält Gelenkwerte oder Punkte, mit
        *[text] keine Lesart als Text mit Trennzeichen ergibt
     } Zeilen mit zwei oder mehr Zahlen
     .hint = die Punkte als Text exportieren, eine Zeile je Punkt
 
 robot-does-not-test = mit einem Roboter des Modells `{ $model }` lässt sich der Vorschlag nicht prüfen: die Pose seines Flansches im Raum ist nicht frei
 
-robot-not-tested = der Vorschlag wird nicht mit dem nominalen Roboter geprüft: nötig sind mindestens { $fewest } Zeilen mit Gelenkwerten und Koordinaten, die den Raum aufspannen
+robot-not-tested = der Vorschlag wird nicht mit dem nominalen Roboter geprüft: nötig sind mindestens { $fewest } Zeilen, in denen sich drei Gelenke bewegen, mit Koordinaten, die den Raum aufspannen; Messreihen einzelner Gelenke wertet `etalon axes` aus
 
 robot-contradicts = der nominale Roboter reproduziert { $points } mit keiner der versuchten Reihenfolgen, Richtungen und Einheiten der Gelenke{ $known ->
         [yes] ; das kleinste Residuum ist { FIXED($rms_mm, 2) } mm (quadratischer Mittelwert)
@@ -440,7 +457,7 @@ robot-finds-targets = mit einer eigenen Zielmarke für jeden Wert von { $column 
 
 robot-contradicts-unit = die Überschrift von { $column } nennt { $stated }, aber die Kinematik des nominalen Roboters passt zu { $unit }
 
-robot-contradicts-order = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }, entgegen den Nummern der Überschriften: Überschriften und Roboterdatei prüfen
+robot-contradicts-order = der nominale Roboter passt mit den Gelenken in der Reihenfolge { $columns }, entgegen der Reihenfolge der Überschriften: Überschriften und Roboterdatei prüfen
 
 robot-reverses = { $column } zählt entgegen der Richtung von `{ $joint }`: der nominale Roboter passt mit umgekehrtem Vorzeichen
 

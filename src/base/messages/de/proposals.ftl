@@ -2,12 +2,15 @@
 
 ask-anchor = der Punkt, von dem aus der Abstand gemessen ist: `other` in `constants`
 ask-angle-unit = die Einheit der Winkel: `angle_unit` in `format`
+ask-blocks = zu welcher Zielmarke und Pose jeder der { $count } Blöcke gehört: die Überschriften stehen vor seinen Zeilen wieder, zum zweiten Mal in Zeile { $line }
+ask-computed-by-controller = ob ein Messgerät `{ $body }` gemessen hat, wie vorgeschlagen: die Überschriften der Gelenke haben dieselben Wörter, also kann die Steuerung es berechnet haben; andere Koordinaten sind { $others }
 ask-direction = per_count: -1, wenn entgegen dem Gelenk gezählt wird, wie die Punkte zeigen; 1, wenn robot.toml zu berichtigen ist
 ask-direction-of-columns = { $columns }, wie die Punkte zeigen; ohne `-1 *`, wenn robot.toml zu berichtigen ist
 ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointState enthält rad für Drehgelenke und m für Schubgelenke: für ein Schubgelenk `q1_m` schreiben
 ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
 ask-log-of-format = ob es Folgendes ist: { $what } (`[log]` mit `format = "{ $format }"`)
+ask-numbers-without-headings = welche der { $count } Zahlen einer Zeile Gelenke sind und welche der gemessene Punkt: ohne Überschriften gelten die ersten drei als x, y, z. `--robot` findet Gelenke und Punkt mit der Kinematik
 ask-number-with-gaps = ob { $column } wie vorgeschlagen die Nummer der Pose ist: sie springt von { $before } auf { $after }, die Nummer der Zeile ist also eine andere
 ask-order-of-columns = ob die Spalten x, y, z in dieser Reihenfolge sind oder Winkel und Abstände
 ask-points-in-row = ob die { $numbers } Zahlen einer Zeile wie vorgeschlagen { $count } Punkte zu drei Koordinaten sind: die Spalten sind nicht benannt
@@ -18,6 +21,7 @@ ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind (ih
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
 ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
+ask-two-frames = ob `{ $first }` und `{ $second }` zwei Zielmarken sind, wie vorgeschlagen, oder ein Punkt in zwei Koordinatensystemen: die Abstände von Zeile zu Zeile stimmen überein. `etalon cell` findet die Beziehung zweier Koordinatensysteme
 ask-unit = die Einheit der Längen
 ask-unit-of-size = die Einheit der Längen: die größte ist { $largest }, also passt { $units ->
         [inch-or-mm] inch oder mm
@@ -70,6 +74,7 @@ doubt-encoding = die Datei ist nicht UTF-8; sie wird als { $encoding } gelesen: 
 doubt-first-increases = Spalte 1 steigt in allen Zeilen: ein Zeitpunkt oder eine Koordinate
 doubt-four-joints = vier Gelenke q0 bis q3 hätten dieselben Überschriften
 doubt-in-line = Zeile { $line }: { $problem }
+doubt-groups-alone = Zeile { $line } benennt Gruppen von Spalten: drei Spalten einer Gruppe gelten als x, y, z
 doubt-joints-without-headings = { $count } Zahlen ohne Überschriften: Gelenke oder Koordinaten und Winkel
 doubt-matrix-order = eine Matrix ohne Überschriften: zeilenweise gelesen, dreht sie Vektoren vom Körper in das Weltkoordinatensystem
 doubt-more-problems = und { $count ->
@@ -77,7 +82,7 @@ doubt-more-problems = und { $count ->
        *[other] { $count } weitere Probleme
     } dieser Art
 doubt-one-row = eine Zeile mit { $count } Zahlen ohne Überschriften: ein Programm hat ein Array in eine Zeile geschrieben; seine Aufteilung ist nicht erkennbar
-doubt-order-of-joints = die Gelenke stehen in der Datei nicht der Reihe nach: sie werden nach ihren Nummern geordnet
+doubt-order-of-joints = die Gelenke stehen in der Datei nicht der Reihe nach: sie werden nach ihren Nummern oder nach den Teilen des Arms geordnet
 doubt-orientation-of-body = die Orientierung `{ $body }` wird dem gemessenen Punkt zugeordnet: ihre Überschriften nennen einen anderen Körper
 doubt-origin = Zeile { $line } ist 0 0 0: sie gilt als „nicht gemessen“, wenn `missing` nichts anderes angibt
 doubt-other-reading = { $reading }, { $columns ->
@@ -88,7 +93,6 @@ doubt-other-sheets = die Arbeitsmappe hat { $count ->
         [one] 1 weiteres Blatt
        *[other] { $count } weitere Blätter
     }: { $sheets }
-doubt-points-without-headings = { $count } Zahlen ohne Überschriften: die ersten drei werden verwendet; für mehrere Punkte je Zeile mehrere [[export]] mit den Nummern der Spalten angeben
 doubt-polar = ein Azimut und ein Abstand, ohne Zenitwinkel oder Höhenwinkel
 doubt-quaternion-length = das Quaternion hat nicht in allen Zeilen den Betrag 1
 doubt-quaternion-order = ein Quaternion ohne Überschriften: Skalar zuletzt, wie ROS es schreibt, oder zuerst
@@ -109,7 +113,12 @@ doubt-time-decreases = { $column } heißt wie eine Zeit, fällt aber
 doubt-topic-unreadable = das Topic `{ $topic }` kann nicht gelesen werden: { $reason }
 doubt-two-families = { $names } könnten auch Gelenke sein: `{ $kept }` wird verwendet
 doubt-units-differ = die Datei gibt { $unit } (Zeile { $line }) und { $of_second } (Zeile { $second }) an
+doubt-transposed = { $rows } Zeilen mit { $columns } Zahlen: Zeilen und Spalten können vertauscht sein. Eine Zeile je Pose oder Zeitpunkt schreiben
 doubt-unnamed-joints = { $names } werden als Gelenke gelesen: keine andere Größe passt, aber die Datei benennt sie nicht
+doubt-vertical-angle = { $column } ist ein Vertikalwinkel: die Werte passen zu { $zenith ->
+        [yes] einem Zenitwinkel
+       *[no] einem Höhenwinkel
+    }, aber die Überschrift sagt nicht, welcher es ist
 doubt-words-of-header = Zeile { $line } hat { $words } Wörter für { $columns } Spalten: die Reihenfolge ist unbekannt
 is-aqdef = eine Datei im ASCII-Transferformat von Q-DAS, erkannt am ersten Feld
 is-attained-poses = Istposen einer Prüfung nach ISO 9283
@@ -171,6 +180,7 @@ means-pose = Name der Pose
 means-quaternion = Quaternion { $component }
 means-rotation = Rotation, Zahl { $number } von drei
 means-target = Name der Zielmarke
+means-scatter = Unsicherheit oder Streuung des ganzen Punkts
 means-temperature = Temperatur
 means-text = ein Text, der nicht verwendet wird
 means-time = Zeitpunkt
@@ -195,6 +205,8 @@ why-constant = dieselbe ganze Zahl in allen Zeilen
 why-counts = ganze Zahlen, die um 1 steigen
 why-counts-first = ganze Zahlen, die von Zeile zu Zeile steigen, am Zeilenanfang
 why-counts-with-gaps = ganze Zahlen, die mit Lücken zunehmen
+why-numbers-rows = die Überschrift bedeutet eine Nummer, und jede Zeile hat eine andere
+why-vertical = Vertikalwinkel nach der Überschrift, neben Azimut und Distanz
 why-dates = jede Zelle ist ein Datum oder eine Uhrzeit
 why-difference-heading = die Überschrift nennt eine Differenz
 why-empty = sie ist leer

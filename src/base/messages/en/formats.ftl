@@ -792,6 +792,10 @@ file-without-points = this is { $kind ->
         [certificate] a digital calibration certificate: it contains results, but no measured points
         [sdr33] a file of observations of a Sokkia total station (SDR33)
         [m5] a file of observations of a Zeiss or Trimble total station (M5)
+        [south] a file of observations of a South total station
+        [mesh] a mesh (OBJ or OFF): its vertices are not measured points of a robot
+        [las] a scan in the LAS format
+        [urscript] a program of a Universal Robots controller: it contains commanded poses, no measured ones
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
        *[xml] an XML document of an unknown kind
     }
@@ -801,6 +805,10 @@ file-without-points = this is { $kind ->
         [roughness] give the file with the measured points
         [sdr33] export the coordinates of the points as text, one row for each point
         [m5] export the coordinates of the points as text, one row for each point
+        [south] export the coordinates of the points as text, one row for each point
+        [mesh] give the file with the measured points; a robot's meshes belong to its URDF
+        [las] export the points as text, PLY or E57
+        [urscript] give the file with the measured points
        *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
 
@@ -821,6 +829,23 @@ matrices-in-blocks = the rows are 4×4 matrices, one below the other
     .expected = a row for each point or pose
     .hint = write each matrix in one row of 16 numbers, row by row
 
+# Means: A GSI file contains lengths in feet.
+# Matters: The file does not state whether these are international feet or US survey feet; the two
+# differ by 2 µm per metre.
+# Do: Export the points in metres.
+# Example: `31..07+0000000000241118`
+gsi-feet = the length is in feet, and GSI does not state which foot
+    .expected = lengths in metres
+    .hint = export the points in metres
+
+# Means: Each number has its name in front, as a program prints values for people.
+# Matters: A name and its number are one text, so that the number cannot be given a meaning.
+# Do: Write one number per column, below a row with the names.
+# Example: `point x:428.031 y:-37.130 z:431.590`
+numbers-behind-names = the numbers are behind their names, such as `x:428.031`
+    .expected = one number per column
+    .hint = write the names once as a row of headings, and the numbers below it
+
 # Means: The numbers are in lists with brackets, as Python prints them.
 # Matters: A list is one text, so that its numbers cannot be given a meaning.
 # Do: Write one number per column, for example by `numpy.savetxt` or `pandas.DataFrame.to_csv`.
@@ -836,13 +861,14 @@ numbers-in-brackets = the numbers are in lists with brackets
 # Example: `etalon formats letter.txt`
 no-rows-of-numbers = { $file ->
         [workbook] no sheet of the workbook has
+        [arrays] no array of the file is of joint values or points, with
        *[text] no reading as delimited text gives
     } rows with two or more numbers
     .hint = export the points as text, with one row for each point
 
 robot-does-not-test = the nominal robot of the model `{ $model }` cannot test the proposal, because its flange does not move freely in space
 
-robot-not-tested = the nominal robot cannot test the proposal: at least { $fewest } rows with joints are needed, with coordinates that span space
+robot-not-tested = the nominal robot cannot test the proposal: at least { $fewest } rows are needed in which three joints move, with coordinates that span space; `etalon axes` evaluates sweeps of one joint at a time
 
 robot-contradicts = the nominal robot does not reproduce { $points } with any of the tried orders, directions and units of the joints{ $known ->
         [yes] ; the smallest residual is { FIXED($rms_mm, 2) } mm (root mean square)
@@ -857,7 +883,7 @@ robot-finds-targets = the nominal robot reproduces the coordinates if each value
 
 robot-contradicts-unit = the heading of { $column } gives { $stated }, but the kinematics of the nominal robot agree with { $unit }
 
-robot-contradicts-order = the nominal robot agrees with the joints in the order { $columns }, not in the order of the numbers in the headings: check headings and robot file
+robot-contradicts-order = the nominal robot agrees with the joints in the order { $columns }, not in the order that the headings state: check headings and robot file
 
 robot-reverses = { $column } has the opposite direction of `{ $joint }`: the nominal robot agrees with the opposite sign
 

@@ -2,12 +2,15 @@
 
 ask-anchor = the point from which the distance is measured: `other` in `constants`
 ask-angle-unit = the unit of the angles: `angle_unit` in `format`
+ask-blocks = which target and pose each of the { $count } blocks is: the headings stand above its rows again, the second time in line { $line }
+ask-computed-by-controller = whether an instrument measured `{ $body }`, as proposed: the headings of the joints have the same words, so the controller may have computed it; other coordinates are { $others }
 ask-direction = per_count: -1 if the log counts against the joint, as the points show; 1 if robot.toml has to be corrected
 ask-direction-of-columns = { $columns }, as the points show; without `-1 *` if robot.toml has to be corrected
 ask-joint-states = which joint of the robot each column is; JointState contains rad for revolute joints and m for prismatic joints: write `q1_m` for a prismatic joint
 ask-joints = which joint each column is, and its unit
 ask-joints-of-format = which joint each column is, and its unit if it is unknown
 ask-log-of-format = whether it is { $what } (`[log]` with `format = "{ $format }"`)
+ask-numbers-without-headings = which of the { $count } numbers of a row are joints, and which are the measured point: without headings the proposal uses the first three as x, y, z. `--robot` finds the joints and the point by the kinematics
 ask-number-with-gaps = whether { $column } is the number of the pose, as proposed: it increases from { $before } to { $after }, so it is not the number of the row
 ask-order-of-columns = whether the columns are x, y, z in this order, or angles and distances
 ask-points-in-row = whether the { $numbers } numbers of a row are { $count } points with three coordinates each, as proposed: the file has no names for them
@@ -18,6 +21,7 @@ ask-sets-alike = what columns { $first } and columns { $second } are: their head
 ask-sign-of-difference = whether the difference is commanded minus measured, as proposed, or measured minus commanded (then `+`)
 ask-targets-of-topics = which target each topic of poses or points is
 ask-time-unit = the unit of the times in { $column }: the step is { $step }
+ask-two-frames = whether `{ $first }` and `{ $second }` are two targets, as proposed, or one point in two frames: the distances from row to row agree. `etalon cell` finds the relation of two frames
 ask-unit = the unit of lengths
 ask-unit-of-size = the unit of lengths: the largest length is { $largest }; for a robot, { $units ->
         [inch-or-mm] inch or mm is plausible
@@ -70,6 +74,7 @@ doubt-encoding = the file is not UTF-8 and is read as { $encoding }: check its s
 doubt-first-increases = column 1 increases in all rows: it is a time or a coordinate
 doubt-four-joints = the headings could also be four joints q0 to q3
 doubt-in-line = line { $line }: { $problem }
+doubt-groups-alone = line { $line } names groups of columns: three columns of a group are taken as x, y, z
 doubt-joints-without-headings = { $count } numbers without headings: they are joints, or coordinates and angles
 doubt-matrix-order = a matrix without headings: the proposal reads it row by row, as the rotation from the body to the world
 doubt-more-problems = and { $count ->
@@ -77,7 +82,7 @@ doubt-more-problems = and { $count ->
        *[other] { $count } more problems
     } of the same kind
 doubt-one-row = one row of { $count } numbers without headings: a program wrote an array in one line, and the file does not show how to divide it
-doubt-order-of-joints = the joints have no order in the file: the proposal uses the order of their numbers
+doubt-order-of-joints = the joints have no order in the file: the proposal uses the order of their numbers, or of the parts of an arm
 doubt-orientation-of-body = the proposal uses the orientation `{ $body }` for the measured point, although its headings name another body
 doubt-origin = line { $line } is 0 0 0: it counts as "not measured" unless you set `missing`
 doubt-other-reading = { $reading }, { $columns ->
@@ -88,7 +93,6 @@ doubt-other-sheets = the workbook has { $count ->
         [one] 1 more sheet
        *[other] { $count } more sheets
     }: { $sheets }
-doubt-points-without-headings = { $count } numbers without headings: the proposal uses the first three. Several points in a row need several [[export]] with columns by number
 doubt-polar = there are an azimuth and a distance, but no zenith angle or elevation
 doubt-quaternion-length = the norm of the quaternion is not 1 in all rows
 doubt-quaternion-order = a quaternion without headings: the scalar is last, as in ROS, or first
@@ -109,7 +113,12 @@ doubt-time-decreases = { $column } has the name of a time but decreases
 doubt-topic-unreadable = topic `{ $topic }` cannot be read: { $reason }
 doubt-two-families = { $names } could also be joints; the proposal uses `{ $kept }`
 doubt-units-differ = the file contains two units: { $unit } (line { $line }) and { $of_second } (line { $second })
+doubt-transposed = { $rows } rows of { $columns } numbers: rows and columns may be exchanged. Write one row per pose or time
 doubt-unnamed-joints = the proposal uses { $names } as joints: no other quantity is possible, but the file does not say so
+doubt-vertical-angle = { $column } is a vertical angle: its values fit { $zenith ->
+        [yes] a zenith angle
+       *[no] an elevation
+    }, but the heading does not say which
 doubt-words-of-header = line { $line } has { $words } words for { $columns } columns: their order is unknown
 is-aqdef = a file in the Q-DAS ASCII transfer format, by its first field
 is-attained-poses = attained poses of a test to ISO 9283
@@ -171,6 +180,7 @@ means-pose = name of the pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, number { $number } of three
 means-target = name of the target
+means-scatter = uncertainty or scatter of the whole point
 means-temperature = temperature
 means-text = a text that is not read
 means-time = time
@@ -195,6 +205,8 @@ why-constant = the same whole number in all rows
 why-counts = whole numbers that increase by 1
 why-counts-first = whole numbers that increase row by row, first in the row
 why-counts-with-gaps = whole numbers that increase, with gaps
+why-numbers-rows = its heading means a number, and each row has another one
+why-vertical = a vertical angle by its heading, beside azimuth and distance
 why-dates = every cell is a date or a time of day
 why-difference-heading = its heading means a difference
 why-empty = it is empty

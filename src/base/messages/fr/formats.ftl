@@ -394,6 +394,10 @@ file-without-points = c’est { $kind ->
         [certificate] un certificat d’étalonnage numérique : des résultats d’étalonnage sans points mesurés
         [sdr33] un fichier d’observations d’une station totale Sokkia (SDR33)
         [m5] un fichier d’observations d’une station totale Zeiss ou Trimble (M5)
+        [south] un fichier d’observations d’une station totale South
+        [las] un relevé au format LAS
+        [urscript] un programme d’une commande Universal Robots : il contient des poses commandées, sans poses mesurées
+        [mesh] un maillage (OBJ ou OFF) : ses sommets ne sont pas des points mesurés d’un robot
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
        *[xml] un document XML de type inconnu
     }
@@ -403,6 +407,10 @@ file-without-points = c’est { $kind ->
         [roughness] indiquer le fichier des points mesurés
         [sdr33] exporter les coordonnées des points en texte, une ligne par point
         [m5] exporter les coordonnées des points en texte, une ligne par point
+        [south] exporter les coordonnées des points en texte, une ligne par point
+        [las] exporter les points en texte, PLY ou E57
+        [urscript] indiquer le fichier des points mesurés
+        [mesh] indiquer le fichier des points mesurés ; les maillages d’un robot appartiennent à son URDF
        *[other] écrire les nombres en CSV : une ligne par point ou par pose, sous une ligne avec les noms des colonnes
     }
 
@@ -413,19 +421,28 @@ matrices-in-blocks = les lignes sont des matrices 4×4, l’une sous l’autre
     .expected = une ligne par point ou par pose
     .hint = écrire chaque matrice sur une ligne de 16 nombres, ligne par ligne
 
+gsi-feet = la longueur est en pieds, et GSI n’indique pas lesquels
+    .expected = des longueurs en mètres
+    .hint = exporter les points en mètres
+
+numbers-behind-names = les nombres sont derrière leurs noms, comme dans `x:428.031`
+    .expected = un nombre par colonne
+    .hint = écrire les noms une seule fois, comme ligne d’en-têtes, et les nombres en dessous
+
 numbers-in-brackets = les nombres sont dans des listes entre crochets
     .expected = un nombre par colonne
     .hint = écrire les nombres sans crochets, par exemple avec `numpy.savetxt`
 
 no-rows-of-numbers = { $file ->
         [workbook] aucune feuille du classeur ne contient
+        [arrays] aucun tableau du fichier ne contient des valeurs articulaires ou des points, et
        *[text] aucune lecture comme texte délimité ne donne
     } de lignes de deux nombres ou plus
     .hint = exporter les points en texte, une ligne par point
 
 robot-does-not-test = un robot du modèle `{ $model }` ne permet pas de vérifier la proposition : sa bride n’a pas de pose libre dans l’espace
 
-robot-not-tested = la proposition ne peut pas être vérifiée avec le robot nominal : il faut au moins { $fewest } lignes avec des valeurs articulaires et des coordonnées réparties dans l’espace
+robot-not-tested = la proposition ne peut pas être vérifiée avec le robot nominal : il faut au moins { $fewest } lignes où trois articulations bougent, avec des coordonnées réparties dans l’espace ; `etalon axes` évalue les balayages d’une seule articulation
 
 robot-contradicts = le robot nominal ne reproduit { $points } avec aucun ordre, sens ni unité des articulations essayés{ $known ->
         [yes] {" "}; le plus petit résidu est de { FIXED($rms_mm, 2) } mm (moyenne quadratique)
@@ -440,7 +457,7 @@ robot-finds-targets = avec une cible propre à chaque valeur de { $column }, le 
 
 robot-contradicts-unit = l’en-tête de { $column } indique { $stated }, mais la cinématique du robot nominal concorde avec { $unit }
 
-robot-contradicts-order = le robot nominal concorde avec les données si les articulations sont dans l’ordre { $columns }, contrairement aux numéros des en-têtes : vérifier les en-têtes et le fichier de robot
+robot-contradicts-order = le robot nominal concorde avec les données si les articulations sont dans l’ordre { $columns }, contrairement à l’ordre des en-têtes : vérifier les en-têtes et le fichier de robot
 
 robot-reverses = { $column } est compté en sens inverse de `{ $joint }` : le robot nominal concorde avec le signe opposé
 

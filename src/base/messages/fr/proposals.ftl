@@ -2,12 +2,15 @@
 
 ask-anchor = le point depuis lequel la distance est mesurée : `other` dans `constants`
 ask-angle-unit = l’unité des angles : `angle_unit` dans `format`
+ask-blocks = à quelle cible et à quelle pose appartient chacun des { $count } blocs : les en-têtes se répètent au-dessus de ses lignes, la deuxième fois à la ligne { $line }
+ask-computed-by-controller = si un instrument a mesuré `{ $body }`, comme proposé : les en-têtes des articulations ont les mêmes mots, la commande a donc pu le calculer ; les autres coordonnées sont { $others }
 ask-direction = per_count : -1 si le comptage est en sens inverse de l’articulation, comme le montrent les points ; 1 si robot.toml est à corriger
 ask-direction-of-columns = { $columns }, comme le montrent les points ; sans `-1 *` si robot.toml est à corriger
 ask-joint-states = à quelle articulation du robot correspond chaque colonne ; JointState est en rad pour les articulations rotoïdes, en m pour les prismatiques : écrire `q1_m` pour une articulation prismatique
 ask-joints = à quelle articulation correspond chaque colonne, et son unité
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
 ask-log-of-format = si le fichier est de ce type : { $what } (`[log]` avec `format = "{ $format }"`)
+ask-numbers-without-headings = lesquels des { $count } nombres d’une ligne sont des articulations, et lesquels le point mesuré : sans en-têtes, les trois premiers sont pris pour x, y, z. `--robot` trouve les articulations et le point par la cinématique
 ask-number-with-gaps = si { $column } est le numéro de la pose, comme proposé : il passe de { $before } à { $after }, le numéro de la ligne en est donc un autre
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
 ask-points-in-row = si les { $numbers } nombres d’une ligne sont { $count } points de trois coordonnées, comme proposé : rien ne les nomme
@@ -18,6 +21,7 @@ ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second }
 ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
 ask-time-unit = l’unité des temps dans { $column } : le pas est { $step }
+ask-two-frames = si `{ $first }` et `{ $second }` sont deux cibles, comme proposé, ou un point dans deux référentiels : les distances d’une ligne à l’autre concordent. `etalon cell` trouve la relation de deux référentiels
 ask-unit = l’unité des longueurs
 ask-unit-of-size = l’unité des longueurs : la plus grande est { $largest }, donc { $units ->
         [inch-or-mm] inch ou mm convient
@@ -71,6 +75,7 @@ doubt-encoding = le fichier n’est pas en UTF-8 et est lu en { $encoding } : v
 doubt-first-increases = la colonne 1 augmente à chaque ligne : un instant, ou une coordonnée
 doubt-four-joints = quatre articulations q0 à q3 auraient les mêmes en-têtes
 doubt-in-line = ligne { $line } : { $problem }
+doubt-groups-alone = la ligne { $line } nomme des groupes de colonnes : trois colonnes d’un groupe sont prises pour x, y, z
 doubt-joints-without-headings = { $count } nombres sans en-têtes : des articulations, ou des coordonnées et des angles
 doubt-matrix-order = une matrice sans en-têtes : lue ligne par ligne, elle transforme les vecteurs du corps vers le repère atelier
 doubt-more-problems = et { $count ->
@@ -78,7 +83,7 @@ doubt-more-problems = et { $count ->
        *[other] { $count } autres problèmes
     } de ce genre
 doubt-one-row = une ligne de { $count } nombres sans en-têtes : un programme a écrit un tableau sur une ligne, et rien ne montre son découpage
-doubt-order-of-joints = les articulations ne suivent aucun ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros
+doubt-order-of-joints = les articulations ne suivent aucun ordre dans le fichier : elles sont prises dans l’ordre de leurs numéros ou des parties du bras
 doubt-orientation-of-body = l’orientation `{ $body }` est prise pour l’orientation du point mesuré : ses en-têtes nomment un autre corps
 doubt-origin = ligne { $line } : 0 0 0, considéré comme « non mesuré » sauf indication contraire de `missing`
 doubt-other-reading = { $reading }, { $columns ->
@@ -89,7 +94,6 @@ doubt-other-sheets = le classeur a { $count ->
         [one] 1 autre feuille
        *[other] { $count } autres feuilles
     } : { $sheets }
-doubt-points-without-headings = { $count } nombres sans en-têtes : les trois premiers sont utilisés ; pour plusieurs points par ligne, indiquer plusieurs [[export]] avec les numéros des colonnes
 doubt-polar = un azimut et une distance, sans angle zénithal ni angle d’élévation
 doubt-quaternion-length = le quaternion n’a pas la norme 1 à toutes les lignes
 doubt-quaternion-order = un quaternion sans en-têtes : scalaire à la fin, comme l’écrit ROS, ou au début
@@ -110,7 +114,12 @@ doubt-time-decreases = { $column } porte le nom d’un temps, mais diminue
 doubt-topic-unreadable = impossible de lire le topic `{ $topic }` : { $reason }
 doubt-two-families = { $names } pourraient aussi être des articulations : `{ $kept }` est utilisé
 doubt-units-differ = le fichier indique { $unit } (ligne { $line }) et { $of_second } (ligne { $second })
+doubt-transposed = { $rows } lignes de { $columns } nombres : lignes et colonnes peuvent être échangées. Écrire une ligne par pose ou par instant
 doubt-unnamed-joints = { $names } sont pris pour des articulations : aucune autre grandeur ne convient, mais le fichier ne les nomme pas
+doubt-vertical-angle = { $column } est un angle vertical : ses valeurs correspondent à { $zenith ->
+        [yes] un angle zénithal
+       *[no] un angle d’élévation
+    }, mais l’en-tête ne dit pas lequel
 doubt-words-of-header = la ligne { $line } a { $words } mots pour { $columns } colonnes : leur ordre est inconnu
 is-aqdef = un fichier au format de transfert ASCII de Q-DAS, d’après son premier champ
 is-attained-poses = des poses atteintes d’un essai selon l’ISO 9283
@@ -172,6 +181,7 @@ means-pose = nom de la pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, nombre { $number } sur trois
 means-target = nom de la cible
+means-scatter = incertitude ou dispersion du point entier
 means-temperature = température
 means-text = un texte qui n’est pas lu
 means-time = instant
@@ -196,6 +206,8 @@ why-constant = le même nombre entier dans toutes les lignes
 why-counts = des nombres entiers qui augmentent de 1
 why-counts-first = des nombres entiers qui augmentent d’une ligne à l’autre, en début de ligne
 why-counts-with-gaps = des entiers croissants, avec des lacunes
+why-numbers-rows = son en-tête signifie un numéro, et chaque ligne en a un autre
+why-vertical = un angle vertical selon l’en-tête, à côté d’un azimut et d’une distance
 why-dates = chaque cellule est une date ou une heure
 why-difference-heading = son en-tête indique une différence
 why-empty = la colonne est vide

@@ -1,12 +1,13 @@
 //! Correction of a proposal by the nominal robot: joints, units, targets, and commanded points.
 
 use crate::propose::kinematics::{FEWEST, Origin, Outcome, Reading, Sample, confirmed, test};
-use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
-use crate::propose::table::{Column, Table, joint_columns};
+use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet, part_of_arm};
+use crate::propose::table::{Column, Table, heading_without_unit, joint_columns};
 use crate::propose::turned;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_robots::Robot;
+use std::collections::BTreeSet;
 
 /// Remarks of the test on the proposal.
 #[derive(Debug, Default)]
@@ -182,28 +183,37 @@ fn groups(column: &Column) -> Option<Vec<usize>> {
     ((2..=TARGETS).contains(&count) && (0..count).all(often)).then_some(groups)
 }
 
-/// Returns the joints and points to try, the proposed ones first.
-fn trials(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Vec<Trial> {
-    let count = robot.joints().len();
+/// Returns each run of this number of columns with numbers.
+fn consecutive(table: &Table, count: usize) -> Vec<Vec<usize>> {
     let numeric: Vec<usize> = (0..table.columns.len()).filter(|i| table.columns[*i].is_numeric()).collect();
-    let consecutive = |n: usize| -> Vec<Vec<usize>> { numeric.windows(n).map(<[usize]>::to_vec).collect() };
+    numeric.windows(count.max(1)).map(<[usize]>::to_vec).collect()
+}
+
+/// Returns the columns that may be the joints of the robot: the columns with their headings, or
+/// runs of columns without another meaning if these are too few.
+pub(crate) fn joint_lists(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Vec<Vec<usize>> {
+    let count = robot.joints().len();
     let named = table.columns.iter().any(|column| column.name.is_some());
     let joints = found.joint_columns();
-    let joint_lists = match joints.len() >= count {
+    let is_open = |i: &usize| matches!(found.taken[*i].meaning, Meaning::Unknown | Meaning::Joint(_));
+    match joints.len() >= count {
         true => vec![joints],
-        false if named => consecutive(count)
-            .into_iter()
-            .filter(|all| all.iter().all(|i| matches!(found.taken[*i].meaning, Meaning::Unknown | Meaning::Joint(_))))
-            .collect(),
-        false => consecutive(count),
-    };
+        false if named => consecutive(table, count).into_iter().filter(|all| all.iter().all(|i| is_open(i))).collect(),
+        false => consecutive(table, count),
+    }
+}
+
+/// Returns the joints and points to try, the proposed ones first.
+fn trials(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Vec<Trial> {
+    let named = table.columns.iter().any(|column| column.name.is_some());
+    let joint_lists = joint_lists(robot, table, found);
     let whole = |set: &PointSet| match set.columns {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         _ => None,
     };
     let mut points: Vec<[usize; 3]> = found.points.iter().chain(&found.commanded).filter_map(whole).collect();
     if !named {
-        points.extend(consecutive(3).into_iter().filter_map(|all| <[usize; 3]>::try_from(all).ok()));
+        points.extend(consecutive(table, 3).into_iter().filter_map(|all| <[usize; 3]>::try_from(all).ok()));
     }
     let target = found.first(Meaning::Target).filter(|at| groups(&table.columns[*at]).is_some());
     let pairs = joint_lists.iter().flat_map(|joints| points.iter().map(move |points| (joints, points)));
@@ -321,20 +331,32 @@ pub(crate) fn name_joints(
             remarks.reasons.push(phrase!("robot-reverses", column = table.called(*at), joint = of_robot(k)));
         }
     }
-    if !plain {
-        let called: Vec<String> = columns.iter().map(|at| table.called(*at)).collect();
-        // numbers in headings that contradict the kinematics: headings or robot file are wrong
-        let numbers: Vec<Option<usize>> = called.iter().map(|heading| joint_number(heading)).collect();
-        let contradicts = numbers.iter().all(Option::is_some) && !numbers.is_sorted();
-        match contradicts {
-            true => remarks.doubts.push(phrase!("robot-contradicts-order", columns = called)),
-            false => remarks.reasons.push(phrase!("robot-orders", columns = called)),
-        }
+    let called: Vec<String> = columns.iter().map(|at| table.called(*at)).collect();
+    if contradicts(robot, &columns, table) {
+        remarks.doubts.push(phrase!("robot-contradicts-order", columns = called));
+    } else if !plain {
+        remarks.reasons.push(phrase!("robot-orders", columns = called));
     }
     found.joint_names = (0..columns.len()).map(of_robot).collect();
     found.by_kinematics = true;
     found.settle(Evidence::JointOrder);
     remarks
+}
+
+/// `true` if the headings of columns, in the order of the joints, name the joints in another order:
+/// by numbers, by the names in robot.toml, or by the parts of an arm. Headings or robot file are
+/// wrong.
+fn contradicts(robot: &dyn Robot, columns: &[usize], table: &Table) -> bool {
+    let column = |at: &usize| &table.columns[*at];
+    let is_unsorted = |places: &[Option<usize>]| places.iter().all(Option::is_some) && !places.is_sorted();
+    let by_number: Vec<Option<usize>> = columns.iter().map(|at| joint_number(&table.called(*at))).collect();
+    // an external axis has a number of its own: `A1, A2, E1`
+    let is_unique = by_number.iter().collect::<BTreeSet<_>>().len() == by_number.len();
+    let by_part: Vec<Option<usize>> = columns.iter().map(|at| part_of_arm(&column(at).heading)).collect();
+    let name = |at: &usize| column(at).name.as_deref().map(heading_without_unit);
+    let by_name = |at: &usize| robot.joints().iter().position(|joint| Some(joint.name.as_str()) == name(at));
+    let is_other = |(k, at): (usize, &usize)| by_name(at).is_some_and(|named| named != k);
+    is_unique && is_unsorted(&by_number) || is_unsorted(&by_part) || columns.iter().enumerate().any(is_other)
 }
 
 /// Describes how well the robot reproduces points, and gives their unit.

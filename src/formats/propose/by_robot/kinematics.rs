@@ -8,6 +8,12 @@ use std::collections::BTreeMap;
 
 /// Minimum number of rows: base and target are 15 unknowns.
 pub(crate) const FEWEST: usize = 15;
+/// Minimum number of joints that move: the motion of two joints fits many orders and targets.
+const FEWEST_MOVING: usize = 3;
+/// Smallest range of a moving joint, in units of the file; a recording at rest has less.
+const MOVES: f64 = 5e-3;
+/// Residual (mm) of a nominal robot up to which a measurement is implausible.
+const NO_MEASUREMENT_MM: f64 = 0.005;
 /// Number of rows with which orders and signs are ranked.
 const RANKED: usize = 24;
 /// Maximum number of rows of the final residual.
@@ -140,6 +146,16 @@ impl Sample {
         self.rows_at(&keep)
     }
 
+    /// Number of columns of joints that move.
+    fn moving_joints(&self) -> usize {
+        let range = |column: &&Vec<f64>| {
+            let (low, high) =
+                column.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
+            high - low > MOVES
+        };
+        self.joints.iter().filter(range).count()
+    }
+
     /// Mean and spread (root mean square distance from the mean) of the points.
     fn spread(&self) -> ([f64; 3], f64) {
         let n = self.rows().max(1) as f64;
@@ -188,6 +204,9 @@ pub(crate) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcom
     // points of several branches are not those of one chain
     let is_chain = robot.free_base().is_some() && robot.branches().is_empty();
     if !is_chain || sample.joints.len() < count || count < 2 || !sample.spans_space() {
+        return Outcome::Untested;
+    }
+    if sample.moving_joints() < FEWEST_MOVING {
         return Outcome::Untested;
     }
     let sample = &sample.with_few_targets();
@@ -521,6 +540,7 @@ fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
             Origin::Commanded
         }
         largest if largest <= rounding_mm + of_joints_mm => Origin::Undecided,
+        _ if residual.rms_mm < NO_MEASUREMENT_MM => Origin::Undecided,
         _ => Origin::Measured,
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::dialect::{ColumnRole, quoted};
 use crate::logs::{ArrayFile, ArrayParts, LogKind};
+use crate::propose::coordinates::FEWEST_OF_POINTS;
 use crate::propose::headings::Heading;
 use crate::propose::lines::{fitted_unit_line, joint_entry, roles, unit_line};
 use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
@@ -25,7 +26,13 @@ pub(crate) fn propose_arrays(
 ) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(contents)?;
     // joints are the parts of the array with the most parts
-    let widest = arrays.iter().filter(|array| array.count > 1).max_by_key(|array| (array.parts.len(), array.count));
+    // an array without a name is a part of an object of a class, whose form only MATLAB knows
+    let is_measured = |array: &&ArrayParts| {
+        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
+        array.count > 1 && array.parts.iter().all(|part| !part.is_empty()) && !MOTIONS.contains(&name.as_str())
+    };
+    let named = arrays.iter().filter(is_measured);
+    let widest = named.max_by_key(|array| (array.parts.len(), array.count));
     let Some(widest) = widest else { return Err(error!("no-rows-of-numbers", file = "arrays")) };
     let about = format.about();
     let mut document = FormatsDocument {
@@ -57,7 +64,8 @@ pub(crate) fn propose_arrays(
             if unit.is_none() {
                 document.ask(phrase!("ask-unit"));
             }
-            export_lines(file, widest, (&table, &found), unit)
+            let sets = 0..found.points.len();
+            sets.map(|set| export_lines(file, widest, (&table, &found, set), unit)).collect()
         }
         None => {
             let joints = found.joint_columns();
@@ -72,6 +80,9 @@ pub(crate) fn propose_arrays(
     document.toml = with_remarks(&document, &lines);
     Ok(document)
 }
+
+/// Names of arrays of accelerations, rates and forces, in lower case.
+const MOTIONS: [&str; 12] = ["a", "acc", "accel", "w", "omega", "gyro", "gyr", "f", "force", "torque", "tau", "mag"];
 
 /// Names of arrays of times, in lower case.
 const TIMES: [&str; 7] = ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"];
@@ -100,27 +111,31 @@ fn interpreted(
     let table = read_columns(contents, format, &parts)?;
     let mut found = Interpretation::unknown(&table);
     let count = values.len();
-    let of_poses = poses_by_values(&table, first);
+    if let Some(by_values) = by_values(&table, first) {
+        for (at, taken) in (first..).zip(&by_values.taken) {
+            found.taken[at] = taken.clone();
+        }
+        found.points = by_values.points;
+        found.points.iter_mut().flat_map(|set| set.columns.iter_mut().flatten()).for_each(|at| *at += first);
+        found.doubts = [found.doubts, by_values.doubts].concat();
+        return Ok((table, found));
+    }
     let is_of_points = widest.parts.len() == 3;
     if time.is_some() {
         found.take(0, Meaning::Time, phrase!("why-heading"));
         found.clock_unit(&table);
     }
-    if of_poses.is_some() || is_of_points {
-        let meanings = of_poses.unwrap_or_else(|| (0..3).map(|axis| Meaning::Point(0, axis)).collect());
-        let mut set = PointSet { tag: String::new(), columns: [None; 3] };
-        for (at, meaning) in (first..).zip(meanings) {
-            if let Meaning::Point(_, axis) = meaning {
-                set.columns[axis] = Some(at);
-            }
-            found.take(at, meaning, phrase!("why-place"));
+    if is_of_points {
+        for axis in 0..3 {
+            found.take(first + axis, Meaning::Point(0, axis), phrase!("why-place"));
         }
-        found.points.push(set);
+        found.points.push(PointSet { tag: String::new(), columns: [0, 1, 2].map(|axis| Some(first + axis)) });
         found.doubt(phrase!("doubt-array-columns", array = widest.name, count));
-        match is_of_points {
-            true => found.ask(phrase!("ask-order-of-columns")),
-            false => found.doubt_until(Evidence::Orientations, phrase!("doubt-quaternion-order")),
-        }
+        found.ask(phrase!("ask-order-of-columns"));
+        return Ok((table, found));
+    }
+    if count >= FEWEST_OF_POINTS && count.is_multiple_of(3) {
+        found.points_in_row(&(first..first + count).collect::<Vec<usize>>());
         return Ok((table, found));
     }
     for k in 0..count {
@@ -155,24 +170,25 @@ fn read_columns(contents: &ArrayFile, format: LogKind, parts: &[&str]) -> Result
     Ok(Table { rows, width: columns.len(), columns, sampled: lines.next().is_some(), ..Table::default() })
 }
 
-/// Meanings of the columns from the index `first` on, if their values are positions and
-/// quaternions: four of seven have the norm 1 in all rows.
-fn poses_by_values(table: &Table, first: usize) -> Option<Vec<Meaning>> {
+/// Interpretation of the columns from the index `first` on by their values, if these show positions
+/// with quaternions, matrices or directions of length 1.
+fn by_values(table: &Table, first: usize) -> Option<Interpretation> {
     let unnamed = |column: &Column| Column { values: column.values.clone(), ..Column::default() };
     let columns: Vec<Column> = table.columns[first..].iter().map(unnamed).collect();
     let found = Interpretation::new(&Table { width: columns.len(), columns, rows: table.rows, ..Table::default() });
-    let is_pose = found.taken.len() == 7 && found.quaternion_columns().len() == 4 && !found.points.is_empty();
-    is_pose.then(|| found.taken.iter().map(|taken| taken.meaning).collect())
+    let is_turned = found.quaternion_columns().len() == 4 || found.matrix_columns().len() == 9;
+    let is_directed = (0..3).all(|k| found.first(Meaning::Direction(k)).is_some());
+    (found.points.len() == 1 && (is_turned || is_directed)).then_some(found)
 }
 
 /// Lines of an export of an array, with its column of times.
 fn export_lines(
     file: &str,
     array: &ArrayParts,
-    (table, found): (&Table, &Interpretation),
+    (table, found, set): (&Table, &Interpretation, usize),
     unit: Option<&'static str>,
 ) -> String {
-    let roles = roles(found, 0);
+    let roles = roles(found, set);
     let named = roles.iter().zip(&table.columns).filter(|(role, _)| **role != ColumnRole::Skip);
     let columns: Vec<String> = named
         .map(|(role, column)| {

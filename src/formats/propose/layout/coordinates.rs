@@ -5,6 +5,7 @@ use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use crate::propose::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use std::collections::BTreeSet;
 
 /// Tag of the headings of a quaternion, and the columns of its components.
 type Quaternion = (String, [usize; 4]);
@@ -29,7 +30,14 @@ struct Set {
 
 /// Minimum count of numbers without headings that are points of three numbers each: fewer numbers
 /// may be the joints and the points of a robot.
-const FEWEST_OF_POINTS: usize = 30;
+pub(crate) const FEWEST_OF_POINTS: usize = 30;
+/// Minimum number of pairs of rows, and maximum number of rows, whose distances are compared.
+const FEWEST_COMPARED: usize = 6;
+const MOST_COMPARED: usize = 2000;
+/// Numbers of a row that may be a row of a table whose rows and columns are exchanged.
+const WIDE: usize = 300;
+/// Maximum count of numbers without headings that may be a point with a number behind it.
+const MOST_OF_POINT: usize = 5;
 /// Maximum count of numbers of a row that may be a table of one row.
 const MOST_IN_ROW: usize = 16;
 
@@ -151,7 +159,7 @@ fn kind_by_words(tag: &str) -> Kind {
         () if has(Word::Uncertainty) || has(Word::Motion) || tag == "n" || long(Word::Normal) => Kind::Other,
         () if tag.split(' ').any(|word| TURNED.contains(&word)) => Kind::Other,
         () if has(Word::Difference) => Kind::Difference,
-        () if tag == "target" => Kind::Named,
+        () if ["target", "ziel"].contains(&tag) => Kind::Named,
         () if has(Word::Commanded) && !long(Word::Measured) => Kind::Commanded,
         () if has(Word::Measured) => Kind::Measured,
         () if tag.split(' ').all(|word| NEUTRAL.contains(&word)) => Kind::Plain,
@@ -167,8 +175,14 @@ fn are_differences(table: &Table, [first, second, third]: [&PointSet; 3]) -> boo
     let all = axes.filter(|columns| columns.iter().any(Option::is_some)).all(|columns| {
         let [Some(a), Some(b), Some(c)] = columns else { return false };
         let largest = table.columns[c].largest();
-        any |= largest > 0.0;
+        // zeros are no commanded values: every column is its own difference from them
+        any |= largest > 0.0 && table.columns[a].largest() > 0.0;
         let rounding = 5e-3 * largest + 1e-9 * table.columns[a].largest();
+        // what is measured is near what is commanded: other differences are distances of bodies
+        let (low, high) = table.columns[a].range();
+        if largest > 0.2 * (high - low).max(table.columns[a].largest()) {
+            return false;
+        }
         table.finite_rows([a, b, c]).all(|[a, b, c]| (b - a - c).abs() <= rounding.max(2e-4 * c.abs()))
     });
     all && any
@@ -187,6 +201,60 @@ fn nearly_agree(table: &Table, a: &PointSet, b: &PointSet) -> bool {
         _ => false,
     };
     spread > 0.0 && a.columns.iter().zip(&b.columns).filter(|(a, b)| a.is_some() || b.is_some()).all(near)
+}
+
+/// Corrects the kinds of sets by the other sets and columns of the table.
+fn by_other_sets(sets: &mut [Set], table: &Table) {
+    let has = |kind: Kind| sets.iter().any(|set| set.kind == kind);
+    // `x_t` beside `x_dif`, and a target beside measured values, is the commanded value
+    let (compared, measured) = (has(Kind::Difference), has(Kind::Measured));
+    for set in sets.iter_mut() {
+        let is_target = ["target", "ziel"].contains(&set.points.tag.as_str());
+        if compared && (is_target || set.points.tag == "t") || measured && is_target {
+            set.kind = Kind::Commanded;
+        }
+    }
+    // `TX` beside `FX` is a torque
+    let has_force = |rest: &[&str]| {
+        let force: Vec<&str> = ["fx"].into_iter().chain(rest.iter().copied()).collect();
+        let is_force = |column: &Column| {
+            let words: BTreeSet<&str> = column.heading.words.iter().map(String::as_str).collect();
+            words == force.iter().copied().collect()
+        };
+        table.columns.iter().any(is_force)
+    };
+    for set in sets.iter_mut() {
+        let words: Vec<&str> = set.points.tag.split(' ').collect();
+        if words[0] == "t" && has_force(&words[1..]) {
+            set.kind = Kind::Other;
+        }
+    }
+    let directed = |set: &Set| match set.points.columns {
+        [Some(x), Some(y), Some(z)] => table.rows > 2 && table.are_unit([x, y, z]),
+        _ => false,
+    };
+    // axes of a tool beside its position
+    if sets.iter().any(|set| set.kind != Kind::Other && !directed(set)) {
+        sets.iter_mut().filter(|set| directed(set)).for_each(|set| set.kind = Kind::Other);
+    }
+}
+
+/// `true` if two points have the same distances from row to row: one point in two frames, or two
+/// points of a body that does not turn.
+fn are_rigid(table: &Table, a: &PointSet, b: &PointSet) -> bool {
+    let ([Some(a0), Some(a1), Some(a2)], [Some(b0), Some(b1), Some(b2)]) = (a.columns, b.columns) else {
+        return false;
+    };
+    let rows: Vec<[f64; 6]> = table.finite_rows([a0, a1, a2, b0, b1, b2]).take(MOST_COMPARED).collect();
+    let distance =
+        |p: &[f64; 6], q: &[f64; 6], from: usize| (from..from + 3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
+    let half = rows.len() / 2;
+    let pairs = || (0..half).map(|i| (&rows[i], &rows[i + half]));
+    // in other units as well
+    let sums = pairs().fold([0.0; 2], |[a, b], (p, q)| [a + distance(p, q, 0), b + distance(p, q, 3)]);
+    let scale = sums[0] / sums[1];
+    let agrees = |(p, q)| (distance(p, q, 0) - scale * distance(p, q, 3)).abs() <= 0.02 * sums[0] / half as f64;
+    half >= FEWEST_COMPARED && scale.is_finite() && scale > 0.0 && pairs().all(agrees)
 }
 
 impl Interpretation {
@@ -218,12 +286,7 @@ impl Interpretation {
         sets.retain(|set| {
             set.points.columns[0].is_some() && set.points.columns[1].is_some() || axes(set) == most && most < 2
         });
-        if sets.iter().any(|set| set.kind == Kind::Difference) {
-            // `x_t` beside `x_dif` is the commanded value
-            for set in sets.iter_mut().filter(|set| set.points.tag == "t" || set.points.tag == "target") {
-                set.kind = Kind::Commanded;
-            }
-        }
+        by_other_sets(&mut sets, table);
         self.related_sets(&mut sets, table);
         self.bodies = sets.iter().map(|set| set.points.tag.clone()).collect();
         let others: Vec<&Set> = sets.iter().filter(|set| set.kind == Kind::Other).collect();
@@ -316,6 +379,13 @@ impl Interpretation {
             target_name(&a.tag) == target_name(&b.tag) || nearly_agree(table, a, b)
         };
         let count = self.points.len();
+        let rigid = |i: usize, j: usize| are_rigid(table, &self.points[i], &self.points[j]);
+        let pairs = || (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
+        if let Some((i, j)) = pairs().find(|(i, j)| count < 4 && !alike(*i, *j) && rigid(*i, *j)) {
+            let tag = |at: usize| self.points[at].tag.clone();
+            let (first, second) = (tag(i), tag(j));
+            return self.ask(phrase!("ask-two-frames", first, second));
+        }
         let pair = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).find(|(i, j)| alike(*i, *j));
         let columns = |at: usize| self.points[at].columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
         if let Some((i, j)) = pair {
@@ -379,6 +449,7 @@ impl Interpretation {
     fn judge(&mut self, sets: &[Set], table: &Table) {
         self.ask_about_sets(table);
         let one = |kind: Kind| sets.iter().find(|set| set.kind == kind).map(|set| set.points.clone());
+        self.commanded_beside = one(Kind::Commanded).filter(|_| !self.points.is_empty());
         if self.points.is_empty()
             && let Some(commanded) = one(Kind::Commanded)
         {
@@ -399,6 +470,7 @@ impl Interpretation {
         if !left.is_empty() && !self.points.is_empty() {
             self.doubt(phrase!("doubt-coordinates-left", left));
         }
+        self.ask_about_controller(&left, table);
         let computed = |set: &&PointSet| {
             let mut words = set.tag.split(' ');
             words.clone().any(|word| OF_CONTROLLER.contains(&word))
@@ -410,6 +482,22 @@ impl Interpretation {
         let bare = |set: &PointSet| set.columns.iter().flatten().any(|at| table.columns[*at].heading.bare_metre);
         if self.points.iter().any(bare) {
             self.doubt(phrase!("doubt-bare-metre"));
+        }
+    }
+
+    /// Asks whether an instrument measured the point, if its heading has the words of the joints
+    /// (`measured_q1`, `measured_x`) and there are coordinates of another body.
+    fn ask_about_controller(&mut self, left: &[String], table: &Table) {
+        let Some(point) = self.points.first().map(|set| set.tag.clone()).filter(|tag| !tag.is_empty()) else { return };
+        let joints = self.joint_columns();
+        let is_same = |at: &usize| {
+            let words = table.columns[*at].heading.words.iter().map(String::as_str);
+            let own: Vec<&str> =
+                words.filter(|word| !stands_for(word, Word::Joint) && word.parse::<usize>().is_err()).collect();
+            own.join(" ") == point
+        };
+        if !left.is_empty() && joints.len() > 1 && joints.iter().all(is_same) {
+            self.ask(phrase!("ask-computed-by-controller", body = point, others = left.to_vec()));
         }
     }
 
@@ -444,6 +532,9 @@ impl Interpretation {
         let mut rest = numeric;
         if table.rows == 1 && rest.len() > MOST_IN_ROW {
             return self.doubt(phrase!("doubt-one-row", count = rest.len()));
+        }
+        if rest.len() > WIDE && rest.len() > 10 * table.rows {
+            return self.doubt(phrase!("doubt-transposed", rows = table.rows, columns = rest.len()));
         }
         if self.matrices_by_position(table, &rest) {
             return;
@@ -493,7 +584,7 @@ impl Interpretation {
     }
 
     /// Takes many numbers for the points of a row, three numbers each, as a question.
-    fn points_in_row(&mut self, rest: &[usize]) {
+    pub(crate) fn points_in_row(&mut self, rest: &[usize]) {
         for (number, at) in rest.chunks_exact(3).enumerate() {
             at.iter()
                 .enumerate()
@@ -547,11 +638,8 @@ impl Interpretation {
             [x, y, z, ..] => {
                 self.point_at(&[x, y, z]);
                 self.ask_about_copies(table, &rest[3..]);
-                if rest.len().is_multiple_of(3) {
-                    self.doubt_until(
-                        Evidence::JointOrder,
-                        phrase!("doubt-points-without-headings", count = rest.len()),
-                    );
+                if rest.len() > MOST_OF_POINT {
+                    self.ask_until(Evidence::JointOrder, phrase!("ask-numbers-without-headings", count = rest.len()));
                 }
             }
             _ => {}

@@ -47,7 +47,7 @@ pub(crate) enum Word {
 const WORDS: [(Word, &str); 20] = [
     (
         Word::Time,
-        "時刻 時間 时间 时刻 hora heure ora tick ticks time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts",
+        "時刻 時間 时间 时刻 hora heure ora tick ticks time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts sec secs seconds",
     ),
     (Word::Date, "日付 日期 date datum data fecha"),
     (
@@ -57,7 +57,7 @@ const WORDS: [(Word, &str); 20] = [
     ),
     (
         Word::Target,
-        "靶球 靶标 ターゲット 反射球 target smr marker ball reflector reflektor kugel marke cible bille mire bersaglio prisma esfera sfera zielmarke",
+        "靶球 靶标 ターゲット 反射球 target ziel smr marker ball reflector reflektor kugel marke cible bille mire bersaglio prisma esfera sfera zielmarke",
     ),
     (Word::Pose, "位姿 姿勢 ポーズ pose poses posenr poseid stellung posture posa postura lage"),
     (
@@ -76,7 +76,7 @@ const WORDS: [(Word, &str); 20] = [
     ),
     (
         Word::Commanded,
-        "設計 設計値 公称 公称値 基準値 理論値 设计 设计值 理论 理论值 名义 名义值 标称 标称值 sollwerte goal target cmd command commanded nominal nom soll sollwert ref reference desired des setpoint ipo plan planned theoretical \
+        "設計 設計値 公称 公称値 基準値 理論値 设计 设计值 理论 理论值 名义 名义值 标称 标称值 sollwerte goal target ziel zielposition vorgabe cmd command commanded nominal nom soll sollwert ref reference desired des setpoint ipo plan planned theoretical \
          theoretisch theor theorique consigne nominale teorico teorica objetivo programmed prog rsol expected obiettivo",
     ),
     (
@@ -99,12 +99,12 @@ const WORDS: [(Word, &str); 20] = [
     (
         Word::Motion,
         "vel velocity speed v acc acceleration force torque current geschwindigkeit vitesse velocita velocidad beschleunigung kraft \
-         moment strom couple effort i qd qdd f",
+         moment strom couple effort i qd qdd f gyr gyro gyroscope gyroskop mag magnetometer accel imu omega",
     ),
     (Word::Normal, "normal n nx ny nz dir direction normale richtung"),
     (
         Word::Joint,
-        "关节 関節 轴 軸 joint axis achse gelenk axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
+        "关节 関節 轴 軸 joint axis achse gelenk θ axe articulation asse giunto eje articulacion enc encoder motor theta j q a jt th rp rho e \
          leg legs bein beine strut jambe gamba pata",
     ),
 ];

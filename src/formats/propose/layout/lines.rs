@@ -10,6 +10,7 @@ use crate::propose::several::{LABEL_LINE, POSE_LABEL_LINE, POSE_LINE, TARGET_LIN
 use crate::propose::table::Table;
 use crate::table::QUATERNION;
 use etalon_base::catalogue::Phrase;
+use etalon_base::message::{Message, Problems};
 use etalon_base::phrase;
 use etalon_documents::FormatsDocument;
 use etalon_tables::guess::{Guess, names};
@@ -68,6 +69,31 @@ pub(crate) fn joint_entry(key: &str, is_reversed: bool, heading: Option<&str>, n
         (true, Some(name)) => format!("{key} = {{ name = {}, per_count = -1 }}", quoted(name)),
         (true, None) => format!("{key} = {{ number = {number}, per_count = -1 }}"),
     }
+}
+
+/// Returns the first problems of reading a file, as doubts.
+pub(crate) fn problems_as_doubts(problems: &Problems) -> Vec<Phrase> {
+    let doubt = |message: &Message| match message.place.as_ref().and_then(|place| place.line) {
+        Some(line) => phrase!("doubt-in-line", line, problem = message.phrase()),
+        None => message.phrase(),
+    };
+    let mut doubts: Vec<Phrase> = problems.0.iter().take(SHOWN).map(doubt).collect();
+    if problems.0.len() > SHOWN {
+        doubts.push(phrase!("doubt-more-problems", count = problems.0.len() - SHOWN));
+    }
+    doubts
+}
+
+/// Returns the first row without a point, and the number of others, as a doubt.
+pub(crate) fn refused_as_doubts(points: &[Point]) -> Vec<Phrase> {
+    let refused: Vec<&Point> = points.iter().filter(|point| point.refused.is_some()).collect();
+    let Some((line, reason)) = refused.first().and_then(|p| Some((p.line, p.refused.as_deref()?))) else {
+        return Vec::new();
+    };
+    vec![match refused.len() - 1 {
+        0 => phrase!("doubt-in-line", line, problem = reason),
+        more => phrase!("doubt-rows-refused", line, reason, more),
+    }]
 }
 
 /// Returns the role of each column in an export of the measured point with this number; rotations
@@ -317,6 +343,7 @@ impl Proposal<'_> {
         }
         if set == 0 {
             self.tried(&dialect, unit).into_iter().for_each(|doubt| document.doubt(doubt));
+            self.blocks().into_iter().for_each(|question| document.ask(question));
             if unit.is_none() {
                 document.ask(self.unit_of_lengths(points));
             }
@@ -378,6 +405,16 @@ impl Proposal<'_> {
         }
     }
 
+    /// Returns the question of blocks: the headings stand above the rows of each of them again.
+    fn blocks(&self) -> Option<Phrase> {
+        let row = self.best.names.as_ref().filter(|row| row.fields.iter().any(|f| f.contains(char::is_alphabetic)))?;
+        let heading = self.text.lines().nth(row.line.checked_sub(1)?)?.trim();
+        let again = self.text.lines().enumerate().skip(row.line).filter(|(_, line)| line.trim() == heading);
+        let lines: Vec<usize> = again.map(|(at, _)| at + 1).collect();
+        let line = *lines.first()?;
+        Some(phrase!("ask-blocks", line, count = lines.len() + 1))
+    }
+
     /// Returns a doubt about columns of numbers that are not read, if their meaning is unknown.
     fn not_read(&self) -> Option<Phrase> {
         let named = self.table.columns.iter().any(|column| column.name.is_some());
@@ -390,6 +427,7 @@ impl Proposal<'_> {
                 Meaning::OtherOrientation(_) => !self.found.turned_points.iter().any(|(_, at)| at.contains(&i)),
                 Meaning::Uncertainty(_)
                 | Meaning::ExpandedUncertainty(_)
+                | Meaning::Scatter
                 | Meaning::Distance
                 | Meaning::Azimuth
                 | Meaning::Zenith
@@ -409,28 +447,11 @@ impl Proposal<'_> {
     /// Returns the problems of reading the whole file with this dialect, as doubts.
     fn tried(&self, dialect: &Dialect, unit: Option<Unit>) -> Vec<Phrase> {
         let (points, problems) = point_rows(self.file, &self.text.into(), dialect, unit.unwrap_or(Unit::Millimetre));
-        let mut doubts: Vec<Phrase> = problems
-            .0
-            .iter()
-            .take(SHOWN)
-            .map(|m| match m.place.as_ref().and_then(|p| p.line) {
-                Some(line) => phrase!("doubt-in-line", line, problem = m.phrase()),
-                None => m.phrase(),
-            })
-            .collect();
-        if problems.0.len() > SHOWN {
-            doubts.push(phrase!("doubt-more-problems", count = problems.0.len() - SHOWN));
-        }
+        let mut doubts = problems_as_doubts(&problems);
         let at_origin = |p: &&Point| p.refused.is_none() && p.xyz_mm == [0.0; 3];
         let origin = points.iter().find(at_origin).filter(|_| !has_frame_on_points(&points));
-        let refused: Vec<_> = points.iter().filter(|p| p.refused.is_some()).collect();
         doubts.extend(origin.map(|p| phrase!("doubt-origin", line = p.line)));
-        if let Some((line, reason)) = refused.first().and_then(|p| Some((p.line, p.refused.as_deref()?))) {
-            doubts.push(match refused.len() - 1 {
-                0 => phrase!("doubt-in-line", line, problem = reason),
-                more => phrase!("doubt-rows-refused", line, reason, more),
-            });
-        }
+        doubts.extend(refused_as_doubts(&points));
         doubts
     }
 

@@ -48,6 +48,8 @@ pub(crate) enum Meaning {
     Temperature,
     Deleted,
     Motion,
+    /// Uncertainty or scatter of a point that no coordinate has.
+    Scatter,
     /// Component of a quaternion of another body than the first measured point.
     OtherOrientation(usize),
     /// Intensity or colour of a scanned point.
@@ -91,6 +93,7 @@ impl Meaning {
             Self::Temperature => phrase!("means-temperature"),
             Self::Deleted => phrase!("means-deleted"),
             Self::Motion => phrase!("means-motion"),
+            Self::Scatter => phrase!("means-scatter"),
             Self::OtherOrientation(at) => {
                 phrase!("means-other-orientation", component = ["qw", "qx", "qy", "qz"][at.min(3)])
             }
@@ -136,6 +139,8 @@ pub(crate) struct Interpretation {
     pub points: Vec<PointSet>,
     /// Commanded point, from which the measured point is computed with the difference.
     pub commanded: Option<PointSet>,
+    /// Commanded point beside a measured one.
+    pub commanded_beside: Option<PointSet>,
     /// Difference between commanded and measured point.
     pub difference: Option<PointSet>,
     /// Words of the headings of all sets of coordinates, without the axis.
@@ -225,6 +230,7 @@ impl Interpretation {
         if table.columns.iter().any(|column| column.name.is_some()) {
             found.texts(table);
             found.matrix(table);
+            found.numbered_matrix(table);
             found.quaternion(table);
             found.joints(table);
             found.coordinates(table);
@@ -232,11 +238,13 @@ impl Interpretation {
             found.rotations(table);
             found.singles(table);
             found.rest(table);
+            found.vertical_angle(table);
         } else {
             found.by_position(table);
         }
         found.clock_unit(table);
         found.number_with_gaps(table);
+        found.numbers_of_poses(table);
         found
     }
 
@@ -297,6 +305,11 @@ impl Interpretation {
     /// Returns the first column with this meaning.
     pub fn first(&self, meaning: Meaning) -> Option<usize> {
         self.taken.iter().position(|taken| taken.meaning == meaning)
+    }
+
+    /// Returns the commanded point of each row.
+    pub fn commanded_point(&self) -> Option<&PointSet> {
+        self.commanded.as_ref().or(self.commanded_beside.as_ref())
     }
 
     /// Returns the columns of the joints in order.
@@ -378,6 +391,27 @@ impl Interpretation {
             && table.columns[first].texts.len() > 1.max(table.rows.min(4) / 2)
         {
             self.take(first, Meaning::Label, phrase!("why-texts-differ"));
+        }
+    }
+
+    /// Finds nine columns that one word and the numbers from 0 or 1 on name, if they are a rotation
+    /// matrix, row by row, in all rows.
+    fn numbered_matrix(&mut self, table: &Table) {
+        let numbered = |column: &Column| match &column.heading.words[..] {
+            [before @ .., number] if !before.is_empty() => Some((before.join(" "), number.parse::<usize>().ok()?)),
+            _ => None,
+        };
+        let all: Vec<(usize, (String, usize))> =
+            self.free(table).filter_map(|(i, column)| Some((i, numbered(column)?))).collect();
+        let first = all.iter().filter(|(_, (_, number))| *number < 2);
+        let columns = |tag: &str, from: usize| -> Option<[usize; 9]> {
+            let at = |k: usize| all.iter().find(|(_, (of, n))| of == tag && *n == from + k).map(|(i, _)| *i);
+            (0..9).map(at).collect::<Option<Vec<usize>>>()?.try_into().ok()
+        };
+        let found = first.filter_map(|(_, (tag, from))| columns(tag, *from));
+        let Some(rotation) = found.into_iter().find(|at| table.are_rotations(*at)) else { return };
+        for (k, column) in rotation.into_iter().enumerate() {
+            self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-nine-orthonormal"));
         }
     }
 
@@ -572,23 +606,60 @@ fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
 }
 
 /// Words in the names of joints that have no number.
-const NAMED_JOINTS: [&str; 13] = [
-    "shoulder", "elbow", "wrist", "forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint",
-    "gelenk",
+const NAMED_JOINTS: [&str; 10] =
+    ["forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint", "gelenk"];
+
+/// Parts of an arm from its base on, in seven languages: the joints of controllers that name no
+/// number.
+const PARTS: [&str; 4] = [
+    "base basis fuss fuß sockel socle pan waist taille cintura slew swivel 基座 机座 底座 腰 腰部 ベース",
+    "shoulder schulter epaule hombro spalla lift 肩 肩部 肩关节 ショルダー",
+    "elbow ellbogen ellenbogen coude codo gomito 肘 肘部 肘关节 エルボー エルボ",
+    "wrist handgelenk poignet muneca polso 手腕 手首 腕 リスト",
 ];
+
+/// Place of a named joint in an arm, from the base on; `None` for other words.
+pub(crate) fn part_of_arm(heading: &Heading) -> Option<usize> {
+    let part = |word: &String| PARTS.iter().position(|words| words.split(' ').any(|known| known == word));
+    heading.words.iter().filter_map(part).min()
+}
+
+/// `true` if every word of a heading is a part of an arm, a joint, or a position.
+fn is_part_alone(heading: &Heading) -> bool {
+    let is_plain = |word: &String| {
+        PARTS.iter().any(|words| words.split(' ').any(|known| known == word))
+            || stands_for(word, Word::Joint)
+            || POSITIONS.contains(&word.as_str())
+    };
+    part_of_arm(heading).is_some() && heading.words.iter().all(is_plain)
+}
+
+/// Returns the number of a joint that a letter names: `Theta A`, `Achse B`.
+fn lettered_joint(heading: &Heading) -> Option<(String, usize)> {
+    let [word, letter] = &heading.words[..] else { return None };
+    let at = ('a'..='h').position(|known| *letter == known.to_string())?;
+    (word.chars().count() > 1 && stands_for(word, Word::Joint)).then(|| (word.clone(), at + 1))
+}
 
 /// Words of a position or a value between a joint and its number.
 const POSITIONS: [&str; 8] = ["pos", "position", "positions", "angle", "angles", "winkel", "value", "wert"];
 
 /// Returns the words and the number of a joint in a heading.
 fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
-    if heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w)) {
+    const COUNTS: [&str; 6] = ["cnt", "count", "counter", "index", "state", "id"];
+    let is_count = heading.words.iter().any(|word| COUNTS.contains(&word.as_str()));
+    if is_count || heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w))
+    {
         return None;
     }
     let numbers: Vec<usize> = (0..heading.words.len()).filter(|i| heading.words[*i].parse::<usize>().is_ok()).collect();
     let number = numbers.last().and_then(|i| heading.words[*i].parse().ok()).filter(|n| *n < 100);
     let tag = numbers.last().map_or(heading.words.clone(), |i| heading.without(*i));
-    let named = heading.words.iter().any(|word| NAMED_JOINTS.contains(&word.as_str()));
+    // a part of a body whose pose was measured: `R_Shoulder-qx`
+    const COMPONENTS: [&str; 10] = ["x", "y", "z", "w", "px", "py", "pz", "qx", "qy", "qz"];
+    let is_component = heading.words.last().is_some_and(|word| COMPONENTS.contains(&word.as_str()));
+    let of_arm = part_of_arm(heading).is_some_and(|part| part > 0) && !is_component;
+    let named = of_arm || heading.words.iter().any(|word| NAMED_JOINTS.contains(&word.as_str()));
     // `axis pos act 1`: words of the state and of positions stand between the joint and its number
     let before = heading.words[..numbers.last().copied().unwrap_or(0)].iter().map(String::as_str);
     let is_state = |word: &&str| {
@@ -598,6 +669,11 @@ fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     let before = before.rev().find(|word| !is_state(word));
     let is_joint = named || number.is_some() && before.is_some_and(|word| stands_for(word, Word::Joint));
     is_joint.then(|| (tag.join(" "), number))
+}
+
+/// `true` for the words of an encoder or a motor, whose counts belong to the angle of a joint.
+fn is_encoder(tag: &str) -> bool {
+    tag.split(' ').any(|word| ["enc", "encoder", "encoders", "counts", "motor", "mot"].contains(&word))
 }
 
 /// Returns the names of the parts of an arm whose coordinates the table has: three headings differ
@@ -627,6 +703,7 @@ impl Interpretation {
             .filter(|(_, column)| !is_measured(column))
             .filter_map(|(i, column)| joint_name(&column.heading).map(|(tag, number)| (i, tag, number)))
             .collect();
+        self.base_of_arm(table, &mut joints);
         let commanded = |i: usize| table.columns[i].heading.has(Word::Commanded);
         let measured = |i: usize| table.columns[i].heading.has(Word::Measured);
         if joints.iter().any(|(i, ..)| commanded(*i)) && joints.iter().any(|(i, ..)| measured(*i) || !commanded(*i)) {
@@ -636,6 +713,9 @@ impl Interpretation {
             joints.retain(|(i, ..)| self.is_free(*i));
         }
         self.one_family(table, &mut joints);
+        if joints.len() < 2 {
+            joints = self.lettered_joints(table);
+        }
         if joints.len() < 2 {
             joints = self.unnamed_joints(table);
         }
@@ -649,8 +729,16 @@ impl Interpretation {
         numbers.dedup();
         let numbered = one && numbers.len() == joints.len();
         let sorted = joints.windows(2).all(|pair| pair[0].2 < pair[1].2);
+        // parts of an arm: wrists by their numbers
+        let part = |(i, ..): &(usize, String, Option<usize>)| part_of_arm(&table.columns[*i].heading);
+        let parts: Option<Vec<usize>> = joints.iter().map(part).collect();
+        let is_arm = parts.is_some_and(|parts| parts.iter().max() != parts.iter().min());
+        let place = |joint: &(usize, String, Option<usize>)| (part(joint), joint.2);
         if numbered && !sorted {
             joints.sort_by_key(|(.., number)| *number);
+            self.doubt_until(Evidence::JointOrder, phrase!("doubt-order-of-joints"));
+        } else if is_arm && !joints.is_sorted_by_key(place) {
+            joints.sort_by_key(place);
             self.doubt_until(Evidence::JointOrder, phrase!("doubt-order-of-joints"));
         }
         for (k, (i, ..)) in joints.into_iter().enumerate() {
@@ -664,6 +752,31 @@ impl Interpretation {
             };
             self.take(i, Meaning::Joint(k), unit);
         }
+    }
+
+    /// Adds the joint of the base beside shoulder, elbow or wrist: alone the word names no joint.
+    fn base_of_arm(&self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
+        let of_arm = |(i, ..): &&(usize, String, Option<usize>)| is_part_alone(&table.columns[*i].heading);
+        if joints.iter().filter(of_arm).count() < 2 {
+            return;
+        }
+        let is_known = |at: usize| joints.iter().any(|(i, ..)| *i == at);
+        let base = self.free(table).filter(|(i, column)| is_part_alone(&column.heading) && !is_known(*i));
+        let found: Vec<_> = base.map(|(i, column)| (i, column.heading.joined(), None)).collect();
+        joints.extend(found);
+        joints.sort_by_key(|(i, ..)| *i);
+    }
+
+    /// Finds joints that consecutive letters name.
+    fn lettered_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
+        let named = |(i, column): (usize, &Column)| {
+            lettered_joint(&column.heading).map(|(word, number)| (i, word, Some(number)))
+        };
+        let found: Vec<(usize, String, Option<usize>)> = self.free(table).filter_map(named).collect();
+        let mut numbers: Vec<usize> = found.iter().filter_map(|(.., number)| *number).collect();
+        numbers.sort_unstable();
+        let one = found.iter().all(|(_, word, _)| *word == found[0].1);
+        if one && numbers.iter().copied().eq(1..=found.len()) { found } else { Vec::new() }
     }
 
     /// Keeps one family of numbered joints if several have the same numbers: the measured family,
@@ -680,7 +793,7 @@ impl Interpretation {
         };
         let again = tags.iter().enumerate().any(|(k, tag)| {
             let own = numbers(tag);
-            let is_same = |other: &String| match state(tag) || state(other) {
+            let is_same = |other: &String| match state(tag) || state(other) || is_encoder(tag) != is_encoder(other) {
                 true => numbers(other).intersection(&own).count() > 1,
                 false => numbers(other) == own,
             };
@@ -690,7 +803,8 @@ impl Interpretation {
             return;
         }
         let measured = |tag: &&String| tag.split(' ').any(|word| stands_for(word, Word::Measured));
-        let kept = tags.iter().find(measured).unwrap_or(&tags[0]).clone();
+        let of_joint = |tag: &&String| !is_encoder(tag);
+        let kept = tags.iter().find(measured).or(tags.iter().find(of_joint)).unwrap_or(&tags[0]).clone();
         for (i, ..) in joints.iter().filter(|(_, tag, _)| *tag != kept) {
             self.take(*i, Meaning::OtherJoint, phrase!("why-other-family", kept));
         }
@@ -706,7 +820,9 @@ impl Interpretation {
             match &column.heading.words[..] {
                 [letter, number] if letter.len() <= 2 && letter.chars().all(char::is_alphabetic) => {
                     let known = [Word::Uncertainty, Word::Motion, Word::Difference, Word::Normal];
-                    let axis = ["x", "y", "z", "w", "p", "q"].contains(&letter.as_str());
+                    // `P1` beside coordinates is a point
+                    let has_axes = table.columns.iter().any(|column| heading_axis(column).is_some());
+                    let axis = ["x", "y", "z", "w", "q"].contains(&letter.as_str()) || letter == "p" && has_axes;
                     let number = number.parse().ok()?;
                     (!axis && !known.iter().any(|of| stands_for(letter, *of))).then(|| (letter.clone(), number))
                 }
@@ -795,6 +911,12 @@ impl Interpretation {
             let has = |name: &str| table.columns.iter().any(|column| column.heading.joined() == name);
             heading.joined() == "az" && has("ax") && has("ay")
         };
+        // `vz` beside `vx` is a velocity
+        let is_velocity = |heading: &Heading| {
+            let beside = |word: &String| if word == "vz" { "vx".to_owned() } else { word.clone() };
+            let other: Vec<String> = heading.words.iter().map(beside).collect();
+            other != heading.words && table.columns.iter().any(|column| column.heading.words == other)
+        };
         for i in free {
             let column = &table.columns[i];
             let heading = &column.heading;
@@ -804,6 +926,7 @@ impl Interpretation {
             let meaning = match () {
                 () if heading.has(Word::Temperature) || heading.unit == Some("C") => Meaning::Temperature,
                 () if heading.has(Word::Azimuth) && !is_axis(heading) => Meaning::Azimuth,
+                () if is_velocity(heading) => Meaning::Motion,
                 () if heading.has(Word::Zenith) => Meaning::Zenith,
                 () if heading.has(Word::Elevation) => Meaning::Elevation,
                 () if heading.has(Word::Deleted) => Meaning::Deleted,
@@ -859,7 +982,9 @@ impl Interpretation {
         match (axis, expanded) {
             (Some(axis), true) => Meaning::ExpandedUncertainty(axis),
             (Some(axis), false) => Meaning::Uncertainty(axis),
-            (None, _) => number().map_or(Meaning::Motion, |n| Meaning::Uncertainty(n - 1)),
+            (None, _) if heading.words.iter().any(|word| is_motion(word)) => Meaning::Motion,
+            // of the whole point: no coordinate has it
+            (None, _) => number().map_or(Meaning::Scatter, |n| Meaning::Uncertainty(n - 1)),
         }
     }
 
@@ -932,6 +1057,61 @@ impl Interpretation {
         let Some([before, after]) = gap(&at) else { return };
         self.take(at, Meaning::Pose, phrase!("why-counts-with-gaps"));
         self.ask(phrase!("ask-number-with-gaps", column = table.called(at), before, after));
+    }
+
+    /// Takes a running number that its heading calls a number (`Nr`, `No.`, `序号`) for the number of
+    /// the pose, if it is different in all rows: another file may have the rows in another order.
+    fn numbers_of_poses(&mut self, table: &Table) {
+        const NUMBERS: [&str; 12] =
+            ["nr", "no", "num", "number", "numero", "nummer", "n", "index", "idx", "序号", "連番", "编号"];
+        const OTHERS: [&str; 11] =
+            ["frame", "sample", "counter", "count", "step", "seq", "row", "zeile", "line", "ligne", "riga"];
+        let named = [Meaning::Label, Meaning::Pose, Meaning::Target, Meaning::Time, Meaning::Clock, Meaning::TimeOfDay];
+        if named.iter().any(|meaning| self.first(*meaning).is_some()) {
+            return;
+        }
+        let is_number = |at: &usize| {
+            let words = &table.columns[*at].heading.words;
+            let has = |known: &[&str]| words.iter().any(|word| known.contains(&word.as_str()));
+            has(&NUMBERS) && !has(&OTHERS)
+        };
+        let counted = |at: &usize| self.taken[*at].meaning == Meaning::Count && table.columns[*at].is_counter();
+        if let Some(at) = (0..table.columns.len()).find(|at| counted(at) && is_number(at)) {
+            self.take(at, Meaning::Pose, phrase!("why-numbers-rows"));
+        }
+    }
+
+    /// Interprets a vertical angle beside azimuth and distance: a zenith angle about a quarter
+    /// turn, or an elevation about zero, with a doubt.
+    fn vertical_angle(&mut self, table: &Table) {
+        const VERTICAL: [&str; 8] = ["v", "va", "vert", "vertical", "vertikal", "verticale", "verticala", "竖直角"];
+        let has = |meaning: Meaning| self.first(meaning);
+        let (Some(azimuth), Some(_)) = (has(Meaning::Azimuth), has(Meaning::Distance)) else { return };
+        if has(Meaning::Zenith).or(has(Meaning::Elevation)).is_some() || !self.points.is_empty() {
+            return;
+        }
+        let is_vertical = |(_, column): &(usize, &Column)| match &column.heading.words[..] {
+            [word] | [word, _] => VERTICAL.contains(&word.as_str()),
+            _ => false,
+        };
+        let Some(at) = self.free(table).find(is_vertical).map(|(at, _)| at) else { return };
+        let column = &table.columns[at];
+        let in_rad = table.columns[azimuth].largest().max(column.largest()) < 6.6;
+        let unit = column.heading.unit.unwrap_or(if in_rad { "rad" } else { "deg" });
+        let quarter = match unit {
+            "rad" => std::f64::consts::FRAC_PI_2,
+            "gon" => 100.0,
+            _ => 90.0,
+        };
+        let count = column.numbers().count().max(1) as f64;
+        let mean = column.numbers().sum::<f64>() / count;
+        let is_zenith = mean.abs() > 0.5 * quarter;
+        let meaning = if is_zenith { Meaning::Zenith } else { Meaning::Elevation };
+        self.take(at, meaning, phrase!("why-vertical"));
+        let is_polar = |doubt: &Doubt| doubt.text.id == "doubt-polar";
+        self.doubts.retain(|doubt| !is_polar(doubt));
+        let (column, zenith) = (table.called(at), if is_zenith { "yes" } else { "no" });
+        self.doubt(phrase!("doubt-vertical-angle", column, zenith));
     }
 
     /// Interprets the remaining columns by their values.

@@ -1,0 +1,273 @@
+//! Files of a second draw of strangers: each is read rightly, asked about, or refused.
+
+use super::{propose, propose_file};
+use etalon_documents::FormatsDocument;
+use std::fmt::Write;
+
+/// Three coordinates (mm) of a row.
+fn xyz(row: usize) -> [f64; 3] {
+    let t = row as f64;
+    [1200.0 + 70.0 * (1.3 * t).sin(), -345.0 + 60.0 * (0.7 * t).cos(), 90.9 + 2.3 * t]
+}
+
+/// Angles (deg) of this number of joints in a row.
+fn angles(count: usize, row: usize) -> Vec<f64> {
+    (0..count).map(|k| (50.0 + 7.0 * k as f64) * (0.9 * row as f64 + 1.7 * k as f64).sin()).collect()
+}
+
+/// Twenty rows of cells behind a head.
+fn table(head: &str, row: impl Fn(usize) -> String) -> String {
+    (0..20).fold(head.to_owned(), |mut text, i| {
+        let _ = writeln!(text, "{}", row(i));
+        text
+    })
+}
+
+fn cells(values: &[f64]) -> String {
+    values.iter().map(|value| format!("{value:.4}")).collect::<Vec<String>>().join(",")
+}
+
+/// `true` if a doubt or a question has this id.
+fn says(document: &FormatsDocument, id: &str) -> bool {
+    let mut all = document.doubts.iter().chain(&document.questions);
+    all.any(|text| text.phrase().is_some_and(|phrase| phrase.id == id))
+}
+
+fn holds(document: &FormatsDocument, lines: &str) {
+    assert!(document.toml.contains(lines), "{lines} is not in\n{}", document.toml);
+}
+
+/// Error of a file that no proposal is made for.
+fn refused(text: &str, id: &str) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("f.txt");
+    std::fs::write(&path, text).unwrap();
+    let problems = propose_file(&path).unwrap_err();
+    assert!(problems.0[0].is(id, &[]), "{problems}");
+}
+
+#[test]
+fn parts_of_an_arm_are_its_joints_from_the_base_on_in_seven_languages() {
+    for names in [
+        "Base,Shoulder,Elbow,Wrist 1,Wrist 2,Wrist 3",
+        "Basis,Schulter,Ellbogen,Handgelenk 1,Handgelenk 2,Handgelenk 3",
+        "Base,Épaule,Coude,Poignet 1,Poignet 2,Poignet 3",
+        "Base,Hombro,Codo,Muñeca 1,Muñeca 2,Muñeca 3",
+        "Base,Spalla,Gomito,Polso 1,Polso 2,Polso 3",
+        "机座,肩部,肘部,手腕1,手腕2,手腕3",
+        "ベース,ショルダー,エルボー,リスト1,リスト2,リスト3",
+    ] {
+        let document = propose("r.csv", &table(&format!("{names}\n"), |i| cells(&angles(6, i))));
+        let of: Vec<String> = (1..).zip(names.split(',')).map(|(k, name)| format!("q{k}_UNIT = \"{name}\"")).collect();
+        holds(&document, &format!("columns = {{ {} }}", of.join(", ")));
+        assert!(!says(&document, "doubt-columns-not-read") && !says(&document, "doubt-order-of-joints"), "{names}");
+    }
+    // in another order of the columns
+    let names = "shoulder_pan_joint,elbow_joint,shoulder_lift_joint,wrist_1_joint,wrist_2_joint,wrist_3_joint";
+    let document = propose("r.csv", &table(&format!("{names}\n"), |i| cells(&angles(6, i))));
+    holds(&document, "q2_UNIT = \"shoulder_lift_joint\", q3_UNIT = \"elbow_joint\"");
+    assert!(says(&document, "doubt-order-of-joints"), "{}", document.toml);
+    // a base alone is no joint, and bodies of a motion are none
+    let document = propose("r.csv", &table("Base,X,Y,Z\n", |i| cells(&[&[7.5 + i as f64][..], &xyz(i)].concat())));
+    assert!(!document.toml.contains("joints"), "{}", document.toml);
+    let body = |name: &str| ["px", "py", "pz", "qx", "qy", "qz", "qw"].map(|part| format!("{name}-{part}")).join(",");
+    let row = |i: usize| {
+        let half = 0.02 * i as f64;
+        let turn = [0.6 * half.sin(), 0.0, 0.8 * half.sin(), half.cos()];
+        cells(&[&xyz(i)[..], &turn, &xyz(i + 7), &turn].concat())
+    };
+    let document = propose("r.csv", &table(&format!("{},{}\n", body("Shoulder"), body("Elbow")), row));
+    assert!(!document.toml.contains("q1_") && document.toml.matches("\n[[export]]").count() == 2, "{}", document.toml);
+}
+
+#[test]
+fn joints_are_named_by_letters_and_counts_of_encoders_are_no_joints_beside_them() {
+    let row = |i: usize| cells(&[&angles(3, i)[..], &xyz(i)].concat());
+    let document = propose("r.csv", &table("Theta A (deg),Theta B (deg),Theta C (deg),X (mm),Y (mm),Z (mm)\n", row));
+    holds(&document, "q1_deg = \"Theta A (deg)\", q2_deg = \"Theta B (deg)\", q3_deg = \"Theta C (deg)\"");
+    let names: Vec<String> =
+        ["Encoder", "Theta"].iter().flat_map(|name| (1..=6).map(move |k| format!("{name} {k}"))).collect();
+    let row = |i: usize| {
+        let counts: Vec<f64> = angles(6, i).iter().map(|v| (500.0 * v).round()).collect();
+        cells(&[counts, angles(6, i)].concat())
+    };
+    let document = propose("r.csv", &table(&(names.join(",") + "\n"), row));
+    holds(&document, "columns = { q1_UNIT = \"Theta 1\"");
+    assert!(says(&document, "doubt-two-families") && !document.toml.contains("q7_"), "{}", document.toml);
+}
+
+#[test]
+fn a_target_in_german_an_rms_and_a_torque_are_what_they_are() {
+    let row = |i: usize| format!("K{},{},{}", i % 2 + 1, i / 2 + 1, cells(&xyz(i)));
+    let document = propose("r.csv", &table("Ziel,Pose,X [mm],Y [mm],Z [mm]\n", row));
+    holds(&document, "columns = [\"target\", \"pose\", \"x\", \"y\", \"z\"]");
+    let row = |i: usize| cells(&[xyz(i), xyz(i).map(|v| v + 0.3 * (5.0 * v).sin())].concat());
+    let document = propose("r.csv", &table("X Ziel,Y Ziel,Z Ziel,X Ist,Y Ist,Z Ist\n", row));
+    assert!(document.columns[0].taken_for.english().contains("commanded"), "{}", document.toml);
+    holds(&document, "[\"-\", \"-\", \"-\", \"x\", \"y\", \"z\"]");
+    for heading in ["RMS", "Image RMS", "U(95)", "std"] {
+        let row = |i: usize| format!("P{i},{},0.0{}", cells(&xyz(i)), 11 + i % 5);
+        let document = propose("r.csv", &table(&format!("Point,X,Y,Z,{heading}\n"), row));
+        let taken = document.columns[4].taken_for.phrase().map(|phrase| phrase.id.clone());
+        assert!(
+            taken.as_deref() == Some("means-scatter") && says(&document, "doubt-columns-not-read"),
+            "{}",
+            document.toml
+        );
+    }
+    let row = |i: usize| {
+        let force: Vec<f64> = (0..6).map(|k| 3.0 * (1.1 * (i + k) as f64).sin()).collect();
+        cells(&[&force[..], &xyz(i)].concat())
+    };
+    let document = propose("r.csv", &table("FX,FY,FZ,TX,TY,TZ,PX,PY,PZ\n", row));
+    holds(&document, "[\"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"x\", \"y\", \"z\"]");
+}
+
+/// A number that heads the rows is the pose: another file may have the rows in another order. The
+/// frames of a recording are no poses.
+#[test]
+fn a_number_of_the_rows_is_the_pose() {
+    for (heading, role) in
+        [("Nr", "pose"), ("No.", "pose"), ("Num", "pose"), ("Lfd. Nr.", "pose"), ("Frame", "-"), ("Sample No", "-")]
+    {
+        let document =
+            propose("r.csv", &table(&format!("{heading},X,Y,Z\n"), |i| format!("{},{}", i + 1, cells(&xyz(i)))));
+        holds(&document, &format!("columns = [\"{role}\", \"x\", \"y\", \"z\"]"));
+    }
+    let log = propose("r.csv", &table("Nr,J1,J2,J3\n", |i| format!("{},{}", i + 1, cells(&angles(3, i)))));
+    holds(&log, "columns = { pose = \"Nr\", q1_UNIT = \"J1\"");
+}
+
+#[test]
+fn a_vertical_angle_is_a_zenith_angle_or_an_elevation_with_a_doubt() {
+    for (mean, role) in [(95.0, "zenith"), (5.0, "elevation")] {
+        let row = |i: usize| {
+            format!("{},{}", i + 1, cells(&[20.0 + i as f64, mean + (i as f64).sin(), 2.0 + 0.1 * i as f64]))
+        };
+        let document = propose("r.csv", &table("Pkt,Hz [deg],V [deg],D [m]\n", row));
+        holds(&document, &format!("columns = [\"label\", \"azimuth\", \"{role}\", \"distance\"]"));
+        assert!(says(&document, "doubt-vertical-angle") && !says(&document, "doubt-polar"), "{}", document.toml);
+    }
+}
+
+#[test]
+fn groups_alone_counts_above_the_data_and_labels_with_blanks_hide_no_coordinate() {
+    let row = |i: usize| cells(&[&xyz(i)[..], &angles(4, i)].concat());
+    let document = propose("r.csv", &table("tracker positions,,,robot joint positions\n", row));
+    holds(&document, "columns = [\"x\", \"y\", \"z\", \"-\"");
+    assert!(says(&document, "doubt-groups-alone") && document.toml.contains("q4_UNIT = 7"), "{}", document.toml);
+    let document = propose("r.txt", &table("6, 12, pivot.txt\n", |i| cells(&xyz(i)).replace(',', ", ")));
+    holds(&document, "header = 1, columns = [\"x\", \"y\", \"z\"]");
+    let document = propose("r.txt", &table("", |i| format!("EU3 N{i}\t{}\tDATUM", cells(&xyz(i)).replace(',', "\t"))));
+    holds(&document, "delimiter = \"tab\"");
+    holds(&document, "columns = [\"label\", \"x\", \"y\", \"z\", \"-\"]");
+    // a text in one row leaves the column its numbers
+    let row = |i: usize| if i == 11 { "P11,1.5,2.5,lost".to_owned() } else { format!("P{i},{}", cells(&xyz(i))) };
+    let document = propose("r.csv", &table("Name,X,Y,Z\n", row));
+    holds(&document, "columns = [\"label\", \"x\", \"y\", \"z\"]");
+    assert!(says(&document, "doubt-rows-not-read"), "{}", document.toml);
+    // a version is no date
+    let document = propose("r.csv", &table("version,X,Y,Z\n", |i| format!("2.5.3.50294,{}", cells(&xyz(i)))));
+    assert!(!document.toml.contains("date"), "{}", document.toml);
+}
+
+#[test]
+fn numbers_without_headings_and_blocks_and_poses_of_a_controller_are_asked() {
+    let row = |i: usize| cells(&[&angles(6, i)[..], &xyz(i), &[0.0; 3]].concat());
+    assert!(says(&propose("r.csv", &table("", row)), "ask-numbers-without-headings"));
+    let block = |name: &str| table(&format!("Name,{name},,,\nX,Y,Z\n"), |i| cells(&xyz(i)));
+    let document = propose("r.csv", &format!("{}{}", block("A"), block("B")));
+    assert!(says(&document, "ask-blocks"), "{}", document.toml);
+    let names: Vec<String> = (1..=6).map(|k| format!("measured_q{k}")).collect();
+    let row = |i: usize| cells(&[&xyz(i)[..], &angles(6, i), &xyz(i + 3)].concat());
+    let head = format!("marker_x,marker_y,marker_z,{},measured_x,measured_y,measured_z\n", names.join(","));
+    assert!(says(&propose("r.csv", &table(&head, row)), "ask-computed-by-controller"));
+}
+
+#[test]
+fn files_without_points_are_refused_for_their_reason() {
+    let line = |i: usize| format!("mark index: {i}\npoint x:{:.3} y:{:.3} z:{:.3}", xyz(i)[0], xyz(i)[1], xyz(i)[2]);
+    refused(&table("", line), "numbers-behind-names");
+    for (text, kind) in [
+        ("\u{feff}<STX>\n00NMSDR33 V04-04.02     01-Jan-08 00:00 111111\n10NMJOB3            121111\n", "sdr33"),
+        ("JOB     SAMPLE\nINST    NTS-350 Ver. 2008.07.08\nUNITS   M,G\nSTN     S2,1.636,\n", "south"),
+        ("# Blender\no cube\nv 1.0 2.0 3.0\nv 1.0 2.0 4.0\nv 1.0 3.0 3.0\nf 1 2 3\n", "mesh"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("f.txt");
+        std::fs::write(&path, text).unwrap();
+        let problems = propose_file(&path).unwrap_err();
+        assert!(problems.0[0].is("file-without-points", &[("kind", &kind)]), "{problems}");
+    }
+    // words of a level contain no point
+    let level = "110002+0000000G 83..58+00000000 \n110003+0000000G 32...8+02275233 331.08+00126139 390...+00000003 \n";
+    let document = propose("s.gsi", level);
+    assert!(says(&document, "doubt-rows-refused"), "{}", document.toml);
+}
+
+#[test]
+fn rates_and_directions_and_matrices_are_no_points_and_no_joints() {
+    let rate = |i: usize, k: usize| 0.1 * (1.3 * (i + 2 * k) as f64).sin();
+    let row = |i: usize| cells(&(0..6).map(|k| rate(i, k)).collect::<Vec<f64>>());
+    let document = propose("r.csv", &table("Acc_X,Acc_Y,Acc_Z,Gyr_X,Gyr_Y,Gyr_Z\n", row));
+    assert!(!document.toml.contains("[[export]]"), "{}", document.toml);
+    let row = |i: usize| format!("{i},{},{}", cells(&xyz(i)), cells(&[rate(i, 0), rate(i, 1), rate(i, 2)]));
+    let document = propose("r.csv", &table("t [ms],x,y,z,force_vx,force_vy,force_vz\n", row));
+    assert!(!document.toml.contains("zenith"), "{}", document.toml);
+    // axes of a tool beside its position
+    let row = |i: usize| cells(&[&[0.6, 0.0, 0.8][..], &xyz(i), &[0.0, 1.0, 0.0]].concat());
+    let document = propose("r.csv", &table("toolX X,toolX Y,toolX Z,P X,P Y,P Z,toolZ X,toolZ Y,toolZ Z\n", row));
+    assert_eq!(document.toml.matches("\n[[export]]").count(), 1, "{}", document.toml);
+    // a counter of joints, and a matrix row by row
+    let row = |i: usize| {
+        let (s, c) = (0.1 * i as f64).sin_cos();
+        format!("6,{},{}", cells(&xyz(i)), cells(&[c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0]))
+    };
+    let document = propose("r.csv", &table("joint_cnt,x,y,z,o0,o1,o2,o3,o4,o5,o6,o7,o8\n", row));
+    assert!(document.toml.contains("\"r11\"") && !document.toml.contains("q1_"), "{}", document.toml);
+}
+
+/// The hand of a body is not commanded because an arm is its distance from the shoulder; a point in
+/// two frames is no pair of targets.
+#[test]
+fn distances_of_bodies_are_no_deviations_and_two_frames_are_asked() {
+    let row = |i: usize| {
+        let (hand, shoulder) = (xyz(i), xyz(i + 5).map(|v| v + 400.0));
+        let arm: Vec<f64> = (0..3).map(|k| shoulder[k] - hand[k]).collect();
+        cells(&[&hand[..], &shoulder, &arm].concat())
+    };
+    let head = "hand X,hand Y,hand Z,shoulder X,shoulder Y,shoulder Z,arm X,arm Y,arm Z\n";
+    let document = propose("r.csv", &table(head, row));
+    assert!(!says(&document, "doubt-sets-by-difference"), "{}", document.toml);
+    let row = |i: usize| {
+        let [x, y, z] = xyz(i);
+        cells(&[x, y, z, 10.0 + 0.001 * y, -20.0 - 0.001 * x, 0.001 * z])
+    };
+    let document = propose("r.csv", &table("cam_x,cam_y,cam_z,arm_x,arm_y,arm_z\n", row));
+    assert!(says(&document, "ask-two-frames"), "{}", document.toml);
+    let row = |i: usize| cells(&[xyz(i), xyz(3 * i + 7)].concat());
+    let document = propose("r.csv", &table("cam_x,cam_y,cam_z,arm_x,arm_y,arm_z\n", row));
+    assert!(!says(&document, "ask-two-frames"), "{}", document.toml);
+}
+
+#[test]
+fn four_points_without_coordinates_are_joints_and_a_wide_table_is_transposed() {
+    let document = propose("r.csv", &table("P1,P2,P3,P4\n", |i| cells(&angles(4, i))));
+    assert!(document.toml.contains("q4_UNIT = \"P4\"") && says(&document, "doubt-unnamed-joints"), "{}", document.toml);
+    let wide = (0..9).fold(String::new(), |text, k| {
+        let cells: Vec<String> = (0..600).map(|i| format!("{:.4}", (0.01 * f64::from(i * (k + 1))).sin())).collect();
+        text + &cells.join(",") + "\n"
+    });
+    let document = propose("r.csv", &wide);
+    assert!(says(&document, "doubt-transposed") && !document.toml.contains("[[export]]"), "{}", document.toml);
+    for (text, kind) in [
+        ("OFF\n8 6 0\n0 0 0\n1 0 0\n3 0 1 4\n", "mesh"),
+        ("def P():\n  movej(p[0.1, 0.2, 0.3, 0, 0, 1])\n", "urscript"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("f.txt");
+        std::fs::write(&path, text).unwrap();
+        let problems = propose_file(&path).unwrap_err();
+        assert!(problems.0[0].is("file-without-points", &[("kind", &kind)]), "{problems}");
+    }
+}
