@@ -1,18 +1,26 @@
 //! Offset and rate of two clocks from the speeds of a motion that both recorded: the measured speed
 //! of a target, and its speed by the nominal robot at the joint values of the log.
 //!
-//! Speeds do not depend on the frame of the instrument. The offset with the largest correlation is
-//! refined by least squares; the uncertainties follow from the residuals (GUM G.3.3).
+//! Speeds depend on the place of the target on the robot, and not on the frame of the instrument.
+//! The offset with the largest correlation is refined by least squares together with the places of
+//! the targets; the uncertainties follow from the residuals (GUM G.3.3).
 
 use super::clock::{Clock, LARGEST_RATE};
 use etalon_base::message::Message;
-use etalon_base::pose::{Vector, minus, norm};
+use etalon_base::pose::{Vector, dot, minus, norm};
 use etalon_base::{error, phrase};
+use nalgebra::{DMatrix, DVector};
 
 /// Minimum correlation of the speeds of one motion.
 const SMALLEST_CORRELATION: f64 = 0.8;
-/// A second offset with this part of the largest correlation leaves the choice open.
-const RIVAL: f64 = 0.97;
+/// Part of the largest correlation of a maximum that is tried with the places of the targets free.
+const PEAK: f64 = 0.7;
+/// Maximum number of these maxima.
+const PEAKS: usize = 8;
+/// A second offset that leaves less than this times the unexplained part leaves the choice open.
+const RIVAL: f64 = 2.0;
+/// Unexplained part of speeds that counts as none.
+const LEAST_UNEXPLAINED: f64 = 1e-6;
 /// Maximum number of speeds that are compared at each offset.
 const COMPARED: usize = 2000;
 /// Maximum number of spans with a mean speed each, in which offsets are searched.
@@ -23,24 +31,62 @@ const STEPS: usize = 20;
 const CONVERGED_S: f64 = 1e-9;
 /// Minimum number of speeds of a recording.
 const FEWEST: usize = 20;
+/// Standard uncertainty (mm) of a coordinate of a place on the robot that nobody stated.
+const UNKNOWN_PLACE_MM: f64 = 1000.0;
+/// Smallest standard deviation of speeds (mm/s) for the weight of stated places.
+const LEAST_SPREAD_MM_S: f64 = 1e-3;
+
+/// Positions of a target at increasing times.
+#[derive(Clone, Debug, Default)]
+pub struct Track {
+    pub times_s: Vec<f64>,
+    pub positions_mm: Vec<Vector>,
+}
+
+/// Positions of a target by the log, at its stated place on the robot.
+#[derive(Clone, Debug, Default)]
+pub struct Way {
+    pub track: Track,
+    /// Derivatives of each position by the coordinates of the place. The position is linear in
+    /// these coordinates.
+    pub by_place: Vec<Vec<Vector>>,
+    /// Standard uncertainties (mm) of the coordinates of the place; infinite if nobody stated it.
+    pub place_uncertainties_mm: Vec<f64>,
+}
+
+impl Way {
+    /// Position at a time and its derivatives by the coordinates of the place, between two rows;
+    /// `None` outside of the recording.
+    fn at(&self, time_s: f64, place_mm: &[f64]) -> Option<(Vector, Vec<Vector>)> {
+        let times = &self.track.times_s;
+        let after = times.partition_point(|t| *t < time_s);
+        let (before, after) = (after.checked_sub(1)?, (after < times.len()).then_some(after)?);
+        let share = (time_s - times[before]) / (times[after] - times[before]);
+        let between = |a: Vector, b: Vector| [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]));
+        let derivative = |k: usize| between(self.by_place[before][k], self.by_place[after][k]);
+        let derivatives: Vec<Vector> = (0..place_mm.len()).map(derivative).collect();
+        let mut position = between(self.track.positions_mm[before], self.track.positions_mm[after]);
+        for (derivative, place) in derivatives.iter().zip(place_mm) {
+            (0..3).for_each(|k| position[k] += derivative[k] * place);
+        }
+        Some((position, derivatives))
+    }
+}
 
 /// Speeds of a motion at increasing times.
 #[derive(Clone, Debug, Default)]
-pub struct Speeds {
+struct Speeds {
     times_s: Vec<f64>,
     speeds_mm_s: Vec<f64>,
 }
 
 impl Speeds {
     /// Speeds between neighbouring positions, at the middle of their times.
-    pub fn new(times_s: &[f64], positions_mm: &[Vector]) -> Self {
+    fn new(track: &Track) -> Self {
         let mut speeds = Self::default();
-        for (times, positions) in times_s.windows(2).zip(positions_mm.windows(2)) {
-            let (span, way) = (times[1] - times[0], norm(minus(positions[1], positions[0])));
-            if span > 0.0 && way.is_finite() {
-                speeds.times_s.push(0.5 * (times[0] + times[1]));
-                speeds.speeds_mm_s.push(way / span);
-            }
+        for chord in chords(track) {
+            speeds.times_s.push(0.5 * (chord.from_s + chord.to_s));
+            speeds.speeds_mm_s.push(chord.speed_mm_s);
         }
         speeds
     }
@@ -81,6 +127,24 @@ impl Speeds {
     }
 }
 
+/// Mean speed between two neighbouring positions.
+#[derive(Clone, Copy)]
+struct Chord {
+    from_s: f64,
+    to_s: f64,
+    speed_mm_s: f64,
+}
+
+/// Mean speeds between neighbouring positions.
+fn chords(track: &Track) -> impl Iterator<Item = Chord> + '_ {
+    let neighbours = track.times_s.windows(2).zip(track.positions_mm.windows(2));
+    neighbours.filter_map(|(times, positions)| {
+        let (span, way) = (times[1] - times[0], norm(minus(positions[1], positions[0])));
+        let chord = Chord { from_s: times[0], to_s: times[1], speed_mm_s: way / span };
+        (span > 0.0 && way.is_finite()).then_some(chord)
+    })
+}
+
 /// Clock of the measurement relative to the clock of the log, from speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionClock {
@@ -99,8 +163,14 @@ pub struct MotionClock {
 ///
 /// # Errors
 /// Fails if the speeds are too few, do not correlate, or correlate at several offsets.
-pub fn offset_by_motion(measured: &[Speeds], logged: &[Speeds], rate: bool) -> Result<MotionClock, Message> {
-    let pairs: Vec<(&Speeds, &Speeds)> = measured.iter().zip(logged).filter(|(m, _)| !m.times_s.is_empty()).collect();
+pub fn offset_by_motion(measured: &[Track], logged: &[Way], rate: bool) -> Result<MotionClock, Message> {
+    let tracks: Vec<(&Track, &Way)> = measured.iter().zip(logged).filter(|(m, _)| m.times_s.len() > 1).collect();
+    let speeds: Vec<(Speeds, Speeds)> = tracks
+        .iter()
+        .map(|(m, l)| (Speeds::new(m), Speeds::new(&l.track)))
+        .filter(|(m, _)| !m.times_s.is_empty())
+        .collect();
+    let pairs: Vec<(&Speeds, &Speeds)> = speeds.iter().map(|(m, l)| (m, l)).collect();
     let count: usize = pairs.iter().map(|(m, _)| m.times_s.len()).sum();
     let span = |all: Vec<&Speeds>| {
         let spans = all.into_iter().filter_map(Speeds::span);
@@ -113,10 +183,21 @@ pub fn offset_by_motion(measured: &[Speeds], logged: &[Speeds], rate: bool) -> R
     if count < FEWEST || pairs.iter().any(|(_, logged)| logged.times_s.len() < FEWEST) {
         return Err(error!("clock-motion-short", count));
     }
-    let start = best_offset(&pairs, of_measured, of_log)?;
-    let reference_s = (0.5 * (of_measured.0 + of_measured.1) - start).clamp(of_log.0, of_log.1);
-    let found = refined(&pairs, start, reference_s, rate);
-    match found {
+    let starts = best_offsets(&pairs, of_measured, of_log)?;
+    let clock_at = |offset_s: f64| {
+        let reference_s = (0.5 * (of_measured.0 + of_measured.1) - offset_s).clamp(of_log.0, of_log.1);
+        Clock { offset_s, rate: 0.0, reference_s }
+    };
+    let step_s = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(0.0, f64::max);
+    let few = Comparison { tracks: tracks.clone(), step_s, every: count.div_ceil(COMPARED) };
+    let mut tried: Vec<MotionClock> = starts.iter().filter_map(|start| few.clock(clock_at(*start), false)).collect();
+    tried.sort_by(|a, b| b.correlation.total_cmp(&a.correlation));
+    let best = tried.first().copied();
+    let unlike = || error!("clock-motion-unlike", correlation = best.map_or(0.0, |best| best.correlation));
+    let best = best.filter(|best| best.correlation >= SMALLEST_CORRELATION).ok_or_else(unlike)?;
+    several(&best, &tried, step_s)?;
+    let all = Comparison { tracks, step_s, every: 1 };
+    match all.clock(Clock { offset_s: best.clock.offset_s, ..clock_at(best.clock.offset_s) }, rate) {
         Some(found) if found.clock.rate.abs() > LARGEST_RATE => {
             Err(error!("clock-rate-none", most_ppm = 1e6 * LARGEST_RATE))
         }
@@ -125,10 +206,29 @@ pub fn offset_by_motion(measured: &[Speeds], logged: &[Speeds], rate: bool) -> R
     }
 }
 
-/// Offset with the largest correlation, of all offsets at which half of the shorter recording lies
-/// within the longer one: first with mean speeds of equal intervals, then with shorter intervals
-/// about the best offset.
-fn best_offset(pairs: &[(&Speeds, &Speeds)], measured: (f64, f64), log: (f64, f64)) -> Result<f64, Message> {
+/// Error if another offset leaves hardly more of the speeds unexplained than the best one.
+fn several(best: &MotionClock, tried: &[MotionClock], step_s: f64) -> Result<(), Message> {
+    let unexplained = |clock: &MotionClock| 1.0 - clock.correlation.powi(2);
+    let is_rival = |other: &&MotionClock| {
+        (other.clock.offset_s - best.clock.offset_s).abs() > 2.0 * step_s
+            && unexplained(other) < RIVAL * unexplained(best) + LEAST_UNEXPLAINED
+    };
+    let rivals = tried.iter().filter(is_rival);
+    let mut offsets: Vec<f64> = rivals.chain([best]).map(|clock| clock.clock.offset_s).collect();
+    offsets.sort_by(f64::total_cmp);
+    offsets.dedup_by(|a, b| (*a - *b).abs() <= 2.0 * step_s);
+    if offsets.len() < 2 {
+        return Ok(());
+    }
+    let range = |o: &f64| phrase!("range-of-seconds", low_s = o - step_s, high_s = o + step_s);
+    let ranges: Vec<_> = offsets.iter().take(6).map(range).collect();
+    Err(error!("clock-motion-several", count = offsets.len(), ranges))
+}
+
+/// Offsets with the largest correlations, of all offsets at which half of the shorter recording
+/// lies within the longer one: first with mean speeds of equal intervals, then with shorter
+/// intervals about each of them.
+fn best_offsets(pairs: &[(&Speeds, &Speeds)], measured: (f64, f64), log: (f64, f64)) -> Result<Vec<f64>, Message> {
     let finest = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(f64::INFINITY, f64::min);
     let spans = [measured.1 - measured.0, log.1 - log.0];
     let step = finest.max(spans[0].max(spans[1]) / SPANS as f64);
@@ -142,33 +242,25 @@ fn best_offset(pairs: &[(&Speeds, &Speeds)], measured: (f64, f64), log: (f64, f6
     if all.get(best).is_none_or(|value| *value < 0.5 * SMALLEST_CORRELATION) {
         return Err(error!("clock-motion-unlike", correlation = all.get(best).copied().unwrap_or(0.0).max(0.0)));
     }
-    // maxima apart from the best one: the correlation falls off between them
-    let is_peak = |k: usize| {
+    // with the stated places the right offset may not be the largest maximum
+    let is_peak = |k: &usize| {
         let beside = [k.checked_sub(1), Some(k + 1)].into_iter().flatten().filter_map(|k| all.get(k));
-        beside.into_iter().all(|other| all[k] >= *other)
+        all[*k] > PEAK * all[best] && beside.into_iter().all(|other| all[*k] >= *other)
     };
-    let apart = |k: usize| {
-        let between = &all[k.min(best)..=k.max(best)];
-        between.iter().any(|value| *value < 0.9 * all[best] * RIVAL)
-    };
-    let rivals: Vec<usize> =
-        (0..all.len()).filter(|k| all[*k] > RIVAL * all[best] && is_peak(*k) && apart(*k)).collect();
-    if rivals.is_empty() {
-        let (mut found, mut width) = (offset(best), step);
-        let most = (COMPARED / pairs.len().max(1)).max(FEWEST);
+    let mut peaks: Vec<usize> = (0..all.len()).filter(is_peak).collect();
+    peaks.sort_by(|a, b| all[*b].total_cmp(&all[*a]));
+    let most = (COMPARED / pairs.len().max(1)).max(FEWEST);
+    let finer = |k: &usize| {
+        let (mut found, mut width) = (offset(*k), step);
         while width > 0.25 * finest {
             width *= 0.25;
             let tried = (-6..=6).map(|k| found + width * f64::from(k));
             let rated = tried.map(|at| (at, correlation(pairs, &Clock::with_offset(at), most)));
             found = rated.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(found, |best| best.0);
         }
-        return Ok(found);
-    }
-    let mut offsets: Vec<f64> = rivals.iter().chain([&best]).map(|k| offset(*k)).collect();
-    offsets.sort_by(f64::total_cmp);
-    let ranges: Vec<_> =
-        offsets.iter().take(6).map(|o| phrase!("range-of-seconds", low_s = o - step, high_s = o + step)).collect();
-    Err(error!("clock-motion-several", count = offsets.len(), ranges))
+        found
+    };
+    Ok(peaks.iter().take(PEAKS).map(finer).collect())
 }
 
 /// Correlation coefficient of mean speeds of equal spans at a lag of the log.
@@ -210,72 +302,184 @@ fn coefficient(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
     if n < FEWEST as f64 || !varies { 0.0 } else { (n * ab - a * b) / (va * vb).sqrt() }
 }
 
-/// Offset and rate of least squares near an offset; `None` if the speeds do not determine them.
-fn refined(pairs: &[(&Speeds, &Speeds)], start: f64, reference_s: f64, rate: bool) -> Option<MotionClock> {
-    let mut clock = Clock { offset_s: start, rate: 0.0, reference_s };
-    let wide = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(0.0, f64::max);
-    let fitted = |clock: &Clock, free: usize| {
-        // of d v / d offset, which is minus the acceleration, and of the rate
-        let (mut normal, mut right, mut squares, mut n) = ([[0.0; 2]; 2], [0.0; 2], 0.0, 0.0);
-        for (measured, logged) in pairs {
-            for (t, v) in measured.thinned(usize::MAX) {
-                let at = clock.log_time_s(t);
-                let (Some(a), Some(b), Some(c)) =
-                    (logged.interpolated(at - wide), logged.interpolated(at), logged.interpolated(at + wide))
-                else {
-                    continue;
-                };
-                let slope = -(c - a) / (2.0 * wide);
-                let row = [slope, if free > 1 { slope * (at - reference_s) } else { 0.0 }];
-                let residual = v - b;
-                squares += residual * residual;
-                n += 1.0;
-                for i in 0..free {
-                    right[i] += row[i] * residual;
-                    (0..free).for_each(|j| normal[i][j] += row[i] * row[j]);
-                }
+/// Measured positions and those of the log, target by target.
+struct Comparison<'a> {
+    tracks: Vec<(&'a Track, &'a Way)>,
+    /// Larger median time between neighbouring positions of the two recordings.
+    step_s: f64,
+    /// One of this number of measured speeds is compared.
+    every: usize,
+}
+
+/// Clock, and the corrections of the places of all targets (mm).
+#[derive(Clone)]
+struct Fit {
+    clock: Clock,
+    places_mm: Vec<Vec<f64>>,
+    /// Mean square of the residual speeds (mm²/s²).
+    square: f64,
+    /// Standard uncertainties of offset and rate.
+    uncertainties: [f64; 2],
+}
+
+/// Normal equations of the speeds.
+struct Normal {
+    matrix: DMatrix<f64>,
+    right: DVector<f64>,
+    squares: f64,
+    rows: f64,
+}
+
+impl Comparison<'_> {
+    /// Offset and rate of least squares near a clock; `None` if the speeds do not determine them.
+    fn clock(&self, start: Clock, rate: bool) -> Option<MotionClock> {
+        let places_mm = self.tracks.iter().map(|(_, way)| vec![0.0; way.place_uncertainties_mm.len()]).collect();
+        let start = Fit { clock: start, places_mm, square: f64::INFINITY, uncertainties: [f64::NAN; 2] };
+        let mut found = self.solve(start, 1)?;
+        let mut rate_uncertainty = f64::NAN;
+        if rate {
+            let with_rate = self.solve(found.clone(), 2)?;
+            rate_uncertainty = with_rate.uncertainties[1];
+            // a rate within two standard uncertainties is not told from zero
+            if with_rate.clock.rate.abs() > 2.0 * rate_uncertainty {
+                found = with_rate;
             }
         }
-        let variance = squares / (n - free as f64);
-        let [[a, b], [_, d]] = normal;
-        if free == 1 {
-            return (a > 0.0 && n > 1.0).then(|| ([right[0] / a, 0.0], [(variance / a).sqrt(), f64::NAN]));
-        }
-        let determinant = a * d - b * b;
-        (determinant > 1e-12 * a * d && n > 2.0).then(|| {
-            let step = [(d * right[0] - b * right[1]) / determinant, (a * right[1] - b * right[0]) / determinant];
-            (step, [(variance * d / determinant).sqrt(), (variance * a / determinant).sqrt()])
-        })
-    };
-    let solve = |mut clock: Clock, free: usize| {
-        let mut uncertainty = [f64::NAN; 2];
+        let correlation = coefficient(self.speeds(&found).into_iter());
+        let offset_uncertainty_s = found.uncertainties[0];
+        Some(MotionClock { clock: found.clock, offset_uncertainty_s, rate_uncertainty, correlation })
+    }
+
+    /// Least squares of the offset, with two free values of the rate, and of the places.
+    fn solve(&self, mut fit: Fit, free: usize) -> Option<Fit> {
         for _ in 0..STEPS {
-            let (step, found) = fitted(&clock, free)?;
-            (clock.offset_s, clock.rate, uncertainty) =
-                (clock.offset_s + step[0].clamp(-wide, wide), clock.rate + step[1], found);
-            if step[0].abs() < CONVERGED_S {
+            let normal = self.normal(&fit, free)?;
+            fit.square = normal.squares / normal.rows;
+            let variance = normal.squares / (normal.rows - normal.right.len() as f64).max(1.0);
+            let weighted = self.with_stated_places(normal, &fit, free, variance);
+            let solved = weighted.matrix.cholesky()?;
+            let (step, inverse) = (solved.solve(&weighted.right), solved.inverse());
+            fit.uncertainties = [0, 1].map(|k| if k < free { (variance * inverse[(k, k)]).sqrt() } else { f64::NAN });
+            let next = self.shorter(&fit, &step, free)?;
+            let moved = (next.clock.offset_s - fit.clock.offset_s).abs();
+            fit = Fit { uncertainties: fit.uncertainties, ..next };
+            if moved < CONVERGED_S {
                 break;
             }
         }
-        Some((clock, uncertainty))
-    };
-    let (of_offset, [mut offset_uncertainty_s, mut rate_uncertainty]) = solve(clock, 1)?;
-    clock = of_offset;
-    if rate {
-        let (with_rate, [u_offset, u_rate]) = solve(clock, 2)?;
-        rate_uncertainty = u_rate;
-        // a rate within two standard uncertainties is not told from zero
-        if with_rate.rate.abs() > 2.0 * u_rate {
-            (clock, offset_uncertainty_s) = (with_rate, u_offset);
+        Some(fit)
+    }
+
+    /// The step, halved until the residuals are smaller.
+    fn shorter(&self, fit: &Fit, step: &DVector<f64>, free: usize) -> Option<Fit> {
+        let mut share = 1.0;
+        loop {
+            let next = self.moved(fit, step, free, share);
+            let square = self.square(&next)?;
+            if square <= fit.square || share < 0.1 {
+                return Some(Fit { square, ..next });
+            }
+            share *= 0.5;
         }
     }
-    let correlation = correlation(pairs, &clock, usize::MAX);
-    Some(MotionClock { clock, offset_uncertainty_s, rate_uncertainty, correlation })
+
+    fn moved(&self, fit: &Fit, step: &DVector<f64>, free: usize, share: f64) -> Fit {
+        let mut next = fit.clone();
+        next.clock.offset_s += share * step[0].clamp(-self.step_s, self.step_s);
+        next.clock.rate += if free > 1 { share * step[1] } else { 0.0 };
+        let places = next.places_mm.iter_mut().flatten();
+        places.zip(step.iter().skip(free)).for_each(|(place, step)| *place += share * step);
+        next
+    }
+
+    /// Mean square of the residual speeds.
+    fn square(&self, fit: &Fit) -> Option<f64> {
+        let speeds = self.speeds(fit);
+        let squares: f64 = speeds.iter().map(|[measured, logged]| (measured - logged).powi(2)).sum();
+        (!speeds.is_empty()).then(|| squares / speeds.len() as f64)
+    }
+
+    /// Measured speeds with those of the log.
+    fn speeds(&self, fit: &Fit) -> Vec<[f64; 2]> {
+        let mut all = Vec::new();
+        for ((track, way), place) in self.tracks.iter().zip(&fit.places_mm) {
+            let pair = |chord: Chord| Some([chord.speed_mm_s, logged_speed(way, chord, &fit.clock, place)?.0]);
+            all.extend(chords(track).step_by(self.every.max(1)).filter_map(pair));
+        }
+        all
+    }
+
+    /// Normal equations of offset, rate and places.
+    fn normal(&self, fit: &Fit, free: usize) -> Option<Normal> {
+        let places: usize = fit.places_mm.iter().map(Vec::len).sum();
+        let count = free + places;
+        let (mut matrix, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
+        let (mut squares, mut rows, mut from) = (0.0, 0.0, free);
+        let mut row = vec![0.0; count];
+        for ((track, way), place) in self.tracks.iter().zip(&fit.places_mm) {
+            for chord in chords(track).step_by(self.every.max(1)) {
+                let speed = |shift_s: f64| {
+                    let clock = Clock { offset_s: fit.clock.offset_s + shift_s, ..fit.clock };
+                    logged_speed(way, chord, &clock, place)
+                };
+                let (Some((before, _)), Some((at, by_place)), Some((behind, _))) =
+                    (speed(-self.step_s), speed(0.0), speed(self.step_s))
+                else {
+                    continue;
+                };
+                let by_offset = (behind - before) / (2.0 * self.step_s);
+                let middle_s = fit.clock.log_time_s(0.5 * (chord.from_s + chord.to_s));
+                row.fill(0.0);
+                row[0] = by_offset;
+                if free > 1 {
+                    row[1] = by_offset * (middle_s - fit.clock.reference_s);
+                }
+                row[from..from + by_place.len()].copy_from_slice(&by_place);
+                let used: Vec<usize> = (0..count).filter(|j| row[*j] != 0.0).collect();
+                let residual = chord.speed_mm_s - at;
+                (squares, rows) = (squares + residual * residual, rows + 1.0);
+                for &i in &used {
+                    right[i] += row[i] * residual;
+                    used.iter().for_each(|&j| matrix[(i, j)] += row[i] * row[j]);
+                }
+            }
+            from += place.len();
+        }
+        (rows > count as f64).then_some(Normal { matrix, right, squares, rows })
+    }
+
+    /// Adds the stated places with their uncertainties.
+    fn with_stated_places(&self, mut normal: Normal, fit: &Fit, free: usize, variance: f64) -> Normal {
+        let stated = self.tracks.iter().flat_map(|(_, way)| &way.place_uncertainties_mm);
+        let variance = variance.max(LEAST_SPREAD_MM_S.powi(2));
+        for (i, (u, place)) in (free..).zip(stated.zip(fit.places_mm.iter().flatten())) {
+            let weight = variance / u.min(UNKNOWN_PLACE_MM).powi(2);
+            normal.matrix[(i, i)] += weight;
+            normal.right[i] -= weight * place;
+        }
+        normal
+    }
+}
+
+/// Mean speed by the log in the time of a measured one, and its derivatives by the place of the
+/// target; `None` outside of the log.
+fn logged_speed(way: &Way, chord: Chord, clock: &Clock, place_mm: &[f64]) -> Option<(f64, Vec<f64>)> {
+    let span = chord.to_s - chord.from_s;
+    let (from, by_place_from) = way.at(clock.log_time_s(chord.from_s), place_mm)?;
+    let (to, by_place_to) = way.at(clock.log_time_s(chord.to_s), place_mm)?;
+    let change = minus(to, from);
+    let length = norm(change);
+    let derivative = |(from, to): (&Vector, &Vector)| match length > 0.0 {
+        true => dot(change, minus(*to, *from)) / (length * span),
+        false => 0.0,
+    };
+    Some((length / span, by_place_from.iter().zip(&by_place_to).map(derivative).collect()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::pose::Pose;
 
     /// Position of a target that never stands still.
     fn position(t: f64) -> Vector {
@@ -287,8 +491,8 @@ mod tests {
         ]
     }
 
-    /// Speeds at a rate in Hz from a time on, with a noise of this size (mm) and on another clock.
-    fn speeds(from: f64, rate_hz: f64, count: usize, noise_mm: f64, clock: impl Fn(f64) -> f64) -> Speeds {
+    /// Positions at a rate in Hz from a time on, with a noise of this size (mm), on another clock.
+    fn track(from: f64, rate_hz: f64, count: usize, noise_mm: f64, clock: impl Fn(f64) -> f64) -> Track {
         let times: Vec<f64> = (0..count).map(|i| from + i as f64 / rate_hz).collect();
         let noisy = |(i, t): (usize, &f64)| {
             let mut p = position(*t);
@@ -297,17 +501,21 @@ mod tests {
                 .for_each(|(k, v)| *v += noise_mm * ((12.9 * i as f64 + 7.7 * k as f64).sin() * 43_758.5).fract());
             p
         };
-        let positions: Vec<Vector> = times.iter().enumerate().map(noisy).collect();
-        let shown: Vec<f64> = times.iter().map(|t| clock(*t)).collect();
-        Speeds::new(&shown, &positions)
+        let positions_mm: Vec<Vector> = times.iter().enumerate().map(noisy).collect();
+        Track { times_s: times.iter().map(|t| clock(*t)).collect(), positions_mm }
+    }
+
+    /// Way of a target whose place is known.
+    fn known(track: Track) -> Way {
+        Way { by_place: vec![Vec::new(); track.times_s.len()], track, place_uncertainties_mm: Vec::new() }
     }
 
     #[test]
     fn two_recordings_of_one_motion_give_the_offset_with_its_uncertainty() {
         let truth = 1_764_342_000.125;
-        let log = speeds(0.0, 250.0, 15_000, 0.0, |t| t);
+        let log = known(track(0.0, 250.0, 15_000, 0.0, |t| t));
         for noise in [0.0, 0.02] {
-            let tracker = speeds(12.0, 50.0, 1500, noise, |t| t + truth);
+            let tracker = track(12.0, 50.0, 1500, noise, |t| t + truth);
             let found = offset_by_motion(&[tracker], std::slice::from_ref(&log), false).unwrap();
             let error = found.clock.offset_s - truth;
             assert!(error.abs() < 1e-3 && error.abs() <= 4.0 * found.offset_uncertainty_s + 2e-4, "{error} {found:?}");
@@ -317,9 +525,9 @@ mod tests {
 
     #[test]
     fn a_drift_of_the_clocks_is_found_and_none_is_insignificant() {
-        let log = speeds(0.0, 100.0, 120_000, 0.0, |t| t);
+        let log = known(track(0.0, 100.0, 120_000, 0.0, |t| t));
         for rate in [60e-6, 0.0] {
-            let tracker = speeds(30.0, 20.0, 22_000, 0.02, |t| t + 5.5 + rate * (t - 600.0));
+            let tracker = track(30.0, 20.0, 22_000, 0.02, |t| t + 5.5 + rate * (t - 600.0));
             let found = offset_by_motion(&[tracker], std::slice::from_ref(&log), true).unwrap();
             let error = found.clock.rate - rate;
             assert!(error.abs() < 4e-6 && error.abs() <= 4.0 * found.rate_uncertainty + 1e-6, "{error} {found:?}");
@@ -329,22 +537,53 @@ mod tests {
 
     #[test]
     fn another_motion_a_short_one_and_a_periodic_one_are_refused() {
-        let log = speeds(0.0, 100.0, 6000, 0.0, |t| t);
-        let other = Speeds::new(
-            &(0..1000).map(|i| 0.05 * f64::from(i)).collect::<Vec<f64>>(),
-            &(0..1000).map(|i| [f64::from(i * i % 37), f64::from(i % 11), 0.0]).collect::<Vec<Vector>>(),
-        );
-        let refused = |measured: &Speeds, logged: &Speeds| {
+        let log = known(track(0.0, 100.0, 6000, 0.0, |t| t));
+        let other = Track {
+            times_s: (0..1000).map(|i| 0.05 * f64::from(i)).collect(),
+            positions_mm: (0..1000).map(|i| [f64::from(i * i % 37), f64::from(i % 11), 0.0]).collect(),
+        };
+        let refused = |measured: &Track, logged: &Way| {
             offset_by_motion(std::slice::from_ref(measured), std::slice::from_ref(logged), false).unwrap_err()
         };
         assert!(refused(&other, &log).is("clock-motion-unlike", &[]));
-        let short = speeds(3.0, 50.0, 6, 0.0, |t| t);
+        let short = track(3.0, 50.0, 6, 0.0, |t| t);
         assert!(refused(&short, &log).is("clock-motion-short", &[("count", &5)]));
         let periodic = |from: f64, count: usize| {
-            let times: Vec<f64> = (0..count).map(|i| from + 0.02 * i as f64).collect();
-            let positions: Vec<Vector> = times.iter().map(|t| [100.0 * (0.5 * t).sin(), 0.0, 0.0]).collect();
-            Speeds::new(&times, &positions)
+            let times_s: Vec<f64> = (0..count).map(|i| from + 0.02 * i as f64).collect();
+            let positions_mm: Vec<Vector> = times_s.iter().map(|t| [100.0 * (0.5 * t).sin(), 0.0, 0.0]).collect();
+            Track { times_s, positions_mm }
         };
-        assert!(refused(&periodic(20.0, 1000), &periodic(0.0, 6000)).is("clock-motion-several", &[]));
+        assert!(refused(&periodic(20.0, 1000), &known(periodic(0.0, 6000))).is("clock-motion-several", &[]));
+    }
+
+    /// A flange that turns on its way, and a target away from the stated place: the place
+    /// on the robot is found with the offset, or the offset is wrong.
+    #[test]
+    fn a_target_at_another_place_on_the_robot_does_not_shift_the_clock() {
+        let turned = |t: f64, v: Vector| {
+            let turn = [0.7 * (0.9 * t).sin(), 0.5 * (0.6 * t + 1.0).sin(), 0.8 * (0.35 * t).cos()];
+            Pose::from_rotation_vector(turn).rotate(v)
+        };
+        let place = [120.0, -60.0, 30.0];
+        let at = |t: f64, place: Vector| {
+            let (p, r) = (position(t), turned(t, place));
+            [0, 1, 2].map(|k| p[k] + r[k])
+        };
+        let times_s: Vec<f64> = (0..6000).map(|i| 0.02 * f64::from(i)).collect();
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let by_place = times_s.iter().map(|t| axes.map(|axis| turned(*t, axis)).to_vec()).collect();
+        let positions_mm = times_s.iter().map(|t| at(*t, [0.0; 3])).collect();
+        let track = Track { times_s, positions_mm };
+        let way = Way { track, by_place, place_uncertainties_mm: vec![f64::INFINITY; 3] };
+        let shown: Vec<f64> = (0..600).map(|i| 12.0 + 0.1 * f64::from(i)).collect();
+        let positions_mm = shown.iter().map(|t| at(*t, place)).collect();
+        let tracker = Track { times_s: shown.iter().map(|t| t + 77.25).collect(), positions_mm };
+        let offset = |way: Way| offset_by_motion(std::slice::from_ref(&tracker), &[way], false);
+        let found = offset(way.clone()).unwrap();
+        let error = found.clock.offset_s - 77.25;
+        assert!(error.abs() < 1e-4 && error.abs() <= 4.0 * found.offset_uncertainty_s + 2e-5, "{error} {found:?}");
+        // held at the stated place
+        let held = offset(Way { place_uncertainties_mm: vec![1e-3; 3], ..way });
+        assert!(!held.is_ok_and(|held| (held.clock.offset_s - 77.25).abs() < 5e-3));
     }
 }

@@ -18,7 +18,7 @@ use by_key::by_key;
 use by_label::by_label;
 use by_time::{Clocks, by_time};
 use clock::Clock;
-use clock_motion::{Speeds, offset_by_motion};
+use clock_motion::{Track, Way, offset_by_motion};
 use etalon_base::message::{Message, Place, Problems, Result};
 use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
@@ -29,7 +29,7 @@ use etalon_formats::table::Table;
 use etalon_formats::tables::joints::{missing_column, stated_columns, wrong_value};
 use etalon_formats::{JointLog, LogRow, Point, SharedText};
 use etalon_identify::{Covariance, directions, turned};
-use etalon_robots::{Quantity, Robot};
+use etalon_robots::{Quantity, Robot, Role};
 use std::borrow::Cow;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -299,17 +299,8 @@ fn clock_by_motion(
         let joints = |row: &LogRow| columns.iter().map(|(k, quantity)| quantity.inward(row.joints[*k])).collect();
         log.rows.iter().filter_map(|row| Some((row.time_s?, joints(row)))).collect()
     });
-    let (logged_s, nominal): (Vec<f64>, _) = (rows.iter().map(|(time_s, _)| *time_s).collect(), robot.nominal());
-    let (mut measured, mut logged) = (Vec::new(), Vec::new());
-    for index in 0..robot.targets().len() {
-        let mut points: Vec<(f64, Vector)> =
-            targets.iter().filter(|t| t.index == index).filter_map(|t| Some((t.point.time_s?, t.world_mm))).collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (times, positions): (Vec<f64>, Vec<Vector>) = points.into_iter().unzip();
-        measured.push(Speeds::new(&times, &positions));
-        let way: Vec<Vector> = rows.iter().map(|(_, joints)| robot.position(&nominal, joints, index)).collect();
-        logged.push(Speeds::new(&logged_s, &way));
-    }
+    let measured: Vec<Track> = (0..robot.targets().len()).map(|index| track(targets, index)).collect();
+    let logged: Vec<Way> = (0..robot.targets().len()).map(|index| way(*robot, &rows, index)).collect();
     let rate = join.clock_rate == Some(ClockRate::Motion);
     let found = offset_by_motion(&measured, &logged, rate).map_err(|m| m.at(place()))?;
     let clock = found.clock;
@@ -325,6 +316,43 @@ fn clock_by_motion(
     );
     remarks.messages.push(message.at(place()));
     Ok(clock)
+}
+
+/// Measured positions of a target, in the order of their times.
+fn track(targets: &[Target], index: usize) -> Track {
+    let of_target = targets.iter().filter(|target| target.index == index);
+    let mut points: Vec<(f64, Vector)> = of_target.filter_map(|t| Some((t.point.time_s?, t.world_mm))).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (times_s, positions_mm) = points.into_iter().unzip();
+    Track { times_s, positions_mm }
+}
+
+/// Positions of a target by the nominal robot at times and joint values of a log.
+fn way(robot: &dyn Robot, rows: &[(f64, Vec<f64>)], index: usize) -> Way {
+    let (nominal, parameters) = (robot.nominal(), robot.parameters());
+    let derivatives = |joints: &[f64], of: &[usize]| {
+        let mut found = vec![[0.0; 3]; of.len()];
+        robot.target_derivatives(&nominal, joints, &[index], &mut |_, parameter, by: Vector| {
+            if let Some(place) = of.iter().position(|i| *i == parameter) {
+                (0..3).for_each(|k| found[place][k] += by[k]);
+            }
+        });
+        found
+    };
+    // the columns of a rotation: none is zero
+    let of_targets: Vec<usize> = (0..parameters.len()).filter(|i| parameters[*i].role == Role::Target).collect();
+    let first = rows.first().map(|(_, joints)| derivatives(joints, &of_targets)).unwrap_or_default();
+    let of_target = of_targets.iter().zip(first).filter(|(_, by)| *by != [0.0; 3]);
+    let places: Vec<usize> = of_target.map(|(i, _)| *i).collect();
+    Way {
+        track: Track {
+            times_s: rows.iter().map(|(time_s, _)| *time_s).collect(),
+            positions_mm: rows.iter().map(|(_, joints)| robot.position(&nominal, joints, index)).collect(),
+        },
+        by_place: rows.iter().map(|(_, joints)| derivatives(joints, &places)).collect(),
+        // a tolerance is the half width of a rectangular distribution (GUM 4.3.7)
+        place_uncertainties_mm: places.iter().map(|i| parameters[*i].tolerance / 3f64.sqrt()).collect(),
+    }
 }
 
 /// The smallest time difference between a point and a row of the log, with the campaign's clock

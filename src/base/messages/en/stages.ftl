@@ -2176,7 +2176,8 @@ clock-rate-insignificant = the standstills of log `{ $log }` show no significant
     .hint = omit `clock_rate`: only the offset is used
 
 # Means: The offset of the clocks, and with `clock_rate` their rate, was computed from the speeds of
-# a motion that the instrument and the controller recorded.
+# a motion that the instrument and the controller recorded. The places of the targets on the robot
+# are fitted together with the offset: robot.toml need not state them.
 # Matters: Each point gets the joint values at its time. The uncertainty is computed from the
 # differences of the speeds. A rate within two standard uncertainties of zero is not applied.
 # Do: Nothing, if the correlation is near 1. Next time, start both recordings with one trigger.
