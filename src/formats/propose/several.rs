@@ -290,7 +290,7 @@ fn poses(parts: &mut [Part]) -> Option<String> {
     let own = |at: usize| parts[at].read.as_ref().filter(|_| is_foreign(at));
     let set = |at: usize, is_commanded: bool| {
         let (table, found) = own(at)?;
-        let set = if is_commanded { found.commanded_point() } else { found.points.first() };
+        let set = if is_commanded { found.commanded_point().or(found.points.first()) } else { found.points.first() };
         Some(table_of_poses(table, found, set?, is_commanded))
     };
     let (of_attained, of_commanded) = (set(attained, false), set(commanded, true));
@@ -377,7 +377,7 @@ fn table_of_poses(table: &Table, found: &Interpretation, set: &PointSet, is_comm
     for (axis, at) in ["x", "y", "z"].into_iter().zip(set.columns) {
         at.into_iter().for_each(|at| column(format!("{axis}_{}", unit(at)), at));
     }
-    let angles = if found.points.is_empty() || !is_commanded { found.rotation_columns() } else { Vec::new() };
+    let angles = if is_commanded && found.commanded_beside.is_some() { Vec::new() } else { found.rotation_columns() };
     for (name, at) in ["a", "b", "c"].into_iter().zip(angles) {
         column(format!("{name}_{}", unit(at)), at);
     }
