@@ -127,7 +127,7 @@ fn certificates_are_valid_and_a_decimal_comma_is_not() {
         let given = ExportInput { summary: Some(&summary), ..ExportInput::parameters(&bare) };
         let text = String::from_utf8(by_name(format).unwrap().write(&given).unwrap()).unwrap();
         assert!(valid(&text, schema).is_none_or(|answer| answer.is_empty()), "{text}");
-        let named = "country (ZZ), customer, laboratory, responsible person, instrument, calibration of the instrument, temperature";
+        let named = "country (ZZ), customer, laboratory, place of the measurements, responsible person, instrument, calibration of the instrument, temperature";
         assert!(format != "dcc" || text.contains(named), "{text}");
     }
 }

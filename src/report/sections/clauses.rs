@@ -221,7 +221,7 @@ mod tests {
         let (words, mut tested) = (Words::default(), whole());
         let rows = |tested: &Characteristics| {
             let table = serde_json::to_string(&section(tested, &Words::default()).unwrap()).unwrap();
-            (table.matches("not tested").count(), CLAUSES.iter().filter(|c| (c.is_tested)(tested)).count())
+            (table.matches("\"not tested\"").count(), CLAUSES.iter().filter(|c| (c.is_tested)(tested)).count())
         };
         let (not, are) = rows(&tested);
         assert_eq!(not + are, CLAUSES.len());

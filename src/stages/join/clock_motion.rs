@@ -33,6 +33,9 @@ const CONVERGED_S: f64 = 1e-9;
 const FEWEST: usize = 20;
 /// Standard uncertainty (mm) of a coordinate of a place on the robot that nobody stated.
 const UNKNOWN_PLACE_MM: f64 = 1000.0;
+/// Maximum time between neighbouring positions of a measurement, in medians of these times: the
+/// instrument did not see the motion in a longer gap, for instance between two standstills.
+const LONGEST_GAP: f64 = 3.0;
 /// Smallest standard deviation of speeds (mm/s) for the weight of stated places.
 const LEAST_SPREAD_MM_S: f64 = 1e-3;
 
@@ -81,10 +84,10 @@ struct Speeds {
 }
 
 impl Speeds {
-    /// Speeds between neighbouring positions, at the middle of their times.
-    fn new(track: &Track) -> Self {
+    /// Speeds at the middle of their times.
+    fn new(chords: impl Iterator<Item = Chord>) -> Self {
         let mut speeds = Self::default();
-        for chord in chords(track) {
+        for chord in chords {
             speeds.times_s.push(0.5 * (chord.from_s + chord.to_s));
             speeds.speeds_mm_s.push(chord.speed_mm_s);
         }
@@ -145,6 +148,13 @@ fn chords(track: &Track) -> impl Iterator<Item = Chord> + '_ {
     })
 }
 
+/// Mean speeds of a measurement, without those of gaps.
+fn measured_chords(track: &Track) -> impl Iterator<Item = Chord> + '_ {
+    let spans = track.times_s.windows(2).map(|pair| pair[1] - pair[0]);
+    let longest_s = LONGEST_GAP * etalon_math::statistics::median(spans).unwrap_or(f64::INFINITY);
+    chords(track).filter(move |chord| chord.to_s - chord.from_s <= longest_s)
+}
+
 /// Clock of the measurement relative to the clock of the log, from speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionClock {
@@ -167,7 +177,7 @@ pub fn offset_by_motion(measured: &[Track], logged: &[Way], rate: bool) -> Resul
     let tracks: Vec<(&Track, &Way)> = measured.iter().zip(logged).filter(|(m, _)| m.times_s.len() > 1).collect();
     let speeds: Vec<(Speeds, Speeds)> = tracks
         .iter()
-        .map(|(m, l)| (Speeds::new(m), Speeds::new(&l.track)))
+        .map(|(m, l)| (Speeds::new(measured_chords(m)), Speeds::new(chords(&l.track))))
         .filter(|(m, _)| !m.times_s.is_empty())
         .collect();
     let pairs: Vec<(&Speeds, &Speeds)> = speeds.iter().map(|(m, l)| (m, l)).collect();
@@ -404,7 +414,7 @@ impl Comparison<'_> {
         let mut all = Vec::new();
         for ((track, way), place) in self.tracks.iter().zip(&fit.places_mm) {
             let pair = |chord: Chord| Some([chord.speed_mm_s, logged_speed(way, chord, &fit.clock, place)?.0]);
-            all.extend(chords(track).step_by(self.every.max(1)).filter_map(pair));
+            all.extend(measured_chords(track).step_by(self.every.max(1)).filter_map(pair));
         }
         all
     }
@@ -417,7 +427,7 @@ impl Comparison<'_> {
         let (mut squares, mut rows, mut from) = (0.0, 0.0, free);
         let mut row = vec![0.0; count];
         for ((track, way), place) in self.tracks.iter().zip(&fit.places_mm) {
-            for chord in chords(track).step_by(self.every.max(1)) {
+            for chord in measured_chords(track).step_by(self.every.max(1)) {
                 let speed = |shift_s: f64| {
                     let clock = Clock { offset_s: fit.clock.offset_s + shift_s, ..fit.clock };
                     logged_speed(way, chord, &clock, place)
@@ -554,6 +564,31 @@ mod tests {
             Track { times_s, positions_mm }
         };
         assert!(refused(&periodic(20.0, 1000), &known(periodic(0.0, 6000))).is("clock-motion-several", &[]));
+    }
+
+    /// Measured in bursts at standstills, the motion between them is not seen: its mean speed follows
+    /// the times of the bursts, and not the clocks.
+    #[test]
+    fn bursts_at_standstills_show_no_offset() {
+        // two seconds at each place, one second to the next one
+        let at = |t: f64| {
+            let (place, within) = ((t / 3.0).floor(), (t % 3.0 - 2.0).max(0.0));
+            let corner = |k: f64| [90.0 * (2.1 * k).sin(), 70.0 * (3.7 * k).cos(), 50.0 * (1.3 * k).sin()];
+            let (from, to) = (corner(place), corner(place + 1.0));
+            [0, 1, 2].map(|k| from[k] + within * (to[k] - from[k]))
+        };
+        let positions = |times_s: Vec<f64>, clock_s: f64| Track {
+            positions_mm: times_s.iter().map(|t| at(*t).map(|v| v + 0.02 * (977.0 * t).sin())).collect(),
+            times_s: times_s.iter().map(|t| t + clock_s).collect(),
+        };
+        let log = known(positions((0..9000).map(|i| 0.02 * f64::from(i)).collect(), 0.0));
+        let whole = positions((0..3000).map(|i| 6.0 + 0.05 * f64::from(i)).collect(), 0.37);
+        let found = offset_by_motion(&[whole], std::slice::from_ref(&log), false).unwrap();
+        assert!((found.clock.offset_s - 0.37).abs() < 5e-3, "{found:?}");
+        let bursts = (2..50).flat_map(|k| (0..10).map(move |i| 3.0 * f64::from(k) + 0.7 + 0.05 * f64::from(i)));
+        let bursts = positions(bursts.collect(), 0.37);
+        let refused = offset_by_motion(&[bursts], std::slice::from_ref(&log), false).unwrap_err();
+        assert!(refused.is("clock-motion-unlike", &[]), "{refused}");
     }
 
     /// A flange that turns on its way, and a target away from the stated place: the place

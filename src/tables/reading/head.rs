@@ -170,8 +170,12 @@ fn names_row(row: &Row, columns: usize, blanks: bool) -> Option<Vec<String>> {
     } else {
         names = fields.into_iter().map(str::to_owned).collect();
     }
-    // a header has words
-    (names.len() >= columns && names.iter().any(|n| n.contains(char::is_alphabetic))).then(|| {
+    // a header has words: counts and the name of the file are none
+    let is_file = |name: &str| name.rsplit_once('.').is_some_and(|(_, end)| (2..=4).contains(&end.len()));
+    let is_count = |name: &String| name.bytes().all(|b| b.is_ascii_digit());
+    let is_word = |name: &String| name.contains(char::is_alphabetic);
+    let are_counts = names.iter().any(is_count) && names.iter().all(|name| is_count(name) || is_file(name));
+    (names.len() >= columns && names.iter().any(is_word) && !are_counts).then(|| {
         names.truncate(columns);
         names
     })

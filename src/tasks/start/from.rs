@@ -194,8 +194,7 @@ fn identification(documents: &[FormatsDocument], stated: &toml::Table, robot: Op
 
 /// Name, robot and instrument; without controllers there is no robot.
 fn head(names: &[String], lines: &str, controllers: Option<&str>) -> String {
-    let robot = controllers
-        .map_or_else(String::new, |controllers| format!("robot = \"robot.toml\"\n{controllers}\n"));
+    let robot = controllers.map_or_else(String::new, |controllers| format!("robot = \"robot.toml\"\n{controllers}\n"));
     format!(
         "# Proposed by `etalon init --from {}`. `etalon check` lists each `\"?\"` and UNIT to complete.\n\
          # Lengths are in mm, angles in degrees, unless a key states another unit.\n\n\

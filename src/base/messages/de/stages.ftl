@@ -273,7 +273,7 @@ target-time-twice = { $count } Punkte der Zielmarke `{ $target }` haben dieselbe
     .hint = die Zeiten berichtigen oder die Zielmarke jedes Punkts nennen
 
 log-row-met-twice = Zeile { $row } von Protokoll `{ $log }` liegt { $count } Punkten der Zielmarke `{ $target }` am nächsten (Zeilen { $lines })
-    .hint = `tolerance_s` verringern oder `clock_offset_s` prüfen
+    .hint = `tolerance_s` verringern oder `clock_offset_s` prüfen; von mehreren Messungen in einem Stillstand den Mittelwert als einen Punkt angeben
 
 clock-offset-none = kein Versatz der Uhren legt alle Messpunkte in Stillstände des Protokolls: { $count ->
         [one] der erste Punkt (bis { $last_s } s) passt
@@ -1077,7 +1077,7 @@ clock-from-motion = die Uhr des Protokolls `{ $log }` ist durch die Geschwindigk
     .hint = die Punkte sind mit den Zeilen des Protokolls zu diesen Zeiten verknüpft
 
 clock-motion-unlike = die Geschwindigkeiten der Punkte und des Protokolls korrelieren bei keinem Versatz der Uhren: höchstens { FIXED($correlation, 2) }
-    .hint = prüfen, ob Protokoll und Punkte zur selben Bewegung gehören, oder `clock_offset_s` als Zahl angeben
+    .hint = prüfen, ob Protokoll und Punkte zur selben Bewegung gehören; für nur im Stillstand gemessene Punkte `clock_offset_s = "standstills"` oder eine Zahl angeben
 
 clock-motion-several = die Geschwindigkeiten der Punkte und des Protokolls korrelieren bei { $count } Versätzen der Uhren: { $ranges }
     .hint = eine Bewegung aufzeichnen, die sich nicht wiederholt, oder `clock_offset_s` als Zahl angeben

@@ -559,7 +559,7 @@ target-time-twice = { $count } points of target `{ $target }` have the same time
 # Do: Reduce `tolerance_s`, or check `clock_offset_s`.
 # Example: `tolerance_s` longer than the time between two poses
 log-row-met-twice = row { $row } of log `{ $log }` is the nearest row of { $count } points of target `{ $target }` (lines { $lines })
-    .hint = reduce `tolerance_s`, or check `clock_offset_s`
+    .hint = reduce `tolerance_s`, or check `clock_offset_s`; of several readings in one standstill, give their mean as one point
 
 # Means: With no offset of the clocks, every measured point is within a standstill of the log.
 # Matters: The standstills do not determine the offset. A point was measured in motion, or a
@@ -2191,7 +2191,7 @@ clock-from-motion = the clock of log `{ $log }` is set from the speeds of the mo
 # Do: Check that log and export are of the same motion. Then check units, joints and targets.
 # Example: the log of another run
 clock-motion-unlike = the speeds of points and log do not correlate at any offset of the clocks: the largest correlation is { FIXED($correlation, 2) }
-    .hint = check that log and points are of the same motion, or set `clock_offset_s` as a number
+    .hint = check that log and points are of the same motion; for points measured only at standstills, set `clock_offset_s = "standstills"`, or a number
 
 # Means: The motion repeats, so the speeds agree at several offsets of the clocks.
 # Matters: Only one of these offsets is right.

@@ -273,7 +273,7 @@ target-time-twice = { $count } points de la cible `{ $target }` ont le même ins
     .hint = corriger les instants, ou indiquer la cible de chaque point
 
 log-row-met-twice = la ligne { $row } du journal `{ $log }` est la ligne la plus proche de { $count } points de la cible `{ $target }` (lignes { $lines })
-    .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s`
+    .hint = réduire `tolerance_s`, ou vérifier `clock_offset_s` ; de plusieurs mesures pendant un arrêt, donner la moyenne comme un seul point
 
 clock-offset-none = aucun décalage des horloges ne place tous les points mesurés dans des arrêts du journal : { $count ->
         [one] le premier point (jusqu’à { $last_s } s) convient
@@ -1084,7 +1084,7 @@ clock-from-motion = l’horloge du journal `{ $log }` est calée sur les vitesse
     .hint = les points sont joints aux lignes du journal à ces instants
 
 clock-motion-unlike = les vitesses des points et du journal ne sont corrélées pour aucun décalage des horloges : au plus { FIXED($correlation, 2) }
-    .hint = vérifier que le journal et les points sont du même mouvement, ou donner à `clock_offset_s` une valeur numérique
+    .hint = vérifier que le journal et les points sont du même mouvement ; pour des points mesurés seulement à l'arrêt, donner à `clock_offset_s` la valeur `"standstills"` ou un nombre
 
 clock-motion-several = les vitesses des points et du journal sont corrélées pour { $count } décalages des horloges : { $ranges }
     .hint = enregistrer un mouvement qui ne se répète pas, ou donner à `clock_offset_s` une valeur numérique

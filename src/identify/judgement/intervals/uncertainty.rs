@@ -28,7 +28,7 @@ use etalon_math::statistics::{median, rms};
 use etalon_math::{Factor, Problem, Solution, column_norms, factor_at};
 use etalon_robots::{Robot, Role};
 use nalgebra::{DMatrix, DVector, Matrix3x4};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Source of the standard uncertainties.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -473,7 +473,8 @@ pub(crate) fn held_messages(robot: &dyn Robot, groups: &[Group]) -> Vec<Warning>
         [] => None,
         [one] => Some(held_message(robot, one)),
         several => {
-            let names: Vec<&str> = several.iter().map(|g| parameters[g.held].name.as_str()).collect();
+            let held: BTreeSet<usize> = several.iter().map(|g| g.held).collect();
+            let names: Vec<&str> = held.into_iter().map(|i| parameters[i].name.as_str()).collect();
             Some(warning!("parameters-fixed-by-frames", count = names.len(), parameters = quoted(&names)))
         }
     };
