@@ -2,6 +2,7 @@
 
 use etalon::base::catalogue::{Argument, FILES, Phrase};
 use etalon::base::phrase;
+use std::collections::BTreeSet;
 
 /// A text with messages.
 pub trait Says {
@@ -81,10 +82,13 @@ fn sentences(id: &str, arguments: &str) -> Vec<String> {
     }
     let keys: Vec<&str> = pattern.split('[').skip(1).filter_map(|rest| Some(rest.split_once(']')?.0)).collect();
     let mut phrases = vec![phrase];
-    let selectors = pattern.split('$').skip(1).map(|rest| (name(rest), rest)).filter(|(name, rest)| {
+    let selects = |(name, rest): &(&str, &str)| {
         rest[name.len()..].trim_start().starts_with("->") && stated.iter().all(|(stated, _)| stated != name)
-    });
-    for (name, _) in selectors {
+    };
+    let open = pattern.split('$').skip(1).map(|rest| (name(rest), rest)).filter(selects);
+    // an argument may choose at several places
+    let selectors: BTreeSet<&str> = open.map(|(name, _)| name).collect();
+    for name in selectors {
         let variants = |phrase: Phrase| {
             let of = |key: &&str| phrase.clone().with(name, &value(if *key == "one" { "1" } else { key }));
             keys.iter().map(of).chain([phrase.clone()]).collect::<Vec<_>>()

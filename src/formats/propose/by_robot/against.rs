@@ -198,7 +198,7 @@ pub(crate) fn joint_lists(robot: &dyn Robot, table: &Table, found: &Interpretati
     let is_open = |i: &usize| matches!(found.taken[*i].meaning, Meaning::Unknown | Meaning::Joint(_));
     match joints.len() >= count {
         true => vec![joints],
-        false if named => consecutive(table, count).into_iter().filter(|all| all.iter().all(|i| is_open(i))).collect(),
+        false if named => consecutive(table, count).into_iter().filter(|all| all.iter().all(&is_open)).collect(),
         false => consecutive(table, count),
     }
 }
