@@ -93,8 +93,8 @@ def three_points(origin: Fit | ArrayLike, x: Fit | ArrayLike, xy: Fit | ArrayLik
         origin: Point ``(3,)`` in mm, several readings ``(n, 3)`` of it, or a fitted sphere or circle, whose centre is the point.
         x: Point on the positive x axis, likewise.
         xy: Point in the x-y plane, likewise.
-        standard_uncertainty_um: Of one coordinate of a point (k = 1), um; if None, from the scatter of several readings, or of three fitted
-            elements the uncertainty of the most uncertain centre.
+        standard_uncertainty_um: Of one coordinate of a point (k = 1), um. If None, from the scatter of several readings. Of three fitted
+            elements, the largest uncertainty of a centre.
 
     Raises:
         Error: The points are on one line.

@@ -51,11 +51,14 @@ fn name(text: &str) -> &str {
 }
 
 /// Pattern of the English sentence of a message.
-fn pattern(id: &str) -> &'static str {
+fn pattern(id: &str) -> String {
     let start = format!("\n{id} =");
     let rest = FILES.iter().find_map(|(_, texts)| texts[0].split_once(&start)).map(|(_, rest)| rest);
-    let entry = rest.unwrap_or_else(|| panic!("`{id}` is not in the catalogue")).split("\n\n").next();
-    entry.unwrap_or_default().split("\n    .").next().unwrap_or_default()
+    let mut lines = rest.unwrap_or_else(|| panic!("`{id}` is not in the catalogue")).lines();
+    let first = lines.next().unwrap_or_default();
+    // the lines that continue the entry, without its attributes
+    let more = lines.take_while(|line| line.starts_with([' ', '}']) && !line.trim_start().starts_with('.'));
+    [first].into_iter().chain(more).collect::<Vec<_>>().join("\n")
 }
 
 /// English sentences of a message, one for each variant that the stated arguments leave open.
