@@ -465,8 +465,8 @@ pub fn identify_again(
     solved_from(&problem, &found.free_values())
 }
 
-/// All parameters of the solution of `problem`, which is near `x`; `None` if the solver fails or the
-/// problem does not determine them.
+/// All parameters of the solution of `problem` near `x`; `None` if the solver fails or the problem
+/// does not determine them.
 fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     let regular = |factor: &Factor| svd(factor).rank(RANK_TOLERANCE) == x.len();
     let linearised = Linearised::new(problem, x);

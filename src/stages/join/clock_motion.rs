@@ -566,8 +566,8 @@ mod tests {
         assert!(refused(&periodic(20.0, 1000), &known(periodic(0.0, 6000))).is("clock-motion-several", &[]));
     }
 
-    /// Measured in bursts at standstills, the motion between them is not seen: its mean speed follows
-    /// the times of the bursts, and not the clocks.
+    /// Measurements in bursts at standstills do not see the motion between them: its mean speed
+    /// follows the times of the bursts, and not the clocks.
     #[test]
     fn bursts_at_standstills_show_no_offset() {
         // two seconds at each place, one second to the next one

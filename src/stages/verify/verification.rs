@@ -76,6 +76,13 @@ fn verdict(found: &Verification) -> VerificationVerdict {
     }
 }
 
+/// Returns the meaning, as uncertain if a change is significant at a low level alone.
+fn doubted(found: &Verification, meaning: Phrase) -> Phrase {
+    let percent = 100.0 * found.p_value;
+    let is_doubtful = found.is_changed() && found.p_value > DOUBTFUL;
+    if is_doubtful { phrase!("perhaps-changed", percent, meaning) } else { meaning }
+}
+
 /// Compares observations with the parameters of a calibration; `inputs` are the files and their
 /// SHA-256.
 pub fn verify(
@@ -130,14 +137,11 @@ pub fn verify(
         Some(pose) => phrase!("one-pose-deviates", pose),
         None => meaning(verdict, moved.as_ref(), dominant.as_ref()),
     };
-    let is_doubtful = found.is_changed() && found.p_value > DOUBTFUL;
-    let percent = 100.0 * found.p_value;
-    let meaning = if is_doubtful { phrase!("perhaps-changed", percent, meaning) } else { meaning };
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
         robot: robot.model().to_owned(),
         calibration: None,
-        meaning: meaning.into(),
+        meaning: doubted(&found, meaning).into(),
         verdict,
         evidence: ChangeEvidence {
             p_value: found.p_value,

@@ -139,7 +139,7 @@ impl<'a> Study<'a> {
     /// Tries a choice of parameters.
     pub fn tried(&self, settings: &Settings) -> Result<Tried> {
         let found = self.identify_from(&self.sets.calibration, settings)?;
-        // parameters of a fold alone need no uncertainties, and are near the parameters of all poses
+        // parameters of a fold need no uncertainties, and are near the parameters of all poses
         let values = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
             match etalon_identify::identify_again(self.robot, observations, settings, &found) {
                 Some(values) => Ok(values),
@@ -148,7 +148,7 @@ impl<'a> Study<'a> {
                 }
             }
         };
-        let squares = |folds: &[BTreeSet<PoseName>]| left_out_squares(self.robot, self.sets, settings, folds, &values);
+        let squares = |folds: &[BTreeSet<PoseName>]| left_out_squares(self.robot, self.sets, settings, folds, values);
         let (left_out, by_block) = (squares(&self.folds)?, squares(&self.blocks)?);
         let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
         Ok(Tried { found, left_out, by_block, fitted })
