@@ -35,7 +35,7 @@ fn table() -> BTreeMap<String, [BTreeSet<String>; 2]> {
     rows.collect()
 }
 
-/// Dependencies of every crate of the workspace, inside the workspace and external, without those of tests.
+/// Dependencies of every crate of the workspace, inside the workspace and external, without dependencies of tests.
 fn dependencies() -> BTreeMap<String, [BTreeSet<String>; 2]> {
     let mut found = BTreeMap::new();
     for package in packages() {

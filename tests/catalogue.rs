@@ -414,7 +414,7 @@ fn english_is_found_in_arguments_and_in_code() {
     assert!(has_words("\"row {n} is bad\"", 2) && !has_words("\"row {n} of\"", 2));
 }
 
-/// Text of all tests, those of single files included.
+/// Text of all tests, tests of single files included.
 fn tests(folder: &Path, is_test: bool, found: &mut String) {
     for entry in std::fs::read_dir(folder).unwrap().flatten() {
         let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());

@@ -18,7 +18,7 @@ pub const ALL: &[(&str, fn(u64) -> Vec<Entry>)] = &[
     ("Table 3.4, figures 3.8 to 3.10", judged_parameters),
 ];
 
-/// Parameters of a printed column (deg, mm, 1) in those of the model (rad, mm, 1); the balls are 146 mm apart, which is ours.
+/// Parameters of the model (rad, mm, 1) from a printed column (deg, mm, 1); the balls are 146 mm apart, which is our assumption.
 fn column(printed: [f64; 13]) -> Vec<f64> {
     let model = Prexyt::default();
     printed.into_iter().chain([146.0]).zip(model.parameters()).map(|(v, p)| p.quantity.inward(v)).collect()
@@ -101,7 +101,7 @@ fn measured_errors(robot: &Prexyt, truth: &[f64], parameters: &[f64], commands: 
     commands.iter().map(one).collect()
 }
 
-/// Our poses for the four sets: those of the study that is beside the sample. Figure 3.5 has the thesis' own.
+/// Our poses for the four sets, from the study in the sample. Figure 3.5 has the poses of the thesis.
 fn sets(robot: &Prexyt) -> Vec<Vec<Observation>> {
     let folder = sample("prexyt-cmm");
     let file = StudyFile::read(&folder.join("study.toml")).expect("study");

@@ -1960,7 +1960,7 @@ class MeasuringOrder(Record):
 class Message(Record):
     """One error or warning: id and arguments of its text in the catalogue, the English texts, and its place."""
     arguments: Record
-    """Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those of the message."""
+    """Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace the message's own."""
     around: Records[Phrase]
     """Texts around the message, from inside: each has the message as its argument `message`."""
     expected: str | None

@@ -52,7 +52,7 @@ fn fit(package: Package, set: &DataSet) -> Result<Quantities, Problems> {
     };
     match package {
         Package::Gauss => {
-            // distances are those of the points from the element (manual, appendix)
+            // distances of the points from the element (manual, appendix)
             let settings = FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() };
             let fit = etalon_fit::element(element, Source::from(&set.points_mm), &settings).map_err(within)?;
             Ok(fit_quantities(&fit))

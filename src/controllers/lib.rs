@@ -95,8 +95,8 @@ pub trait Exporter {
         self.unsuited_robot(given.robot?, given.description.is_some())
     }
 
-    /// Warning about a file that is written for a robot unlike those of the format; `None` if the
-    /// robot is like them or unknown.
+    /// Warning about a file that is written for a robot unlike the robots of the format; `None` if
+    /// the robot is like them or unknown.
     fn concern(&self, _given: &ExportInput) -> Option<Message> {
         None
     }

@@ -140,7 +140,7 @@ impl MakersArm {
     ///
     /// The place of the base on axis 1 and the zero of its direction are not part of an arm: the
     /// nominal shoulder is at the maker's height above the base, without rotation. The description
-    /// has height and rotation of the shoulder only; other motions of axis 1 are those of the base.
+    /// has height and rotation of the shoulder only; other motions of axis 1 belong to the base.
     fn both(nominal: &JointChain, chain: &JointChain) -> [Self; 2] {
         let of_maker = difference(nominal).is_none();
         let [(mut first, nominal_flange), (mut second, flange)] = [nominal, chain].map(|c| frames(c, of_maker));

@@ -77,7 +77,7 @@ pub fn robust_element(kind: Element, points: &[Vector], settings: &FitSettings) 
     if points.len() < needed {
         return Err(error!("robust-few-points", element = kind, needed, points = points.len()).into());
     }
-    // errors of the points themselves are those of the plain fit
+    // errors of the points themselves are taken from the plain fit
     let all = element(kind, points, settings)?;
     let search = Search::new(kind, points, searching(settings));
     let Some(used) = search.explained().filter(|used| used.len() < points.len()) else {

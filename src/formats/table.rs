@@ -567,7 +567,7 @@ fn in_unit(name: &str, unit: &str) -> String {
 /// Maximum number of headings in the hint about a missing column.
 const SHOWN: usize = 12;
 
-/// Columns without a unit that a row may have, beside [`TEXTS`] and those of an orientation.
+/// Columns without a unit that a row may have, in addition to [`TEXTS`] and an orientation.
 pub const OF_ROWS: [&str; 9] = ["pose", "cycle", LABEL, TIME, ASSEMBLY, "approach", "robot", "reading", "direction"];
 
 /// `true` if a heading without its unit ends in the letter of a coordinate: `X`, `pos_x`, `Y [mm]`

@@ -20,8 +20,8 @@ pub struct Solution {
     /// Factor of the Jacobian at `x`, with columns divided by `scale`; `None` if it could not be
     /// computed, or with a loss, whose weights would not match the residuals.
     pub factor: Option<Factor>,
-    /// Likewise of the rows before those of prior knowledge; `None` without such rows, or with
-    /// blocks.
+    /// Likewise of the rows before the rows of prior knowledge; `None` without prior knowledge, or
+    /// with blocks.
     pub measured: Option<Factor>,
     /// Jacobian at `x`, or at a point within rounding of it, in the layout of
     /// [`Problem::jacobian`].
@@ -305,7 +305,7 @@ struct Run<'a, P> {
     weighed: Vec<f64>,
     /// Factor of the Jacobian at `x` or, near the end, at an earlier point.
     factor: Option<Factor>,
-    /// Factor of the rows before those of prior knowledge, at the end.
+    /// Factor of the rows before the rows of prior knowledge, at the end.
     measured: Option<Factor>,
     scale: Vec<f64>,
     iterations: usize,
@@ -380,7 +380,8 @@ impl<'a, P: Problem> Run<'a, P> {
         self.take(self.rows().factor(self.target(), &self.scale))
     }
 
-    /// Like [`Self::factorise`], and keeps the factor of the rows before those of prior knowledge.
+    /// Like [`Self::factorise`], and keeps the factor of the rows before the rows of prior
+    /// knowledge.
     fn factorise_with_prior(&mut self) -> Result<(), Termination> {
         let prior = self.problem.prior_count();
         if prior == 0 || self.problem.blocks().is_some() {

@@ -155,8 +155,8 @@ impl Prexyt {
         PlanarPose { x_mm: x, y_mm: y, theta_rad: theta }
     }
 
-    /// Pose of the platform, and its derivatives with respect to each parameter: those of
-    /// [`Self::direct`] in closed form.
+    /// Pose of the platform, and its derivatives with respect to each parameter: [`Self::direct`]
+    /// differentiated in closed form.
     fn pose_derivatives(&self, p: &[f64], rho: &[f64]) -> (PlanarPose, [[f64; 3]; PARAMETERS]) {
         let pose = self.direct(p, rho);
         let [[_, y2], [run, y3]] = self.revolutes(p, rho);

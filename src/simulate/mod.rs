@@ -98,8 +98,8 @@ impl Scene<'_> {
         (1..=cycles.saturating_mul(self.joints.len() as i64)).map(|number| self.turn(number))
     }
 
-    /// Encoder values at a pose: as given, or those of a point that is touched again with the
-    /// contact's noise.
+    /// Encoder values at a pose: as given, or of a point that is touched again with the contact's
+    /// noise.
     fn encoders(&self, turn: Turn, contact: &mut Noise) -> Result<Vec<f64>> {
         let pose = turn.pose as usize - 1;
         let Some(at) = self.stands[pose] else { return Ok(self.joints[pose].clone()) };

@@ -246,8 +246,8 @@ fn quaternion(numbers: [f64; 4]) -> Option<Pose> {
 }
 
 /// The error about angles without a given order, with the orders that fit the nominal robot
-/// located by positions: `angles` are those of the orientations among the conditions of `settings`,
-/// in their order.
+/// located by positions: `angles` belong to the orientations among the conditions of `settings`, in
+/// their order.
 pub fn unstated(robot: &dyn Robot, observations: &[Observation], settings: &Settings, angles: &[[f64; 3]]) -> Message {
     let message = error!("angle-order-missing");
     let conditions: Vec<&Condition> = settings.conditions.iter().filter(|c| c.kind.is_world_orientation()).collect();

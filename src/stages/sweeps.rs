@@ -453,7 +453,7 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
         TableConvention::Mdh => Some(modified_table(&model.axes, &model.flange)),
         TableConvention::Dh => Some(standard_table(&model.axes, &model.flange)),
     };
-    // base and flange are free: those of the table, where it has its own
+    // base and flange are free; a table may have its own
     let (base, flange) = rows.as_ref().map_or((Pose::identity(), Pose::identity()), |rows| (rows.base, rows.flange));
     let into_base = base.inverse();
     let world_T_base = model.world_T_base.then(&base);

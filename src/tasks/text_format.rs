@@ -355,7 +355,7 @@ impl TableFormat {
     }
 }
 
-/// Reads a table in a layout. Marks, encoding and sheet of the layout are those of files.
+/// Reads a table in a layout. Marks, encoding and sheet of the layout concern files.
 pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Problems> {
     let with_form = |form: Form| {
         let layout = TableLayout { form, ..reading.layout.clone() };

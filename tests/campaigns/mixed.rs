@@ -406,7 +406,7 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
     let poses = found().residuals.count;
     assert!(rms() < 0.02 && poses > 200, "{} {poses}", rms());
 
-    // slips: the same poses twice, other joints for one file, and a file whose joints are those of another
+    // mistakes: the same poses twice, other joints for one file, and a file with the joints of another
     let (code, said) = run(&(both.clone() + &export("b.csv", 1, "LR", "")));
     assert!(code == Some(2) && said.says("error[target-twice] pose=1") && said.contains("row + 100"), "{said}");
     let (code, said) = run(&(export("a.csv", 1, "LR", "") + &export("a.csv", 2, "RR", "").replace("\"J2\"", "\"J3\"")));

@@ -23,7 +23,7 @@ fn named(name: fn(i64) -> String, written: fn(i64) -> String) -> Scratch {
     scratch
 }
 
-/// Names of all kinds: of poses 1 to 8 those of the calibration.
+/// Names of all kinds: poses 1 to 8 have the names of the calibration.
 fn any(pose: i64) -> String {
     match pose {
         1 => "home".to_owned(),

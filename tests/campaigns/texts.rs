@@ -19,7 +19,7 @@ const ENCODINGS: [Written; 7] = [
     ("UTF-16BE with a mark", |t| pairs(&format!("\u{feff}{t}"), u16::to_be_bytes), None),
     ("UTF-16LE", |t| pairs(t, u16::to_le_bytes), Some(Encoding::Utf16Le)),
     ("UTF-16BE", |t| pairs(t, u16::to_be_bytes), Some(Encoding::Utf16Be)),
-    // the letters used are those of Latin-1, which windows-1252 shares
+    // the letters used are in Latin-1, which windows-1252 shares
     ("windows-1252", |t| t.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect(), Some(Encoding::Windows1252)),
 ];
 
@@ -43,7 +43,7 @@ fn stated(format: &str) -> Format {
     toml::from_str::<Stated>(&format!("format = {format}")).unwrap().format
 }
 
-/// Reads bytes in a format; the points must be those of `data`, bit for bit.
+/// Reads bytes in a format; the points must equal the points of `data`, bit for bit.
 fn same(name: &str, bytes: &[u8], encoding: Option<Encoding>, format: &str) {
     let file = tempfile::NamedTempFile::new().unwrap();
     std::fs::write(file.path(), bytes).unwrap();

@@ -38,7 +38,7 @@ fn steps_of_every_sample_are_true_and_their_commands_run() {
         check(name, folder, &verdict);
         let steps = verdict["actions"].as_array().cloned().unwrap_or_default();
         loaded += steps.iter().filter(|a| a["action"] == "load").count();
-        // the numbers of the step are those of the errors
+        // the step repeats the numbers of the errors
         for step in steps.iter().filter(|a| a["action"] == "load") {
             let accuracy = of.document("accuracy.json");
             let sets = accuracy["sets"].as_array().unwrap();

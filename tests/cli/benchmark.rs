@@ -7,7 +7,7 @@ use std::path::Path;
 const TRUTH: &str = "pose,target,x_mm,y_mm,z_mm,qw,qx,qy,qz\n\
     1,a,100,200,300,1,0,0,0\n1,b,110,200,300,1,0,0,0\n2,a,-50,20,30,0,1,0,0\n3,a,0,0,0,0.5,0.5,0.5,0.5\n";
 
-/// The score of predictions of [`TRUTH`], whose other columns are those of `more` in the order of the rows 3, 1b, 2, 1a.
+/// The score of predictions of [`TRUTH`]; `more` are the other columns in the order of the rows 3, 1b, 2, 1a.
 fn score(head: &str, more: [&str; 4]) -> serde_json::Value {
     let folder = tempfile::tempdir().unwrap();
     let rows = ["3,a,0,0,0.1", "1,b,110,200,300", "2,a,-49.9,20.2,30.2", "1,a,100.3,200.4,300"];

@@ -407,7 +407,7 @@ fn tool_data_of_a_rapid_program_and_the_tool_of_the_option_are_one() {
     let ten = &["--tool", "0,0,10"][..];
     for (declared, more, passes) in [
         (format!("PERS tooldata tGrip:=[TRUE,[[0,0,10],[1,0,0,0]],{load}];"), ten, true),
-        // names have no case, and other tools are not those of the movement
+        // names have no case, and other tools do not belong to the movement
         (format!("TASK PERS ToolData TGRIP := [ true, [[0,0,10],[1,0,0,0]], {load} ];"), ten, true),
         (format!("PERS tooldata tOther:=[TRUE,[[0,0,99],[1,0,0,0]],{load}];"), ten, true),
         (format!("PERS tooldata tGrip:=[TRUE,[[0,0,0],[1,0,0,0]],{load}];"), &[], true),
@@ -449,7 +449,7 @@ fn programs_of_synthetic_parameters_say_so() {
     assert!(!latin(&measured).contains("SYNTHETIC"));
 }
 
-/// A five-bar and a PreXYT: every byte but the numbers of the targets stays, and these are those of a table of the same targets.
+/// A five-bar and a PreXYT: every byte but the numbers of the targets stays, and these equal the numbers of a table of the same targets.
 #[test]
 fn programs_of_mecaprol_and_galil_have_other_targets_alone() {
     let five_bar = Real::new("samples/dextar/robot.toml");

@@ -105,7 +105,7 @@ fn rms(twin: &Twin, position: impl Fn(&[f64]) -> Vector) -> f64 {
     (squares.sum::<f64>() / VALIDATION as f64).sqrt()
 }
 
-/// The recommended parameters are identified again for a format that does not hold all of them, like those of a run.
+/// The recommended parameters are identified again for a format that does not hold all of them, like the parameters of a run.
 #[test]
 fn a_file_of_recommended_parameters_is_identified_again_like_that_of_a_run() {
     let gains = [1e-3, -1e-3, 1e-3, 1e-3, -1e-3, 1e-3];

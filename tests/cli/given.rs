@@ -72,7 +72,7 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
     let position = &json(&judged)["sets"][1]["errors"][0];
     let rms = |when: &str| position[when]["rms"].as_f64().unwrap();
     assert!(rms("after") < 0.25 * rms("before"), "{position}");
-    // those of another robot are refused by name, and so is a document that is none
+    // parameters of another robot are refused by name, and so is another document
     let other = run("dextar");
     let foreign = other.path().join("out/parameters.json").display().to_string();
     let refused = etalon(&arm.path(), &["validate", ".", "--parameters", &foreign]);
@@ -226,7 +226,7 @@ fn add(header: &[&str], cells: &mut [String], column: &str, by: f64) {
     cells[at] = (cells[at].parse::<f64>().unwrap() + by).to_string();
 }
 
-/// Answers name campaign, files and synthetic data; residuals are those of positions.
+/// Answers name campaign, files and synthetic data; residuals belong to positions.
 #[test]
 fn answers_name_their_campaign_and_files() {
     let folder = run("draw-wire");

@@ -23,7 +23,7 @@ fn rows(csv: &str) -> Vec<(String, Vec<f64>)> {
     csv.lines().skip(1).map(row).collect()
 }
 
-/// Columns of one table behind those of another, row by row.
+/// Columns of one table behind the columns of another, row by row.
 fn beside(poses: &str, joints: &str) -> String {
     let line = |(pose, joints): (&str, &str)| format!("{pose},{}\n", joints.split_once(',').unwrap().1);
     poses.lines().zip(joints.lines()).map(line).collect()

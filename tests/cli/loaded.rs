@@ -143,7 +143,7 @@ fn a_robot_with_loaded_zeros_is_verified_by_its_new_joint_values() {
     assert_eq!(with.status.code(), Some(0), "{}{}", text_of(&with), String::from_utf8_lossy(&with.stdout));
 }
 
-/// After loading, the exports and logs of a copy of the campaign are read as those of the calibration.
+/// After loading, the exports and logs of a copy of the campaign are read like the files of the calibration.
 #[test]
 fn a_campaign_is_verified_like_its_table_of_observations() {
     let scratch = copy_sample("column-arm");

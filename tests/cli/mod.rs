@@ -75,7 +75,7 @@ fn judged(shown: &str, limit: &str, verdict: &str) -> bool {
 /// Schemas that `etalon init mine` writes for editors.
 const SCHEMAS: &str = "mine/schemas/campaign.toml.schema.json\nmine/schemas/robot.toml.schema.json\n";
 
-/// The files that an editor is given name schemas that are there, and that are those of the program.
+/// The files for an editor name schemas that exist and that the program contains.
 #[test]
 fn init_names_the_schemas_of_its_files() {
     let folder = tempfile::tempdir().unwrap();
@@ -104,7 +104,7 @@ fn init_takes_the_robot_of_a_urdf() {
     );
     let robot = std::fs::read_to_string(folder.path().join("mine/robot.toml")).unwrap();
     assert!(robot.contains("base_link = \"base_link\"") && robot.contains("tool_link = \"tool\""), "{robot}");
-    // as it is, it lacks its files alone; with those of the sample, whose labels are these, it is calibrated
+    // as written it lacks only its files; with the files of the sample, whose labels match, it is calibrated
     let checked = etalon(folder.path(), &["check", "mine"]);
     let said = text(&checked.stderr);
     assert!(
@@ -532,7 +532,7 @@ fn iso9283_answers_with_a_list_per_pose_and_leaves_out_what_a_robot_does_not_hav
     }
 }
 
-/// Errors that no reading can show are those of the run, and each has a line.
+/// Only a run can show the errors that no reading shows, and each has a line.
 #[test]
 fn check_lists_what_no_reading_can_show() {
     let scratch = copy_sample("prexyt-cmm");

@@ -321,7 +321,7 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     })
 }
 
-/// Numbers of a sentence that are not those of the documents.
+/// Numbers of a sentence that are not in the documents.
 fn contradictions(text: &str, documents: &Documents) -> Vec<String> {
     // each part of a list of reservations has its own rule
     let parts = text.trim_start_matches("Reservations: ").split("; ").map(Sentence::parse);

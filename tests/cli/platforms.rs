@@ -40,7 +40,7 @@ fn samples_of_platforms_are_calibrated() {
         let parameters = read("parameters.json");
         let held = parameters["parameters"].as_array().unwrap().iter();
         assert_eq!(held.filter(|p| p["status"] == "not_identifiable").count(), 12, "{name}");
-        // residuals are those of the stated noise, and fresh poses are predicted as well
+        // residuals agree with the stated noise, and fresh poses are predicted as well
         let chi_square = &parameters["residuals"]["chi_square"].as_f64().unwrap();
         let degrees = parameters["residuals"]["degrees_of_freedom"].as_f64().unwrap();
         assert!((chi_square / degrees - 1.0).abs() < 0.25, "{name}: {chi_square} of {degrees}");

@@ -102,7 +102,7 @@ fn every_stored_folder_gives_the_verdict_and_the_report_of_its_run() {
 fn check_computed(name: &str, campaign: &Path, out: &Path) {
     let mut computed = pipeline::evaluate(&Campaign::read(campaign).unwrap()).unwrap().results;
     let stored = results::read(&Documents::open(out).unwrap()).unwrap();
-    // hashes are those of the files that a run writes
+    // a run writes files with these hashes
     for (computed, stored) in computed.campaign.controller_files.iter_mut().zip(&stored.campaign.controller_files) {
         assert_eq!((&computed.file, computed.sha256.is_none()), (&stored.file, stored.sha256.is_some()), "{name}");
         computed.sha256.clone_from(&stored.sha256);

@@ -121,7 +121,7 @@ fn simulated_backlash_is_identified_by_the_times_of_the_log() {
     let stated: Vec<String> = lost.iter().map(|(joint, gap)| format!("{joint} = {gap}")).collect();
     let quiet =
         |text: String| text.replace("seed = 18", "seed = 18\nnoise_um = 0").replace("decimals = 9", "decimals = 12");
-    // gains and bending of the simulated arm follow the joint as it is, those of the model the logged value
+    // gains and bending follow the true joint in the simulated arm, the logged value in the model
     let rigid = |text: String| {
         let own = |line: &&str| !line.starts_with("gain_") && !line.starts_with("compliance_");
         text.lines().filter(own).map(|line| format!("{line}\n")).collect::<String>()

@@ -380,7 +380,7 @@ fn numbered_log(rows: &[(Vec<f64>, [f64; 3], [f64; 4])], head: &str) -> String {
     log
 }
 
-/// The number of the rows joins files in another order, and the names of a controller's joints are those of the robot's own order.
+/// The number of the rows joins files in another order, and the names of a controller's joints follow the robot's own order.
 #[test]
 fn a_number_joins_rows_in_another_order_with_the_joints_of_a_controller() {
     let folder = tempfile::tempdir().unwrap();

@@ -535,7 +535,7 @@ fn columns_of_every_table_are_read_or_named() {
     assert!(["`u_percent`", "`urot`", "`x_dev`"].iter().all(|name| said.contains(name)), "{said}");
 }
 
-/// Rows without a joint value or any coordinate are listed with the reason, as those of exports and logs.
+/// Rows without a joint value or any coordinate are listed with the reason, like rows of exports and logs.
 #[test]
 fn rows_in_which_nothing_was_measured_are_listed() {
     let own = copy_sample("torque-arm");

@@ -341,7 +341,7 @@ fn any_letter_in_a_name_is_typeset() {
     assert!(!said.contains("cannot typeset"), "{code:?} {said}");
 }
 
-/// Issue 47, item 12: files of others in `out/` were taken for those of an earlier run by their names.
+/// Issue 47, item 12: files of others in `out/` were taken for files of an earlier run by their names.
 #[test]
 fn an_output_folder_of_others_loses_nothing() {
     let scratch = copy_sample("prexyt-cmm");

@@ -60,7 +60,7 @@ fn messages_validated((robot, calibration): (Serial, Vec<Observation>), validati
     Judgement::new(&robot, &solution).plausibility
 }
 
-/// The messages of an arm that is altered have this one, and those of the arm as it is do not.
+/// The messages of the altered arm contain this message, and the messages of the sound arm do not.
 fn hold(id: &str, sound: (Serial, Vec<Observation>), alter: impl Fn(&mut Vec<Observation>)) {
     let (robot, mut observations) = (sound.0.clone(), sound.1.clone());
     alter(&mut observations);

@@ -29,7 +29,7 @@ const SA_TIMED: &str =
 const FIRST_OF_21: &str = "{ delimiter = \"blank\", columns = [\"x\", \"y\", \"z\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \
      \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\", \"-\"] }";
 
-/// Pattern of files, what becomes of them, and why: counts and units are those of their README, or of `wc -l`.
+/// Pattern of files, what becomes of them, and why: counts and units come from their README, or from `wc -l`.
 #[rustfmt::skip]
 pub const TABLE: &[(&str, As, &str)] = &[
     // spatialanalyzer: comments state version, frame and unit

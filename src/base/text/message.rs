@@ -57,8 +57,8 @@ pub struct Message {
     /// Id in the catalogue; `etalon explain ID` explains it.
     #[serde(default, skip_serializing_if = "str::is_empty")]
     pub id: Cow<'static, str>,
-    /// Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace those
-    /// of the message.
+    /// Arguments of the texts. `expected` and `hint` are texts of the catalogue that replace the
+    /// message's own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub arguments: Arguments,
     /// Texts around the message, from inside: each has the message as its argument `message`.

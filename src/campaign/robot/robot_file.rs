@@ -571,8 +571,8 @@ impl RobotFile {
         problems.check().map(|_| ())
     }
 
-    /// Overwrites tolerances of the model with those of the file: first those of a kind, then those
-    /// of single parameters.
+    /// Overwrites tolerances of the model with tolerances of the file: first of a kind, then of
+    /// single parameters.
     fn tolerances(&self, definition: &mut Definition) -> Result<()> {
         let mut problems = Problems::default();
         for (name, &value) in &self.tolerance {
@@ -662,7 +662,7 @@ mod tests {
             let problems = file.build(&file.targets_or("tool")).err().unwrap();
             assert!(problems.0[0].is("nominal-unknown", &[]), "{slip}");
         }
-        // positions beside those of the file
+        // positions in addition to the positions of the file
         let positions = BTreeMap::from([("SMR".to_owned(), vec![1.5, -2.0, 1e-3])]);
         let text = stated.text_with_targets(&positions).unwrap();
         let other = RobotFile::recover(Path::new("robot.toml"), &text).0.unwrap();

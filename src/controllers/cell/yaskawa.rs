@@ -2,7 +2,7 @@
 //! then centre of gravity, mass, moments of inertia, and a line of unknown meaning.
 //!
 //! The layout follows backups of an SDA20D and of a GP88 (`docs/cell.md` has the addresses). The
-//! lines behind the frame are those of tools without load data there. The file has no comments.
+//! lines behind the frame are copied from tools without load data there. The file has no comments.
 
 use super::{CellData, CellFormat, CellPart, CellText, identifier, roll_pitch_yaw_deg};
 use crate::decimals::all_fixed;

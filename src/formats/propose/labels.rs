@@ -38,8 +38,8 @@ pub(super) struct Labels {
 }
 
 impl Labels {
-    /// Finds the form of all labels, or of all but those of a few points; a target that few poses
-    /// name is stationary.
+    /// Finds the form of all labels, or of all except the labels of a few points; a target that few
+    /// poses name is stationary.
     pub fn new(labels: &[String]) -> Option<Self> {
         if let Some((form, targets)) = label_form(labels) {
             return Some(Self::with_form(labels, form, targets));

@@ -269,8 +269,8 @@ fn seconds_per(unit: Option<&str>) -> f64 {
 /// Kinds of tables of a test to ISO 9283.
 const TABLES_OF_POSES: [&str; 3] = ["poses", "commanded", "reference"];
 
-/// Returns one section for attained and commanded poses and reference targets; other headings than
-/// those of etalon are named in it.
+/// Returns one section for attained and commanded poses and reference targets; it names headings
+/// that differ from etalon's own.
 fn poses(parts: &mut [Part]) -> Option<String> {
     let of_kind = |parts: &[Part], kind: &str| parts.iter().position(|part| part.document.kind == kind);
     let tables = tables_of_poses(parts);
@@ -349,8 +349,8 @@ fn tables_of_poses(parts: &[Part]) -> Option<[usize; 2]> {
     (once.len() == commanded.len() && all && attained.len() > commanded.len()).then_some(order)
 }
 
-/// Keys of a table of poses in other headings than those of etalon: its form and the columns of its
-/// attained or commanded point.
+/// Keys of a table of poses whose headings differ from etalon's own: its form and the columns of
+/// its attained or commanded point.
 fn table_of_poses(table: &Table, found: &Interpretation, set: &PointSet, is_commanded: bool) -> Vec<String> {
     let form = &table.form;
     let mut keys: Vec<String> = match &form.sheet {

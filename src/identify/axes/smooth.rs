@@ -103,8 +103,8 @@ impl Products {
         Self { count, harmonics: &turned * &basis, cross: turned * &all, own: all.transpose() * &all }
     }
 
-    /// Prior variances of the harmonics in units of the noise. Half of them are those of the
-    /// bearing (low harmonics), half those up to a corner. The first harmonic, which is also a
+    /// Prior variances of the harmonics in units of the noise. Half of them belong to the bearing
+    /// (low harmonics), half to the harmonics up to a corner. The first harmonic, which is also a
     /// shift of the axis, has the variance of the second one.
     fn variances(&self, corner: f64, ratio: f64) -> DVector<f64> {
         let up_to = |corner: f64| {

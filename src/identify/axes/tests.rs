@@ -378,7 +378,7 @@ fn distant_balls(noise: &mut Noise, noise_mm: f64, axial: impl Fn(usize) -> f64)
 }
 
 /// Error motions of a perfect axis are what noise alone gives, within two standard uncertainties;
-/// those of a defective one are not.
+/// error motions of a defective axis are larger.
 #[test]
 fn a_perfect_axis_has_the_error_motions_of_noise() {
     let mut noise = Noise::new(31, 0);

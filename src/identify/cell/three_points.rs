@@ -84,7 +84,7 @@ pub fn three_points(
     let jacobian = derivatives(length, along, height, role);
     let variances =
         SMatrix::<f64, 9, 9>::from_diagonal(&nalgebra::SVector::from_fn(|k, _| u * u / points[k / 3].len() as f64));
-    // from the axes of the frame to those of the points
+    // from the axes of the frame to the axes of the points
     let turn = Matrix3::from_fn(|i, j| rotation[i][j]);
     let mut both = SMatrix::<f64, 6, 6>::zeros();
     both.fixed_view_mut::<3, 3>(0, 0).copy_from(&turn);

@@ -157,7 +157,7 @@ impl Readings {
         &self.standard_uncertainties_mm
     }
 
-    /// Judges residuals whose uncertainties are those of `moves`: if chi-square rejects the given
+    /// Judges residuals with the uncertainties of `moves`: if chi-square rejects the given
     /// uncertainty, the uncertainty of `points` is inflated to the scatter of the residuals.
     pub fn judge(
         &mut self,

@@ -225,8 +225,8 @@ impl Table<'_> {
         }
     }
 
-    /// Exchanged targets: of a robot with a place of its own in pairs, and those of two branches in
-    /// their order. Targets of an arm on a free base are names for unknown places.
+    /// Exchanged targets: in pairs for a robot with a place of its own, and the targets of two
+    /// branches in their order. Targets of an arm on a free base are names for unknown places.
     fn targets(&mut self) {
         let links = self.robot.branches();
         let seen = self.data.readings(self.robot);

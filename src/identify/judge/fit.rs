@@ -3,7 +3,7 @@
 //! Models of real robots are incomplete, so that residuals exceed the instrument's uncertainty.
 //! Each hypothesis is fitted with the standard deviations of its own residuals, one for lengths and
 //! one for angles. Its score is the residuals at poses that are excluded from the fit. Lengths are
-//! those of the robot: a change of unit cannot win merely by making numbers small.
+//! in units of the robot: a change of unit cannot win merely by making numbers small.
 
 use super::data::Data;
 use crate::judgement::robust::CAUCHY;

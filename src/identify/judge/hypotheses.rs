@@ -208,8 +208,8 @@ pub(super) fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitt
     all.into_iter().filter_map(judged).collect()
 }
 
-/// Adds the parameters of fixtures to another robot; `false` if its own
-/// parameters are not those of the robot.
+/// Adds the parameters of fixtures to another robot; `false` if the two robots have different
+/// parameters of their own.
 fn add_fixtures(robot: &dyn Robot, other: &mut dyn Robot) -> bool {
     let (all, count) = (robot.parameters(), other.parameters().len());
     let alike = other.parameters().iter().zip(all).all(|(a, b)| a.role == b.role);

@@ -73,7 +73,7 @@ const MISFIT: [f64; 2] = [0.02, 0.035];
 /// has: 2.3 tolerances.
 const OFF: f64 = 4.0;
 /// A tolerance in its standard uncertainties, and the ratio by which the parameters of a published
-/// robot must be nearer to nominal than those of a robot beyond its tolerances.
+/// robot must be nearer to nominal than the parameters of a robot beyond its tolerances.
 const TOLERANCE: f64 = 1.74;
 const NEARER: f64 = 5.0;
 /// Differences (mm, rad) of the flange up to which two robots are the same.

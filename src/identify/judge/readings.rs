@@ -111,7 +111,7 @@ impl<'a> Data<'a> {
 }
 
 /// Mistakes in single readings that explain the outliers of a robust fit. The observations and
-/// conditions are those of its readings.
+/// conditions belong to the readings of that fit.
 pub fn reading_slips(
     robot: &dyn Robot,
     observations: &[Observation],

@@ -82,8 +82,8 @@ impl Layout {
 pub(crate) struct Remaining {
     /// Rows of the Jacobian of the common parameters.
     pub jacobian: Vec<f64>,
-    /// Residuals, enlarged to the size of errors: those of one cluster and block by the share that
-    /// the block absorbs.
+    /// Residuals, enlarged to the size of errors: residuals of one cluster and block by the share
+    /// that the block absorbs.
     pub residuals: Vec<f64>,
     /// F with F Fᵀ = (JᵀJ)⁻¹. A covariance is formed with it from both sides: products with the
     /// inverse would lose twice as many digits, symmetry and positive variances.

@@ -54,8 +54,9 @@ impl Prior {
     }
 }
 
-/// Standard uncertainties of base and targets without tolerance, relative to those of a first
-/// estimate: wide enough to count as no knowledge, and narrow enough to keep the solution bounded.
+/// Standard uncertainties of base and targets without tolerance, relative to the uncertainties of a
+/// first estimate: wide enough to count as no knowledge, and narrow enough to keep the solution
+/// bounded.
 pub(crate) const DIFFUSE: f64 = 10.0;
 
 /// The row of one parameter: w (p − p₀)/s.

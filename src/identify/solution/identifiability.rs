@@ -152,8 +152,8 @@ fn redundant(problem: &Residuals, values: &[f64], noise: f64, choice: Choice) ->
     let sizes: Vec<f64> = factor.column_norms().iter().zip(&norms).map(|(size, norm)| size * norm).collect();
     let largest = sizes.iter().copied().fold(0.0, f64::max);
     let unseen = |j: usize| sizes[j] <= UNSEEN * largest;
-    // columns of the factor: those of a block are independent by themselves, the common ones
-    // beside all of them
+    // columns of the factor: the columns of a block are independent by themselves, the common
+    // columns together with all blocks
     let mut columns: Vec<usize> = (0..free.len()).collect();
     let mut all: Vec<Redundant> = Vec::new();
     let new = |held: usize, changes: Vec<(usize, f64)>| Redundant::new(problem, &norms, held, changes);

@@ -247,8 +247,8 @@ pub(crate) fn spread_mm(observations: &[Observation]) -> f64 {
     rms(all.iter().map(|p| norm(minus(*p, mean))))
 }
 
-/// Candidate rotation vectors of the base: those of the 24 rotations that map a cube onto itself,
-/// and the nominal one; held components keep their nominal values in all.
+/// Candidate rotation vectors of the base: the 24 rotations that map a cube onto itself, and the
+/// nominal rotation; held components keep their nominal values in all.
 fn rotations(nominal: &[f64], places: &[usize]) -> Vec<[f64; 3]> {
     let held = |mut angles: [f64; 3]| {
         for (k, angle) in angles.iter_mut().enumerate().filter(|(k, _)| !places.contains(&(3 + k))) {

@@ -264,15 +264,14 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// Origin of the base in the frame of the errors, if its parameters are those of a base in the
-/// world.
+/// Origin of the base in the frame of the errors, if its parameters place a base in the world.
 fn base_mm(parameters: &ParametersDocument) -> Option<Vector> {
     let value = |name: &str| parameters.parameters.iter().find(|p| p.name == name).map(|p| p.value);
     Some([value("base_x")?, value("base_y")?, value("base_z")?])
 }
 
 /// Table of mean, RMS, 95 % and maximum of all quantities of a set. `called` is the name of the set
-/// in the workbook, `names` are those of the two errors.
+/// in the workbook, `names` are the names of the two errors.
 fn statistics(
     accuracy: &AccuracyDocument,
     set: &AccuracySet,

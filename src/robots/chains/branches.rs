@@ -16,8 +16,8 @@ use etalon_base::sketch::Sketch;
 #[derive(Clone, Debug)]
 pub(crate) struct Branches {
     definition: Definition,
-    /// Chains of the branches. Their nominal values are those of the description: later ones are in
-    /// `definition` alone.
+    /// Chains of the branches. Their nominal values are taken from the description: later values
+    /// are in `definition` alone.
     arms: Vec<Serial>,
     /// Link at the end of each branch.
     links: Vec<String>,

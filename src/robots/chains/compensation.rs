@@ -60,7 +60,7 @@ const LARGEST_LEFT_MM: f64 = 1e-6;
 
 impl Calibrated<'_> {
     /// Joint values nearest to `near` by which the controller reaches a target without
-    /// compensation: `near` if they are those of the target. For a target that only the identified
+    /// compensation: `near` if they reach the target. For a target that only the identified
     /// robot reaches, the joint values of the identified robot.
     ///
     /// # Errors

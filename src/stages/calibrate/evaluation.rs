@@ -118,8 +118,8 @@ impl LocatedSolution<'_> {
         Ok((accuracy::evaluate(robot, &errors, &campaign.file.limits, uncertainty), errors))
     }
 
-    /// Evaluates the `errors` of a judgement. `proofs` are those of the identified effects, if the
-    /// data chose them.
+    /// Evaluates the `errors` of a judgement. `proofs` support the identified effects, if the data
+    /// chose them.
     pub fn evaluate(self, errors: Vec<PointError>, proofs: Option<Vec<EffectProof>>) -> Result<Evaluation> {
         let Self { data: CampaignData { campaign, joined, .. }, robot, all, .. } = self;
         let Solution { basis: Basis { sets, settings, systematic }, before, found } = self.solution;

@@ -73,9 +73,9 @@ pub(super) fn by_label(
     Ok((rows, remarks))
 }
 
-/// `true` if the orientations of labels are those of the body on the robot: the log names each
-/// label once. A label that is named again is a place that the robot touches, and the orientation
-/// is that of the place.
+/// `true` if the orientations of labels are orientations of the body on the robot: the log names
+/// each label once. A label that is named again is a place that the robot touches, and the
+/// orientation belongs to the place.
 fn has_poses(log: &JointLog, measured: &BTreeMap<&str, Mean>, remarks: &mut Remarks) -> bool {
     let mut times: BTreeMap<&str, usize> = BTreeMap::new();
     let with_body = |label: &&str| measured.get(label).is_some_and(|mean| mean.body.is_some());

@@ -148,7 +148,7 @@ fn chords(track: &Track) -> impl Iterator<Item = Chord> + '_ {
     })
 }
 
-/// Mean speeds of a measurement, without those of gaps.
+/// Mean speeds of a measurement, without the speeds in gaps.
 fn measured_chords(track: &Track) -> impl Iterator<Item = Chord> + '_ {
     let spans = track.times_s.windows(2).map(|pair| pair[1] - pair[0]);
     let longest_s = LONGEST_GAP * etalon_math::statistics::median(spans).unwrap_or(f64::INFINITY);
@@ -312,7 +312,7 @@ fn coefficient(pairs: impl Iterator<Item = [f64; 2]>) -> f64 {
     if n < FEWEST as f64 || !varies { 0.0 } else { (n * ab - a * b) / (va * vb).sqrt() }
 }
 
-/// Measured positions and those of the log, target by target.
+/// Measured positions and positions of the log, target by target.
 struct Comparison<'a> {
     tracks: Vec<(&'a Track, &'a Way)>,
     /// Larger median time between neighbouring positions of the two recordings.
@@ -409,7 +409,7 @@ impl Comparison<'_> {
         (!speeds.is_empty()).then(|| squares / speeds.len() as f64)
     }
 
-    /// Measured speeds with those of the log.
+    /// Measured speeds with the speeds of the log.
     fn speeds(&self, fit: &Fit) -> Vec<[f64; 2]> {
         let mut all = Vec::new();
         for ((track, way), place) in self.tracks.iter().zip(&fit.places_mm) {

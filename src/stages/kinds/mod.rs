@@ -181,8 +181,8 @@ pub(super) fn misspelt_targets(measured: &[Measured], targets: &[String]) -> Res
     Problems(misspelt_names(&names, SHARED[0].1, |_| false, |_| Place::default())).check().map(drop)
 }
 
-/// Errors about names in at most `most` rows; those of `fixed` rows contain a position, and need no
-/// more rows.
+/// Errors about names in at most `most` rows; `fixed` rows contain a position, and need no more
+/// rows.
 fn misspelt_names(
     names: &[&str],
     most: usize,

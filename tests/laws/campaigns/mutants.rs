@@ -24,7 +24,7 @@ const COUNT: usize = 250;
 const SEED: u64 = 16;
 /// A run beyond this hangs: the samples take a second, on a busy machine several.
 const LIMIT: Duration = Duration::from_secs(100);
-/// Wrong is what differs by more than this many standard uncertainties, its own and those of the sample.
+/// Difference from which on a value is wrong, in standard uncertainties of the value and of the sample.
 const WRONG: f64 = 3.0;
 const SAMPLES: [&str; 7] =
     ["prexyt-cmm", "dextar", "prexyt-faroarm", "prexyt-geometric", "prexyt-repeatability", "pose-test", "abb-irb120"];

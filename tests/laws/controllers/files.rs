@@ -202,7 +202,7 @@ fn files_of_other_robots_are_as_accurate_as_they_say() {
     let scara = Tally::of(&Ran::new("SCARA", scara()));
     let all = samples.par_iter().map(sample).reduce(Tally::default, Tally::add).add(scara);
     all.judge();
-    // every format but those of six joints that turn is for one of these robots
+    // every format is for one of these robots, except the formats for six revolute joints
     let unread: Vec<&str> = controllers::names().filter(|format| !all.read.contains_key(format)).collect();
     println!("read of no robot here: {unread:?}");
 }

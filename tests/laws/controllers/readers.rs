@@ -76,7 +76,7 @@ impl File<'_> {
             let seen = o.targets.iter().enumerate().filter_map(|(k, measured)| Some((position(o, k), (*measured)?)));
             let (read, measured): (Vec<Vector>, Vec<Vector>) = seen.unzip();
             match (self.ran.robot.model(), &read[..], &measured[..]) {
-                // errors of a table are those of its centre, by both balls
+                // errors of a table are errors of its centre, by both balls
                 ("prexyt", &[k, l], &[of_k, of_l]) => errors.push(minus(self.centre(k, l), self.centre(of_k, of_l))),
                 _ => errors.extend(read.iter().zip(&measured).map(|(read, measured)| minus(*read, *measured))),
             }
@@ -346,7 +346,7 @@ fn python_code(file: &File) -> Option<f64> {
     file.rms_of_program(command, |o| inputs(file, o), |out, k| file.by_outputs(out, k))
 }
 
-/// The stated error where the joints that a file gives at the platform's poses are those of its values, not a number elsewhere.
+/// The stated error if the file's joints at the platform's poses follow from its values; otherwise not a number.
 fn by_inverse(file: &File, within: f64, joints: impl Fn(&Pose) -> Vec<f64>) -> f64 {
     let arm = file.ran.robot.kinematics().unwrap();
     let same = |o: &Observation| {

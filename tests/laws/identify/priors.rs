@@ -30,7 +30,7 @@ struct Outcome {
 }
 
 /// The least error at new poses of nominal values, of plain least squares, and of plain least squares with parameters held by an oracle:
-/// those of which the data determine less than a share, the share chosen by the error itself.
+/// parameters of which the data determine less than a share; the error itself chooses the share.
 fn best_mm(arm: &Drawn, before: &[f64], found: &Identification) -> [f64; 3] {
     let robot = arm.robot.as_ref();
     let plain = |settings: &Settings| {

@@ -72,8 +72,8 @@ fn every_kind_of_observation_is_judged() {
     }
 }
 
-/// Error of what a run recommends at poses that it has not seen, over the smallest error of nominal parameters, of those of the run, of those of
-/// all effects and of a residual field, if the campaign searches one. `set_up` changes the table of the campaign; its `validation` are the new poses.
+/// Error of what a run recommends at poses that it has not seen, over the smallest error of four others: nominal parameters, the run's, the
+/// parameters of all effects, and a residual field, if the campaign searches one. `set_up` changes the table of the campaign; its `validation` are the new poses.
 fn ratio_at_fresh_poses(folder: &Scratch, set_up: impl Fn(&mut toml::Table)) -> (f64, String) {
     let path = folder.path().join("campaign.toml");
     let mut stated: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();

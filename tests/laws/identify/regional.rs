@@ -1,5 +1,5 @@
 //! Uncertainties of robots whose model is incomplete. Effects that no parameter describes are left out: bending, harmonics, cubic trends, a
-//! bent link. Intervals hold the effective parameters (those of the noise-free campaign with many poses of the same region), predictions at
+//! bent link. Intervals hold the effective parameters (of the noise-free campaign with many poses of the same region), predictions at
 //! fresh poses hold, and uncertainties are continuous in the data. Everything is drawn (synthetic); `ETALON_CAMPAIGNS` states how many.
 
 use crate::identify::drawn::number;
@@ -384,7 +384,7 @@ fn intervals_hold_effective_parameters_and_predictions_where_the_model_misfits()
 }
 
 /// Campaigns of one half of the values of a joint predict poses of the other half: the model lacks bending, harmonics or a trend, so that
-/// residuals understate the errors there. Within the half the intervals are those of the residuals.
+/// residuals understate the errors there. Within the half, the residuals give the intervals.
 #[test]
 #[ignore = "a long law: make laws"]
 fn intervals_hold_beyond_the_measured_values_of_a_joint() {

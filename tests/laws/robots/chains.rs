@@ -237,7 +237,7 @@ fn a_chain_between_two_hands_is_that_of_both_arms() {
     derivatives_hold(both.as_ref(), &mut noise);
     let mut values = both.nominal();
     for (value, p) in values.iter_mut().zip(both.parameters()) {
-        // small errors of an axis are before it on either way: those of the left arm are zero here
+        // small errors of an axis are before it on either way: errors of the left arm are zero here
         if ["gain", "harmonic", "coupling", "right", "ball"].iter().any(|start| p.name.starts_with(start)) {
             *value += noise.uniform(0.01);
         }

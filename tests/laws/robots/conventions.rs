@@ -214,7 +214,7 @@ fn conventions_leave_the_same_errors_on_a_real_arm() {
         let mut expected: Option<[f64; 6]> = None;
         for &convention in conventions {
             let scratch = copy_sample("abb-irb120");
-            // tolerances of one convention are not those of another
+            // tolerances differ between conventions
             scratch.replace("campaign.toml", "[identify]", "[identify]\nprior = \"none\"");
             let file = "$ETALON_REFERENCE/robots/irb120_faro_ets/irb120_model.urdf";
             let toml = match convention {

@@ -96,7 +96,7 @@ impl Arm {
     }
 }
 
-/// Parameters of all effects, by name, as large as those of real arms.
+/// Parameters of all effects, by name, as large as in real arms.
 fn effects(robot: &dyn Robot, seed: u64) -> Vec<(String, f64)> {
     let mut noise = Noise::new(60, seed);
     let effect =

@@ -220,7 +220,7 @@ fn passes_of_a_closed_path_are_found_though_the_robot_strays_through_its_first_p
 
 #[test]
 fn velocities_are_those_driven() {
-    // each pass at its own speed: means and standard deviations are those of the speeds
+    // each pass at its own speed: mean and standard deviation of the speeds
     let speeds = [198.0, 203.0, 200.5, 201.0, 196.0];
     let stream = stream(driven(&mut Noise::new(35, 0), &speeds, 0.0, 0.0));
     let points = CommandedPath::new(PATH[..2].to_vec(), &[vec![0.0; 2]]).unwrap().command_points(30);

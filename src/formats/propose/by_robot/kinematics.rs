@@ -201,7 +201,7 @@ struct Residual {
 /// directions other than the directions of the file.
 pub(crate) fn test(robot: &dyn Robot, sample: &Sample, thorough: bool) -> Outcome {
     let count = robot.joints().len();
-    // points of several branches are not those of one chain
+    // points of several branches do not belong to one chain
     let is_chain = robot.free_base().is_some() && robot.branches().is_empty();
     if !is_chain || sample.joints.len() < count || count < 2 || !sample.spans_space() {
         return Outcome::Untested;

@@ -57,12 +57,12 @@ pub fn halves(observations: &[Observation], conditions: &[Condition]) -> Vec<BTr
     [first, second].into_iter().filter(|half| !half.is_empty()).map(|half| half.iter().copied().collect()).collect()
 }
 
-/// Stability of the identified parameters among those of the test, each time without one set of
-/// poses; parameters that no part determines are missing.
+/// Stability of the identified parameters among the parameters of the test, each time without one
+/// set of poses; parameters that no part determines are missing.
 ///
-/// By all poses they are efficient, so that the variance of the difference is u_part² − u_all².
-/// Their ratio is that of the design, (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses have no
-/// scatter to estimate u_part from.
+/// By all poses they are efficient, so that the variance of the difference is u_part² − u_all². The
+/// design gives the ratio of u_part² to u_all²: (J_partᵀ J_part)⁻¹ over (JᵀJ)⁻¹, because few poses
+/// have no scatter to estimate u_part from.
 ///
 /// # Errors
 /// Fails if settings and observations do not match.

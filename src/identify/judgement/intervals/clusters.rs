@@ -38,10 +38,10 @@ impl ByCluster {
     /// From the rows of the Jacobian J, their residuals and F with F Fᵀ = A⁻¹, which is `root`.
     /// Delete-a-group jackknife to first order: A⁻¹ (Σ hₚ hₚᵀ) A⁻¹ with A = JᵀJ and hₚ = Jₚᵀ (I −
     /// Hₚ)^-½ rₚ, where Hₚ = Jₚ A⁻¹ Jₚᵀ is the part of the hat matrix of one cluster: unbiased for
-    /// independent residuals, which the fit makes smaller than errors. Degrees of freedom are those
-    /// of a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002; CR2 in
-    /// Imbens & Kolesár 2016). `None` where one cluster determines some direction of the parameters
-    /// alone.
+    /// independent residuals, which the fit makes smaller than errors. The degrees of freedom
+    /// belong to a multiple of chi-square with the same mean and variance (Bell & McCaffrey 2002;
+    /// CR2 in Imbens & Kolesár 2016). `None` where one cluster determines some direction of the
+    /// parameters alone.
     pub fn new<C: Copy + Ord>(
         clusters: &[C],
         root: &DMatrix<f64>,
@@ -100,8 +100,8 @@ impl ByCluster {
 }
 
 /// Contribution of one cluster, in the coordinates in which A is the identity. With Q = Jₚ F its
-/// matrices are functions of K = QᵀQ, and are computed from those of QQᵀ, which has as many rows as
-/// the cluster.
+/// matrices are functions of K = QᵀQ. They are computed from the same functions of QQᵀ, which has
+/// as many rows as the cluster.
 struct Part {
     /// Fᵀ hₚ.
     step: DVector<f64>,

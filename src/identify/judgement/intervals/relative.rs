@@ -102,7 +102,7 @@ impl JudgedErrors<'_> {
         let propagation = stated.then(|| self.propagation(settings, systematic)).transpose()?;
         let step = step(pairs.iter().map(|p| p.distance_mm).fold(0.0, f64::max));
         let (pairs, ends) = by_step(&pairs, step);
-        // sums and gradient of all pairs are those of the steps
+        // the pairs of all steps give the sums and the gradient of all pairs
         let mut whole = Group::new(&pairs, propagation.as_ref());
         let mut steps = Vec::new();
         for (k, [first, end]) in ends.iter().enumerate().filter(|(_, [first, end])| first < end) {

@@ -385,8 +385,8 @@ pub(crate) fn by_cluster(solved: Solved) -> Option<(Found, ByCluster)> {
     Some((Found { degrees, ..Found::new(UncertaintyFrom::ResidualsByPose, Some(covariance)) }, clusters))
 }
 
-/// Covariance and degrees of freedom of all parameters, from those of the parameters that remain
-/// after elimination.
+/// Covariance and degrees of freedom of all parameters, from the covariance and the degrees of
+/// freedom of the parameters that remain after elimination.
 fn completed(
     problem: &Residuals,
     solution: &Solution,

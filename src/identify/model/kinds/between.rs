@@ -34,8 +34,8 @@ impl Between {
         at.arm.map(|arm| minus(at.position, arm.position(at.values, at.joints, self.other))).unwrap_or_default()
     }
 
-    /// Derivatives of the vector from the other target, three rows; `moved` has those of the
-    /// position of the target.
+    /// Derivatives of the vector from the other target, three rows; `moved` has the derivatives of
+    /// the position of the target.
     fn moved(&self, at: &At, moved: &[f64]) -> Vec<f64> {
         let (n, mut apart) = (at.values.len(), moved.to_vec());
         let Some(arm) = at.arm else { return apart };

@@ -5,8 +5,8 @@ use etalon_base::pose::{Vector, dot, minus};
 use etalon_math::Factor;
 use etalon_robots::FreeBase;
 
-/// Contact of the target with a socket. Residuals: the three coordinates of the target minus those
-/// of the socket (mm).
+/// Contact of the target with a socket. Residuals: the three coordinates of the target minus the
+/// coordinates of the socket (mm).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// First of the three coordinates of the socket.

@@ -161,8 +161,8 @@ impl<'a> Residuals<'a> {
         self.coordinates.count()
     }
 
-    /// Number of residuals of coordinates and conditions; those of given shapes and known points
-    /// follow.
+    /// Number of residuals of coordinates and conditions; residuals of given shapes and known
+    /// points follow.
     pub fn measured_count(&self) -> usize {
         self.coordinate_count() + self.conditions.count()
     }

@@ -64,7 +64,7 @@ fn described(format: &str, robot: &dyn Robot, values: &[f64], description: Optio
 fn listed(item: &Data, rows: &mut Rows) -> Result<()> {
     let robot = robot(item.text("/robot"), "", &["K", "L"])?;
     let robot = robot.as_ref();
-    // digits to the last bit, other than those of the nominal values
+    // digits to the last bit, unlike the digits of the nominal values
     let values: Vec<f64> = robot.nominal().iter().map(|v| v * (1.0 + 1e-7 / 3.0)).collect();
     for format in LISTS {
         let text = text(format, robot, &values)?;

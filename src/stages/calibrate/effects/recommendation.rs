@@ -50,7 +50,7 @@ impl Recommendation<'_> {
     ) -> Result<RecommendationDocument> {
         let study = self.study;
         let effects = Effect::ALL.into_iter().filter(|effect| study.effects.contains(&Some(*effect))).count();
-        // none, those of the run, the answer, and every sequence of effects
+        // no effects, the effects of the run, the answer, and every sequence of effects
         let (mut ended, most) = (0, 3 + effects * (effects + 1) / 2);
         let mut one_more = || {
             ended += 1;

@@ -63,7 +63,7 @@ impl Undescribed<'_> {
     }
 
     /// Harmonics of the joints whose own harmonics predict left-out poses better: alone, and in
-    /// addition to those of the other joints.
+    /// addition to the harmonics of the other joints.
     fn harmonics(self) -> Option<Tried> {
         let tried = |joints| self.tried(Addition { key: "harmonics", effect: Effect::Harmonics, joints });
         let gains = |without: &CrossValidated, with: &CrossValidated| {

@@ -14,8 +14,8 @@ use etalon_math::statistics::rms;
 const AMPLIFIED: f64 = 10.0;
 /// Standard deviations of the orientation within which the axes may coincide.
 const REACHED: f64 = 3.0;
-/// Ratio of the deviations of two angles to those of their sum or difference, and of the third
-/// angle, from which on the two vary together.
+/// Ratio of the deviations of two angles to the deviations of their sum or difference, and of the
+/// third angle, from which on the two vary together.
 const TOGETHER: f64 = 5.0;
 /// Minimum deviation (rad) of two such angles about a third one near 0° or 180°, at which many
 /// correct orientations lie: no robot scatters by half a degree.
@@ -66,7 +66,7 @@ fn repeatability_rad(all: &[Pose], mean: &Pose) -> Vector {
 
 /// Returns the two angles that vary together if the order of the rotations is unknown: by far more
 /// than their sum or difference and than the third angle, whose mean is near a multiple of a right
-/// angle. Deviations are those of a, b, c from their commanded or mean values (rad).
+/// angle. `deviations_rad` are a, b, c minus their commanded or mean values (rad).
 pub fn varying_together(deviations_rad: &[Vector], means_rad: Vector) -> Option<[usize; 2]> {
     let size = |of: &dyn Fn(&Vector) -> f64| rms(deviations_rad.iter().map(of));
     let together = |[p, q, middle]: &[usize; 3]| {
