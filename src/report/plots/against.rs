@@ -139,7 +139,8 @@ mod tests {
         data.trends = &trends;
         let [significant, others] = pictures(&data, &Words::default());
         assert_eq!((significant.len(), others.len()), (1, 1));
-        assert!(significant[0].caption.contains("Unmodelled trend (p = 0.0030)."), "{}", significant[0].caption);
+        let unmodelled = tr!(Words::default(), "trend-in-picture", probability = "p = 0.0030");
+        assert!(significant[0].caption.contains(&unmodelled), "{}", significant[0].caption);
         (data.joints, data.base_mm) = (&[], None);
         assert!(pictures(&data, &Words::default()).iter().all(Vec::is_empty));
     }
@@ -160,7 +161,8 @@ mod tests {
         let titles: Vec<&str> = significant.iter().map(|f| f.title.as_str()).collect();
         let title = |of: &str| format!("Error after calibration: {of}, versus q1 (deg)");
         assert_eq!(titles, [title("distance"), title("surface")]);
-        assert!(significant[0].caption.contains("of all measured quantities together"), "{}", significant[0].caption);
+        let together = tr!(Words::default(), "trend-of-all-quantities", probability = "p = 0.0030");
+        assert!(significant[0].caption.contains(&together), "{}", significant[0].caption);
         assert!(!significant[0].svg.contains("position error"));
     }
 

@@ -166,10 +166,12 @@ mod tests {
         let errors: Vec<_> = errors.iter().collect();
         let [before, after] = &arrows(&errors, true, &Words::default())[..] else { panic!() };
         // 16 % of 100 mm over 6 µm is 2667, over 141 µm 113
-        assert!(after.caption_own.starts_with("Arrows magnified 2000 times; longest error: 6.00 µm."));
-        let common = "Arrows magnified 100 times, before and after; longest error:";
-        assert!(before.caption.starts_with(&format!("{common} 141 µm.")), "{}", before.caption);
-        assert!(after.caption.starts_with(&format!("{common} 6.00 µm.")), "{}", after.caption);
+        let own = tr!(Words::default(), "arrows-longest", factor = "2000", longest = "6.00 µm");
+        assert!(after.caption_own.starts_with(&own), "{}", after.caption_own);
+        for (figure, longest) in [(before, "141 µm"), (after, "6.00 µm")] {
+            let common = tr!(Words::default(), "arrows-common", factor = "100", longest);
+            assert!(figure.caption.starts_with(&common), "{}", figure.caption);
+        }
         assert!(after.svg.contains(">5 µm</text>"));
         // one axis, one arrow of 100 µm and equal lengths of equal errors
         let scale = |figure: &Figure| {
@@ -192,6 +194,6 @@ mod tests {
     fn perfect_points_have_no_arrows() {
         let errors = [point(1, [0.0; 3], [0.0; 3], [0.0; 3])];
         let picture = &arrows(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[1];
-        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains("longest error: 0 µm"));
+        assert!(!picture.svg.contains("class=\"arrow-scale\"") && picture.caption.contains(": 0 µm"));
     }
 }

@@ -125,17 +125,19 @@ mod tests {
             let errors: Vec<_> = (0..9).map(|i| point(i, [0.0; 3], [before, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
             drawn(&errors, &[])[0].caption.clone()
         };
-        assert!(caption(0.19).starts_with("The error axis is linear: the largest error before is at most 20"));
-        assert!(caption(0.21).starts_with("The error axis is logarithmic: the largest error before exceeds 20"));
-        assert!(caption(0.0).contains("linear"));
+        let linear = tr!(Words::default(), "error-axis-linear", factor = 20);
+        assert!(caption(0.19).starts_with(&linear));
+        assert!(caption(0.21).starts_with(&tr!(Words::default(), "error-axis-logarithmic", factor = 20)));
+        assert!(caption(0.0).starts_with(&linear));
     }
 
     #[test]
     fn errors_below_the_axis_are_counted() {
         let mut errors: Vec<_> = (0..99).map(|i| point(i, [0.0; 3], [0.5, 0.0, 0.0], [0.01, 0.0, 0.0])).collect();
-        assert!(!drawn(&errors, &[])[0].caption.contains("lower edge"));
+        let below = tr!(Words::default(), "errors-below-axis", count = 1);
+        assert!(!drawn(&errors, &[])[0].caption.contains(&below));
         errors[7].after_mm = [1e-9, 0.0, 0.0];
-        assert!(drawn(&errors, &[])[0].caption.contains(" 1 smaller error is drawn"));
+        assert!(drawn(&errors, &[])[0].caption.contains(&below));
     }
 
     #[test]

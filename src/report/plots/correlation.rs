@@ -109,7 +109,8 @@ mod tests {
         let picture = picture(&document, &Words::default()).unwrap();
         // 3 / (2 * 3), -2.91 / (3 * 1)
         assert!(picture.svg.contains("gamma and beta: 0.500") && picture.svg.contains("s and gamma: -0.970"));
-        assert!(picture.caption.ends_with("Correlation of 0.9 or more: gamma – s -0.970."), "{}", picture.caption);
+        let pairs = tr!(Words::default(), "correlated-pairs", pairs = "gamma – s -0.970");
+        assert!(picture.caption.ends_with(&pairs), "{}", picture.caption);
         assert_eq!(picture.rows[2], ["s", "0.000", "-0.970", "1.000"]);
         assert_eq!(colour(1.0), "#005aa0");
         assert!([">1.0<", ">0.0<", ">-1.0<"].iter().all(|label| picture.svg.contains(label)), "{}", picture.svg);

@@ -206,11 +206,8 @@ mod tests {
         assert_eq!(map.svg.matches("cycle 1").count(), 2);
         // 1.73 mm before calibration: in mm, to two digits of the error after
         assert!(map.svg.contains("1.7321 mm before, 0.0070 mm after"));
-        assert!(
-            map.caption.contains("The largest error at each of 2 positions is drawn (total 16 errors)."),
-            "{}",
-            map.caption
-        );
+        let largest = tr!(Words::default(), "largest-errors-drawn", places = 2, total = 16);
+        assert!(map.caption.contains(&largest), "{}", map.caption);
     }
 
     #[test]
@@ -261,6 +258,6 @@ mod tests {
         let map = &maps(&errors.iter().collect::<Vec<_>>(), true, &Words::default())[0][1];
         let drawn = |pose: i64| map.svg.contains(&format!("pose {pose}, "));
         assert_eq!([1, 2, 3, 4].map(drawn), [false, true, false, true]);
-        assert!(map.caption.contains("The largest error at each of 2 positions is drawn (total 4 errors)."));
+        assert!(map.caption.contains(&tr!(Words::default(), "largest-errors-drawn", places = 2, total = 4)));
     }
 }

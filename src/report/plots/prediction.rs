@@ -131,10 +131,8 @@ mod tests {
         // 400 µm is the darkest colour on the common scale, and 6 µm the lightest; on their own
         // scale both are dark
         assert!(figures[2].svg.contains("class=\"map o15 w15\"") && figures[3].svg.contains("class=\"map o0 w15\""));
-        assert!(
-            figures[0].caption.contains("If cells overlap, the cell with the largest value is drawn")
-                && figures[0].caption.contains("0 to 400 µm")
-        );
+        let behind = tr!(Words::default(), "prediction-behind");
+        assert!(figures[0].caption.contains(&behind) && figures[0].caption.contains("0 to 400 µm"));
     }
 
     #[test]

@@ -82,7 +82,8 @@ mod tests {
         assert!(drawn.caption.contains("rank 11, condition number 46.9"), "{}", drawn.caption);
         o.held_singular_values.clear();
         let drawn = picture(&o, &Words::default()).unwrap();
-        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains("exceeds the rank cut of 1.0e-9"));
+        let nothing_held = tr!(Words::default(), "nothing-held", cut = "1.0e-9");
+        assert!(!drawn.svg.contains("rank cut") && drawn.caption.contains(&nothing_held), "{}", drawn.caption);
     }
 
     #[test]

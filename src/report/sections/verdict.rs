@@ -474,6 +474,8 @@ mod tests {
     use super::*;
     use crate::tests::demo::Documents;
     use crate::tests::demo_iso9283::whole;
+    use etalon_base::catalogue::Phrase;
+    use etalon_base::phrase;
     use etalon_documents::LimitQuantity;
     use etalon_documents::Termination;
 
@@ -482,19 +484,54 @@ mod tests {
         verdict(&results, &Words::default())
     }
 
+    /// Name of the rule of the limits.
+    fn guarded() -> String {
+        tr!(Words::default(), "decision-rule-named", rule = phrase!("guarded-acceptance"))
+    }
+
+    /// Sentence on a limited error that passes: poses and readings of the validation; before,
+    /// after, limit and unit.
+    fn stated(limit: &'static str, [count, readings]: [usize; 2], numbers: [&str; 4]) -> String {
+        let [before, after, allowed, unit] = numbers;
+        let words = &Words::default();
+        let sentence = tr!(
+            words,
+            "limited-error",
+            quantity = Phrase::new(limit),
+            count,
+            readings,
+            set = PoseSet::Validation.phrase(),
+            before,
+            after,
+            unit,
+            limit = allowed,
+            verdict = phrase!("pass")
+        );
+        format!("{sentence}.")
+    }
+
     #[test]
     fn limits_are_judged_as_stated() {
         let mut documents = Documents::demo();
         let good = report_verdict(&documents);
+        let words = &Words::default();
         let expected = [
-            "Verdict: pass.",
-            "largest position error at 51 validation poses (255 readings): 2.0895 → 0.0442 ± 0.0038 mm, limit 0.05 mm: pass.",
-            "largest orientation error at 51 validation poses (255 readings): 0.1759 → 0.0056 ± 0.0038 deg, limit 0.01 deg: pass.",
-            "Position residuals: RMS 26.0 µm; expected from the stated uncertainties: 21.8 µm. Residuals are 1.19 × the \
-             value expected from the instrument's standard uncertainty: the model is incomplete.",
-            "Both limits of the campaign are met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).",
+            tr!(words, "verdict-pass"),
+            stated("limit-position-max", [51, 255], ["2.0895", "0.0442 ± 0.0038", "0.05", "mm"]),
+            stated("limit-orientation-max", [51, 255], ["0.1759", "0.0056 ± 0.0038", "0.01", "deg"]),
+            [
+                tr!(words, "position-residuals-explained", rms = "26.0", expected = "21.8", unit = "µm"),
+                tr!(
+                    words,
+                    "model-leaves-residuals",
+                    ratio = "1.19",
+                    uncertainty = phrase!("uncertainty-of-instrument")
+                ),
+            ]
+            .join(" "),
+            tr!(words, "limits-both-met") + " " + &guarded(),
         ];
-        assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected.map(str::to_owned)[..]));
+        assert_eq!((good.class, &good.sentences[..]), (Grade::Good, &expected[..]));
         let limit = |u| LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.0442, u, DecisionRule::Guarded);
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = report_verdict(&documents);
@@ -502,11 +539,9 @@ mod tests {
             open.class == Grade::Open && !open.met && open.sentences[1].ends_with("limit 0.05 mm: undecided."),
             "{open:?}"
         );
-        assert_eq!(open.sentences[0], "Verdict: undecided.");
-        assert!(
-            open.sentences[4].starts_with("Undecided (limit within the uncertainty): largest position error"),
-            "{open:?}"
-        );
+        assert_eq!(open.sentences[0], tr!(words, "verdict-undecided"));
+        let undecided = tr!(words, "limits-undecided", limits = phrase!("limit-position-max"));
+        assert!(open.sentences[4].starts_with(&undecided), "{open:?}");
         let simple = LimitVerdict::judge(
             LimitQuantity::PositionMaxMm,
             0.05,
@@ -518,17 +553,18 @@ mod tests {
         let conditional = report_verdict(&documents);
         assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
         // Φ(0.0058/0.019) = 0.62
-        let ends = "conditional, margin 0.0058 mm, risk of false acceptance 38 %.";
-        assert!(conditional.sentences[1].ends_with(ends), "{conditional:?}");
+        let margin = tr!(words, "limit-margin", margin = "0.0058", unit = "mm", risk = "38");
+        assert!(conditional.sentences[1].ends_with(&format!("{margin}.")), "{conditional:?}");
         documents.accuracy.limits[0] =
             LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
         let open = report_verdict(&documents);
         assert_eq!((open.class, open.met), (Grade::Open, false));
-        assert!(open.sentences.iter().any(|s| s.starts_with("Not assessable (quantity not measured): ")), "{open:?}");
+        let not_measured = tr!(words, "limits-not-assessable", limits = phrase!("limit-distance-max"));
+        assert!(open.sentences.iter().any(|s| s.starts_with(&not_measured)), "{open:?}");
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = report_verdict(&documents);
         assert_eq!(bad.class, Grade::Bad);
-        assert!(bad.sentences[4].starts_with("1 of 2 limits of the campaign is not met. Decision rule"), "{bad:?}");
+        assert_eq!(bad.sentences[4], tr!(words, "limits-not-met", count = 1, total = 2) + " " + &guarded());
         documents.accuracy.limits.clear();
         let without = report_verdict(&documents);
         assert!(without.class == Grade::Open && without.met, "{without:?}");
@@ -542,13 +578,12 @@ mod tests {
             let set = documents.accuracy.sets.last_mut().unwrap();
             (set.errors[0].poses, set.errors[0].count) = (poses, count);
         };
-        position(&mut documents, 5, 5);
-        assert!(sentence(&documents).contains(" at 5 validation poses: "), "{}", sentence(&documents));
-        position(&mut documents, 5, 7);
-        assert!(sentence(&documents).contains(" at 5 validation poses (7 readings): "), "{}", sentence(&documents));
         // earlier documents contain no poses of a quantity
-        position(&mut documents, 0, 51);
-        assert!(sentence(&documents).contains(" at 51 validation poses: "), "{}", sentence(&documents));
+        for (poses, count, shown) in [(5, 5, [5, 0]), (5, 7, [5, 7]), (0, 51, [51, 0])] {
+            position(&mut documents, poses, count);
+            let numbers = ["2.0895", "0.0442 ± 0.0038", "0.05", "mm"];
+            assert_eq!(sentence(&documents), stated("limit-position-max", shown, numbers));
+        }
     }
 
     #[test]
@@ -556,20 +591,34 @@ mod tests {
         let mut documents = Documents::demo();
         documents.tested = whole();
         let open = report_verdict(&documents);
+        let words = &Words::default();
+        let by_rule = |results: Phrase| tr!(words, "conformity-by-rule", rule = phrase!("guarded-acceptance"), results);
         let expected = [
-            "Largest pose accuracy AP: 51.20 µm, at pose 2. Limit: 52.00 µm. According to guarded acceptance \
-             (ILAC-G8:09/2019, 4.2.2): poses 1, 2 are undecided.",
-            "Repeatability for a single approach at pose 1 (2 approaches): 11.1 to 11.1 µm; all approaches together: 21.7 µm.",
-            "Largest pose repeatability RP: 21.7 µm, at pose 2. Within the limit of 30.0 µm. According to guarded acceptance \
-             (ILAC-G8:09/2019, 4.2.2): all 2 poses conform.",
-            "Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.",
-            "Undecided (limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance \
-             (ILAC-G8:09/2019, 4.2.2).",
+            [
+                tr!(words, "accuracy-at-pose", accuracy = "51.20", pose = "2"),
+                tr!(words, "limit-undecided-sentence", limit = "52.00"),
+                by_rule(phrase!("poses-undecided", count = 2, poses = "1, 2")),
+            ]
+            .join(" "),
+            tr!(
+                words,
+                "repeatability-from-one-approach",
+                smallest = "11.1",
+                largest = "11.1",
+                pose = "1",
+                approaches = 2,
+                together = "21.7"
+            ),
+            [
+                tr!(words, "repeatability-at-pose", repeatability = "21.7", pose = "2"),
+                tr!(words, "limit-kept-sentence", limit = "30.0"),
+                by_rule(phrase!("all-poses-conform", count = 2)),
+            ]
+            .join(" "),
+            tr!(words, "instrument-good-for-all"),
+            tr!(words, "limits-undecided", limits = phrase!("limit-accuracy-max")) + " " + &guarded(),
         ];
-        assert_eq!(
-            (open.class, open.met, &open.sentences[4..]),
-            (Grade::Open, false, &expected.map(str::to_owned)[..])
-        );
+        assert_eq!((open.class, open.met, &open.sentences[4..]), (Grade::Open, false, &expected[..]));
         let poses = documents.tested.poses.as_mut().unwrap();
         poses.poses[0].ap_conformity = Some(Conformity::Conforming);
         poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
@@ -577,9 +626,14 @@ mod tests {
         poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
         let bad = report_verdict(&documents);
         assert_eq!((bad.class, bad.met), (Grade::Bad, false));
-        assert!(bad.sentences[8].starts_with("1 of 4 limits of the campaign is not met."), "{bad:?}");
-        assert!(bad.sentences[4].ends_with("1 of 2 poses conforms; pose 2 is undecided."), "{bad:?}");
-        assert!(bad.sentences[6].ends_with("1 of 2 poses conforms; pose 2 does not conform."), "{bad:?}");
+        assert!(bad.sentences[8].starts_with(&tr!(words, "limits-not-met", count = 1, total = 4)), "{bad:?}");
+        let one = tr!(words, "poses-conform", count = 1, total = 2);
+        for (sentence, other) in [
+            (&bad.sentences[4], tr!(words, "poses-undecided", count = 1, poses = "2")),
+            (&bad.sentences[6], tr!(words, "poses-not-conforming", count = 1, poses = "2")),
+        ] {
+            assert!(sentence.ends_with(&format!("{one}; {other}.")), "{bad:?}");
+        }
     }
 
     #[test]

@@ -4,6 +4,7 @@ use super::demo::{Documents, point};
 use super::{demo_iso9283, demo_streams, report_texts};
 use crate::campaign::contents;
 use crate::*;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Place;
 use etalon_base::warning;
 use etalon_documents::{Language, PoseSet, Refused, Statistics};
@@ -52,7 +53,6 @@ fn the_demo_page_has_what_a_reader_needs() {
 #[test]
 fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_table() {
     let mut documents = Documents::demo();
-    assert!(!page(&documents).contains("Effective, not physical parameters"));
     let parameters = &mut documents.parameters;
     parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::ResidualsByRegion;
     let of: Vec<(String, f64)> =
@@ -64,7 +64,9 @@ fn parameters_that_take_up_what_the_model_leaves_out_are_named_beside_their_tabl
         nominal: None,
     }];
     assert_eq!(parameters.effective(), [of[1].0.as_str()]);
-    assert!(page(&documents).contains(&format!("Effective, not physical parameters: {}.", of[1].0)));
+    let sentences = tr!(Words::default(), "effective-parameters", names = of[1].0);
+    let named = sentences.split_once(". ").unwrap().0;
+    assert!(page(&documents).contains(named) && !page(&Documents::demo()).contains(named), "{named}");
 }
 
 #[test]
@@ -115,8 +117,8 @@ fn of_many_poses_the_page_has_the_worst_and_says_what_is_left_out() {
     documents.errors = (0..16_800).map(error).collect();
     let page = page(&documents);
     assert!(page.len() < 3_000_000, "{}", page.len());
-    assert!(page.contains("16300 more rows: see the workbook."));
-    assert!(page.contains("Errors by pose: outliers first, then the largest"));
+    assert!(page.contains(&tr!(Words::default(), "rows-in-workbook", count = 16_300)));
+    assert!(page.contains(&tr!(Words::default(), "outliers-then-largest-errors")));
 }
 
 /// Paper shows 200 rows: the outlier of the fit and the largest errors of both sets are among them.
@@ -145,7 +147,7 @@ fn outliers_and_the_largest_errors_of_both_sets_are_first() {
         disagreeing: 1,
     });
     let page = page(&documents);
-    let table = page.split("Errors by pose: outliers first, then the largest").nth(1).unwrap();
+    let table = page.split(&tr!(Words::default(), "outliers-then-largest-errors")).nth(1).unwrap();
     let first = |i: usize| table.split("<tr>").nth(2 + i).unwrap();
     assert!(first(0).contains(">4<") && first(0).ends_with(">6.2"), "{}", first(0));
     for (row, pose, set) in [(1, 299, "calibration"), (2, 298, "calibration"), (3, 297, "validation")] {
@@ -228,8 +230,10 @@ fn nothing_to_draw_is_said() {
     documents.frames.world.poses.clear();
     let page = page(&documents);
     // limits are drawn without errors
-    assert!(page.contains("No errors to plot.") && page.matches("<svg").count() == 1);
-    assert!(page.contains("The document contains no errors.") && page.contains("The campaign has no fitted features."));
+    assert_eq!(page.matches("<svg").count(), 1);
+    for id in ["no-error-to-draw", "no-errors-are-given", "the-campaign-fits-no-features"] {
+        assert!(page.contains(&Words::default().tr(&Phrase::new(id))), "{id}");
+    }
 }
 
 #[test]
@@ -293,7 +297,7 @@ fn a_test_report_has_what_the_standard_asks_for() {
     }
     let sha256 = &documents.import.sources[0].sha256;
     assert!(page.contains(sha256) && page.contains(env!("CARGO_PKG_VERSION")));
-    assert!(page.contains("Not stated, besides the fields to complete") && page.contains("2 poses, 30 visits each"));
+    assert!(page.contains(&tr!(Words::default(), "poses-and-visits", poses = 2, visits = "30")));
 }
 
 /// Calibration report and test report in a language, both with recorded motions.

@@ -4,7 +4,9 @@ use super::demo::Documents;
 use super::page::with_text;
 use super::{demo_iso9283, demo_streams};
 use crate::*;
-use etalon_documents::{Conformity, Iso9283Pose, Language};
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
+use etalon_documents::{ActionKind, Conformity, Iso9283Pose, Language};
 
 fn terminal(documents: &Documents) -> String {
     Renderer::campaign(&documents.results()).unwrap().terminal()
@@ -55,19 +57,17 @@ fn missing_limits_come_first() {
     documents.parameters.robust = None;
     let shown = terminal(&documents);
     let at = |part: &str| shown.find(part).unwrap_or_else(|| panic!("{part}: {shown}"));
-    assert!(at("There are no limits, so no verdict is possible.") < at("Largest "), "{shown}");
-    assert!(
-        shown.contains("\n1. Give the tolerance of the application in [limits]. A verdict needs limits.\n"),
-        "{shown}"
-    );
+    let no_limits = tr!(Words::default(), "the-campaign-states-no-limits");
+    assert!(at(&no_limits) < at("Largest "), "{shown}");
+    let step = |documents: &Documents, number: usize| documents.results().verdict.actions[number - 1].action;
+    assert_eq!(step(&documents, 1), ActionKind::StateLimits);
     // an implausible result fails without limits, and its cause is the first step
     let mut cause = documents.parameters.messages[0].clone();
     (cause.severity, cause.rank) = (etalon_base::message::Severity::Error, etalon_base::message::Rank::Decide);
     cause.id = "tolerance-exceeded".into();
     documents.parameters.messages.push(cause);
-    let shown = self::terminal(&documents);
-    assert!(!shown.contains("There are no limits"), "{shown}");
-    assert!(shown.contains("\n2. Give the tolerance of the application in [limits]."), "{shown}");
+    assert!(!self::terminal(&documents).contains(&no_limits), "{shown}");
+    assert_eq!(step(&documents, 2), ActionKind::StateLimits);
 }
 
 #[test]
@@ -85,13 +85,14 @@ fn the_exit_code_follows_the_printed_verdict() {
     assert!(!renderer.passes() && renderer.terminal().contains("FAIL"));
     // in a test without a campaign every pose must conform
     let mut alone = demo_iso9283::whole();
-    assert!(
-        !Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("poses 1, 2 are undecided.")
-    );
+    let says =
+        |alone: &Characteristics, said: &Phrase| Renderer::test(alone).terminal().contains(&Words::default().tr(said));
+    assert!(!Renderer::test(&alone).passes());
+    assert!(says(&alone, &phrase!("poses-undecided", count = 2, poses = "1, 2")));
     let poses = alone.poses.as_mut().unwrap();
     poses.poses.iter_mut().for_each(conform);
     poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
-    assert!(Renderer::test(&alone).passes() && Renderer::test(&alone).terminal().contains("all 2 poses conform."));
+    assert!(Renderer::test(&alone).passes() && says(&alone, &phrase!("all-poses-conform", count = 2)));
 }
 
 #[test]
