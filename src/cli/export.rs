@@ -74,13 +74,13 @@ impl ExportCommand {
         let run = Documents::open(&to).ok();
         let own = self.template.iter().map(|path| template(path, run.as_ref(), &to)).collect::<Result<Vec<_>, _>>()?;
         let exporters = exporters(&self.format, &own)?;
-        let with_errors = exporters.iter().any(|exporter| exporter.shows_errors());
+        let with_errors = exporters.iter().any(|exporter| exporter.about().shows_errors);
         let exported = match self.parameters {
             Which::Identified => Exported::read(&self.source, self.robot.as_deref(), with_errors, out)?,
             Which::Recommended => Exported::recommended(&self.source, &exporters, out)?,
         };
         let hash = self.controller_hash.as_deref();
-        if hash.is_some() && !exporters.iter().any(|exporter| exporter.states_controller_hash()) {
+        if hash.is_some() && !exporters.iter().any(|exporter| exporter.about().states_controller_hash) {
             let formats = etalon_controllers::with_controller_hash();
             return Err(Problems::from(error!("hash-of-other-format", formats)).into());
         }

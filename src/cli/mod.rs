@@ -71,8 +71,25 @@ pub struct Arguments {
     command: Command,
 }
 
-#[derive(Debug, Subcommand)]
-enum Command {
+/// Commands with their options; each is one file.
+macro_rules! commands {
+    ($($name:ident($options:ty),)+) => {
+        #[derive(Debug, Subcommand)]
+        enum Command {
+            $($name($options),)+
+        }
+
+        impl Command {
+            fn run(self, out: &Output) -> anyhow::Result<Verdict> {
+                match self {
+                    $(Self::$name(options) => options.run(out),)+
+                }
+            }
+        }
+    };
+}
+
+commands! {
     Init(init::Init),
     Check(check::Check),
     Formats(formats::Formats),
@@ -166,7 +183,7 @@ fn run(arguments: impl IntoIterator<Item = OsString>, out: &Output) -> u8 {
         Err(error) => return out.refuse(&error),
     };
     let _bar = progress::Bar::start();
-    match environment::check().map_err(anyhow::Error::from).and_then(|()| dispatch(command, out)) {
+    match environment::check().map_err(anyhow::Error::from).and_then(|()| command.run(out)) {
         Ok(Verdict::Met) => 0,
         Ok(Verdict::LimitNotMet) => 1,
         Ok(Verdict::NotRun) => 2,
@@ -177,43 +194,6 @@ fn run(arguments: impl IntoIterator<Item = OsString>, out: &Output) -> u8 {
             }
             2
         }
-    }
-}
-
-fn dispatch(command: Command, out: &Output) -> anyhow::Result<Verdict> {
-    match command {
-        Command::Init(command) => command.run(out),
-        Command::Check(command) => command.run(out),
-        Command::Formats(command) => command.run(out),
-        Command::Fit(command) => command.run(out),
-        Command::Axes(command) => command.run(out),
-        Command::Cell(command) => command.run(out),
-        Command::Run(command) => command.run(out),
-        Command::Batch(command) => command.run(out),
-        Command::Benchmark(command) => command.run(out),
-        Command::Identify(command) => command.run(out),
-        Command::Recommend(command) => command.run(out),
-        Command::Validate(command) => command.run(out),
-        Command::Verify(command) => command.run(out),
-        Command::Uncertainty(command) => command.run(out),
-        Command::Kinematics(command) => command.run(out),
-        Command::Robot(command) => command.run(out),
-        Command::Compensate(command) => command.run(out),
-        Command::AxisTable(command) => command.run(out),
-        Command::Plan(command) => command.run(out),
-        Command::Iso230(command) => command.run(out),
-        Command::Iso9283(command) => command.run(out),
-        Command::Report(command) => command.run(out),
-        Command::Compare(command) => command.run(out),
-        Command::Export(command) => command.run(out),
-        Command::Explain(command) => command.run(out),
-        Command::View(command) => command.run(out),
-        Command::Simulate(command) => command.run(out),
-        Command::Study(command) => command.run(out),
-        Command::Schema(command) => command.run(out),
-        Command::Selftest(command) => command.run(out),
-        Command::Completions(command) => command.run(out),
-        Command::Man(command) => command.run(out),
     }
 }
 

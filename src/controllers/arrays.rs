@@ -6,7 +6,7 @@
 //! and `covariance` of the parameters in `covariance_of`. Indices start at 0 in NumPy and at 1 in
 //! MATLAB.
 
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_formats::arrays::{Content, NewArray};
@@ -46,16 +46,8 @@ fn arrays(given: &ExportInput, first: u64) -> Result<Vec<NewArray>> {
 }
 
 impl Exporter for Npz {
-    fn name(&self) -> &'static str {
-        "numpy"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.npz"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("numpy", "etalon_parameters.npz")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
@@ -65,16 +57,8 @@ impl Exporter for Npz {
 }
 
 impl Exporter for Mat {
-    fn name(&self) -> &'static str {
-        "mat"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.mat"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("mat", "etalon_parameters.mat")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

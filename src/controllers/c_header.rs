@@ -1,7 +1,7 @@
 //! Parameters as a C header (C99 and C++), for compiled controllers.
 
 use super::template::{identifier, render};
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -10,16 +10,8 @@ use minijinja::value::Serde;
 pub(super) struct CHeader;
 
 impl Exporter for CHeader {
-    fn name(&self) -> &'static str {
-        "c-header"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.h"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("c-header", "etalon_parameters.h")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -1,7 +1,7 @@
 //! Writes parameters as a CSV table for spreadsheets and small scripts. Programs that read tables
 //! do not accept comments, so additional columns replace the header lines of other formats.
 
-use super::{ExportInput, Exporter, status_word};
+use super::{About, ExportInput, Exporter, status_word};
 use etalon_base::cell::without_formula as text;
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -23,16 +23,8 @@ const HEADER: [&str; 10] = [
 ];
 
 impl Exporter for Csv {
-    fn name(&self) -> &'static str {
-        "csv"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "controller.csv"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("csv", "controller.csv")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -5,7 +5,7 @@
 //! the schema requires and the campaign does not contain are marked as not given.
 
 use super::xml::{Element, element, leaf};
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::country::Country;
 use etalon_base::date::date;
 use etalon_base::error;
@@ -26,16 +26,8 @@ const REGION: &str = "The ellipsoidal region has a coverage probability of 95 % 
                       (JCGM 102:2011, 6.5.2); their standard uncertainties are the square roots of the diagonal.";
 
 impl Exporter for Dcc {
-    fn name(&self) -> &'static str {
-        "dcc"
-    }
-
-    fn file_name(&self) -> &'static str {
-        FILE
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("dcc", FILE)
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -7,7 +7,7 @@
 
 use super::decimals::all_fixed;
 use super::template::render;
-use super::{ExportInput, Exporter, value};
+use super::{About, ExportInput, Exporter, value};
 use etalon_base::angle::Turn;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
@@ -17,13 +17,30 @@ use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
 
+/// A firmware of printers, in which towers are vertical.
+pub(super) struct Printer {
+    name: &'static str,
+    file_name: &'static str,
+    template: &'static str,
+}
+
 /// Klipper's `[printer] kinematics: delta`.
-pub(super) struct Klipper;
+pub(super) const KLIPPER: Printer = Printer {
+    name: "klipper-delta",
+    file_name: "klipper_delta.cfg",
+    template: include_str!("templates/klipper_delta.cfg.j2"),
+};
 /// RepRapFirmware's `M665` and `M666`.
-pub(super) struct RepRapDelta;
+pub(super) const REP_RAP: Printer = Printer {
+    name: "reprap-delta",
+    file_name: "reprap_delta.g",
+    template: include_str!("templates/reprap_delta.g.j2"),
+};
 /// LinuxCNC's `lineardeltakins` and `rotarydeltakins`.
 pub(super) struct DeltaHal;
 
+/// Frame of all files.
+const FRAME: &str = "base of the robot, the base in the world of the campaign is not in this file";
 /// Directions of the towers in both firmwares (deg).
 const TOWERS_DEG: [f64; 3] = [210.0, 330.0, 90.0];
 /// Shift of the platform that shows the position of a tower (mm).
@@ -107,19 +124,9 @@ fn has_towers(robot: &dyn Robot) -> bool {
     robot.model() == "delta_linear"
 }
 
-/// Rejection of a robot without towers.
-fn without_towers(format: &str, robot: &dyn Robot) -> Option<Message> {
-    (!has_towers(robot)).then(|| super::other_robot(format, robot, phrase!("kind-delta-towers")))
-}
-
 /// `true` for the tilt angle of a tower.
 fn is_tilt(p: &Parameter) -> bool {
     p.role == Role::Robot && p.quantity == Quantity::Angle
-}
-
-/// Values with vertical towers.
-fn upright(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
-    robot.parameters().iter().zip(values).map(|(p, &value)| if is_tilt(p) { 0.0 } else { value }).collect()
 }
 
 /// Angle wrapped to (−180, 180] deg.
@@ -135,85 +142,32 @@ fn centre([a, b, c]: [[f64; 2]; 3]) -> [f64; 2] {
     [a[0] + (v[1] * uu - u[1] * vv) / twice, a[1] + (u[0] * vv - v[0] * uu) / twice]
 }
 
-impl Exporter for Klipper {
-    fn name(&self) -> &'static str {
-        "klipper-delta"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "klipper_delta.cfg"
+impl Exporter for Printer {
+    fn about(&self) -> About<'_> {
+        // the only angles of a leg are the tilts of its tower
+        About { frame: FRAME, holds: |p| !is_tilt(p), ..About::controller(self.name, self.file_name) }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
-        without_towers(self.name(), robot)
-    }
-
-    /// Towers are vertical: the only angles of a leg are the tilts of its tower.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        !is_tilt(parameter)
+        (!has_towers(robot)).then(|| super::other_robot(self.name, robot, phrase!("kind-delta-towers")))
     }
 
     fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
-        upright(robot, values)
+        robot.parameters().iter().zip(values).map(|(p, &value)| if is_tilt(p) { 0.0 } else { value }).collect()
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, self.name())?;
-        let values = context! { header => towers.header(given)?, towers => Serde(&towers) };
-        render(include_str!("templates/klipper_delta.cfg.j2"), values).map(String::into_bytes)
-    }
-}
-
-impl Exporter for RepRapDelta {
-    fn name(&self) -> &'static str {
-        "reprap-delta"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "reprap_delta.g"
-    }
-
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
-        without_towers(self.name(), robot)
-    }
-
-    /// Towers are vertical: the only angles of a leg are the tilts of its tower.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        !is_tilt(parameter)
-    }
-
-    fn written(&self, _given: &ExportInput, robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
-        upright(robot, values)
-    }
-
-    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
-        let towers = Towers::new(given, self.name())?;
+        let towers = Towers::new(given, self.name)?;
         let mean = towers.heights_mm.iter().sum::<f64>() / 3.0;
         let end_stops = Serde(towers.heights_mm.map(|v| v - mean));
         let values = context! { header => towers.header(given)?, towers => Serde(&towers), mean, end_stops };
-        render(include_str!("templates/reprap_delta.g.j2"), values).map(String::into_bytes)
+        render(self.template, values).map(String::into_bytes)
     }
 }
 
 impl Exporter for DeltaHal {
-    fn name(&self) -> &'static str {
-        "linuxcnc-delta"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "deltakins.hal"
+    fn about(&self) -> About<'_> {
+        About { frame: FRAME, ..About::controller("linuxcnc-delta", "deltakins.hal") }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {

@@ -7,7 +7,7 @@
 //! of 3 µm at a lever of 400 mm.
 
 use super::decimals::fixed;
-use super::{ExportInput, Exporter, value};
+use super::{About, ExportInput, Exporter, value};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
@@ -26,12 +26,8 @@ const SHARE: f64 = 0.1;
 const LONGEST: usize = 8;
 
 impl Exporter for Galil {
-    fn name(&self) -> &'static str {
-        "galil"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.dmc"
+    fn about(&self) -> About<'_> {
+        About::controller("galil", "etalon_parameters.dmc")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

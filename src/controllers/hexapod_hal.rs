@@ -2,7 +2,7 @@
 //! are offsets of the joints.
 
 use super::template::render;
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use etalon_robots::Robot;
@@ -14,16 +14,11 @@ use std::collections::BTreeMap;
 pub(super) struct HexapodHal;
 
 impl Exporter for HexapodHal {
-    fn name(&self) -> &'static str {
-        "linuxcnc-hexapod"
-    }
-
-    fn frame(&self) -> &'static str {
-        "the world of LinuxCNC is the base of the robot, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "genhexkins.hal"
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "the world of LinuxCNC is the base of the robot, the base in the world of the campaign is not in this file",
+            ..About::controller("linuxcnc-hexapod", "genhexkins.hal")
+        }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {

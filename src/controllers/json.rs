@@ -1,6 +1,6 @@
 //! `etalon/controller/1`: parameters by name, for programs that read JSON.
 
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterStatus;
@@ -39,16 +39,8 @@ struct Parameter<'a> {
 }
 
 impl Exporter for Json {
-    fn name(&self) -> &'static str {
-        "json"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "controller.json"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("json", "controller.json")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -57,31 +57,69 @@ use etalon_robots::{Circumstance, Effect, JointChain, Parameter, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
 pub(crate) use template::comment;
 
+/// Name, file and contents of a controller format.
+#[derive(Clone, Copy)]
+pub struct About<'a> {
+    /// Name of the format in `controllers` and `--format`.
+    pub name: &'a str,
+    /// Name of the file in the output folder.
+    pub file_name: &'a str,
+    /// Frame in which the file describes the robot, for its header.
+    pub frame: &'static str,
+    /// `false` for files that programs of a laboratory read, and no controller loads.
+    pub is_for_controllers: bool,
+    /// `true` if the file contains the hash of the calibration in the controller
+    /// ([`ExportInput::controller_hash`]).
+    pub states_controller_hash: bool,
+    /// `true` if the file shows the errors of the measured points ([`ExportInput::errors`]).
+    pub shows_errors: bool,
+    /// `true` for parameters that the format holds.
+    pub holds: fn(&Parameter) -> bool,
+}
+
+impl<'a> About<'a> {
+    /// Parameters by name, in a file that a controller loads.
+    pub fn controller(name: &'a str, file_name: &'a str) -> Self {
+        Self {
+            name,
+            file_name,
+            frame: "parameters by name, those of the base place it in the world of the campaign",
+            is_for_controllers: true,
+            states_controller_hash: false,
+            shows_errors: false,
+            holds: |_| true,
+        }
+    }
+
+    /// Parameters by name, in a file that programs of a laboratory read.
+    pub fn laboratory(name: &'a str, file_name: &'a str) -> Self {
+        Self { is_for_controllers: false, ..Self::controller(name, file_name) }
+    }
+
+    /// Kinematics as code that computes from joint values.
+    fn code(name: &'a str, file_name: &'a str) -> Self {
+        let frame = "base of the robot in its robot file, to the flange. \
+            Tools and the base in the world of the campaign are not in this file";
+        Self { frame, holds: is_in_code, ..Self::controller(name, file_name) }
+    }
+}
+
 /// One controller format.
 pub trait Exporter {
-    /// Name of the format in `controllers` and `--format`.
-    fn name(&self) -> &str;
-
-    /// Name of the file in the output folder.
-    fn file_name(&self) -> &str;
+    /// Name, file and contents of the format.
+    fn about(&self) -> About<'_>;
 
     /// Bytes of the file for parameters that may be written.
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>>;
 
-    /// `true` if the file contains the hash of the calibration in the controller
-    /// ([`ExportInput::controller_hash`]).
-    fn states_controller_hash(&self) -> bool {
-        false
+    /// Name of the format in `controllers` and `--format`.
+    fn name(&self) -> &str {
+        self.about().name
     }
 
-    /// `false` for files that programs of a laboratory read, and no controller loads.
-    fn is_for_controllers(&self) -> bool {
-        true
-    }
-
-    /// `true` if the file shows the errors of the measured points ([`ExportInput::errors`]).
-    fn shows_errors(&self) -> bool {
-        false
+    /// Name of the file in the output folder.
+    fn file_name(&self) -> &str {
+        self.about().file_name
     }
 
     /// Rejection of a robot that the format does not describe; `has_urdf` states whether a URDF
@@ -107,14 +145,9 @@ pub trait Exporter {
         self.concern(given).into_iter().collect()
     }
 
-    /// Frame in which the file describes the robot, for its header.
-    fn frame(&self) -> &'static str {
-        "parameters by name, those of the base place it in the world of the campaign"
-    }
-
     /// `true` if the format holds this parameter of the robot.
-    fn holds(&self, _parameter: &Parameter, _given: &ExportInput) -> bool {
-        true
+    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
+        (self.about().holds)(parameter)
     }
 
     /// Values (mm, rad or 1) of the robot that the file describes. Effects that the format does not
@@ -453,8 +486,8 @@ const EXPORTERS: [&dyn Exporter; 26] = [
     &hexapod_hal::HexapodHal,
     &linuxcnc_component::LinuxCncComponent,
     &delta::DeltaHal,
-    &delta::Klipper,
-    &delta::RepRapDelta,
+    &delta::KLIPPER,
+    &delta::REP_RAP,
     &reprap_five_bar::RepRapFiveBar,
     &code::C99,
     &code::PythonCode,
@@ -511,14 +544,18 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 /// Names of the formats that a controller of this robot may load.
 pub fn names_for_controllers(robot: &dyn Robot, has_urdf: bool) -> impl Iterator<Item = &'static str> {
     let suits = move |exporter: &&&dyn Exporter| {
-        exporter.is_for_controllers() && exporter.unsuited_robot(robot, has_urdf).is_none()
+        exporter.about().is_for_controllers && exporter.unsuited_robot(robot, has_urdf).is_none()
     };
     EXPORTERS.iter().filter(suits).map(|exporter| exporter.name())
 }
 
 /// Names of the formats that state the hash of a calibration in the controller.
 pub fn with_controller_hash() -> Vec<&'static str> {
-    EXPORTERS.iter().filter(|exporter| exporter.states_controller_hash()).map(|exporter| exporter.name()).collect()
+    EXPORTERS
+        .iter()
+        .filter(|exporter| exporter.about().states_controller_hash)
+        .map(|exporter| exporter.name())
+        .collect()
 }
 
 /// Rejection of a robot of another kind than the format describes.

@@ -6,11 +6,11 @@
 //! normal. Links before the first joint and after the last are separate frames.
 
 use super::template::render;
-use super::{ExportInput, Exporter, is_geometry, six_axes};
+use super::{About, ExportInput, Exporter, is_geometry, six_axes};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm, unit};
 use etalon_base::{error, warning};
-use etalon_robots::{JointChain, NEAR_PARALLEL_RAD, Parameter, Robot};
+use etalon_robots::{JointChain, NEAR_PARALLEL_RAD, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 use serde::Serialize;
@@ -34,16 +34,12 @@ struct Row {
 }
 
 impl Exporter for LinuxCnc {
-    fn name(&self) -> &'static str {
-        "linuxcnc"
-    }
-
-    fn frame(&self) -> &'static str {
-        "the world of LinuxCNC is the first frame stated below, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "genserkins.hal"
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "the world of LinuxCNC is the first frame stated below, the base in the world of the campaign is not in this file",
+            holds: is_geometry,
+            ..About::controller("linuxcnc", "genserkins.hal")
+        }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
@@ -55,10 +51,6 @@ impl Exporter for LinuxCnc {
         let chain = six_axes(self.name(), robot, &values).ok();
         let Some((_, rows)) = chain.and_then(|chain| table(&chain)) else { return Vec::new() };
         distant(&rows).into_iter().chain(offsets(&rows)).collect()
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_geometry(parameter)
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -7,12 +7,12 @@
 
 use super::code::{formulas, functions};
 use super::template::render;
-use super::{ExportInput, Exporter, is_in_code, value};
+use super::{About, ExportInput, Exporter, is_in_code, value};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_robots::{Joint, Parameter, Quantity, Robot};
+use etalon_robots::{Joint, Quantity, Robot};
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -23,20 +23,12 @@ pub(super) struct LinuxCncComponent;
 const MOST_JOINTS: usize = 9;
 
 impl Exporter for LinuxCncComponent {
-    fn name(&self) -> &'static str {
-        "linuxcnc-component"
-    }
-
-    fn frame(&self) -> &'static str {
-        "the world of LinuxCNC is the world of the campaign for planar robots, otherwise the base of the robot"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalonkins.comp"
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "the world of LinuxCNC is the world of the campaign for planar robots, otherwise the base of the robot",
+            holds: is_in_code,
+            ..About::controller("linuxcnc-component", "etalonkins.comp")
+        }
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -1,7 +1,7 @@
 //! Parameters as a MATLAB function, which Octave reads too.
 
 use super::template::render;
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -14,16 +14,8 @@ pub(super) struct Matlab;
 const LONGEST: usize = 63;
 
 impl Exporter for Matlab {
-    fn name(&self) -> &'static str {
-        "matlab"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.m"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("matlab", "etalon_parameters.m")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -5,11 +5,10 @@
 use super::code::{Kind, Unit, Variable, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
-use super::{ExportInput, Exporter, is_in_code};
+use super::{About, ExportInput, Exporter, is_in_code};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::ParameterEntry;
-use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -28,12 +27,8 @@ fn names(given: &ExportInput) -> Result<Vec<String>> {
 }
 
 impl Exporter for TwinCat {
-    fn name(&self) -> &'static str {
-        "twincat"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "GVL_Etalon.TcGVL"
+    fn about(&self) -> About<'_> {
+        About::controller("twincat", "GVL_Etalon.TcGVL")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
@@ -44,17 +39,12 @@ impl Exporter for TwinCat {
 }
 
 impl Exporter for PlcOpen {
-    fn name(&self) -> &'static str {
-        "plcopen"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters_plcopen.xml"
-    }
-
-    /// The function blocks compute from joint values alone, with the parameters of the list.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About {
+            // The function blocks compute from joint values alone, with the parameters of the list.
+            holds: is_in_code,
+            ..About::controller("plcopen", "etalon_parameters_plcopen.xml")
+        }
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
@@ -137,17 +127,12 @@ fn pou(unit: Unit) -> Element {
 }
 
 impl Exporter for Scl {
-    fn name(&self) -> &'static str {
-        "siemens-scl"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.scl"
-    }
-
-    /// The function blocks compute from joint values alone, with the parameters of the list.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About {
+            // The function blocks compute from joint values alone, with the parameters of the list.
+            holds: is_in_code,
+            ..About::controller("siemens-scl", "etalon_parameters.scl")
+        }
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -2,7 +2,7 @@
 //! covariance.
 
 use super::template::render;
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::message::Result;
 use minijinja::context;
 use minijinja::value::Serde;
@@ -11,16 +11,8 @@ use minijinja::value::Serde;
 pub(super) struct Python;
 
 impl Exporter for Python {
-    fn name(&self) -> &'static str {
-        "python"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_parameters.py"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("python", "etalon_parameters.py")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -2,7 +2,7 @@
 //! value, measured value and combined standard uncertainty. QIF has no element for covariances.
 
 use super::xml::{Element, element, leaf};
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_documents::{ParameterEntry, ParametersDocument};
@@ -20,16 +20,8 @@ const PLACE: usize = 3;
 const NO_LIMIT: &str = "No limit is stated: the schema requires one, -1E6.";
 
 impl Exporter for Qif {
-    fn name(&self) -> &'static str {
-        "qif"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "parameters.qif"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About::laboratory("qif", "parameters.qif")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

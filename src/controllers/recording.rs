@@ -4,7 +4,7 @@
 //! Sources: definitions of `sensor_msgs`, `geometry_msgs`, `tf2_msgs` and `visualization_msgs`
 //! (ROS 2 Humble); REP 103 (m, rad).
 
-use super::{ExportInput, Exporter};
+use super::{About, ExportInput, Exporter};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Pose, Vector, minus, norm};
@@ -25,20 +25,8 @@ const LINE_WIDTH_M: f64 = 0.002;
 const COLOURS: [(&str, [f32; 4]); 2] = [("before", [0.84, 0.37, 0.0, 1.0]), ("after", [0.0, 0.45, 0.7, 1.0])];
 
 impl Exporter for Recording {
-    fn name(&self) -> &'static str {
-        "mcap"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "measured.mcap"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
-    }
-
-    fn shows_errors(&self) -> bool {
-        true
+    fn about(&self) -> About<'_> {
+        About { shows_errors: true, ..About::laboratory("mcap", "measured.mcap") }
     }
 
     fn unsuited(&self, given: &ExportInput) -> Option<Message> {

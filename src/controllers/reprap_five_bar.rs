@@ -1,11 +1,11 @@
 //! RepRapFirmware's `M669 K9` for a five-bar, with angles from the x axis of the world.
 
 use super::template::render;
-use super::{ExportInput, Exporter, value};
+use super::{About, ExportInput, Exporter, value};
 use etalon_base::message::{Message, Result};
 use etalon_base::phrase;
 use etalon_base::pose::Pose;
-use etalon_robots::{Parameter, Robot, Role};
+use etalon_robots::{Robot, Role};
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -16,25 +16,17 @@ pub(super) struct RepRapFiveBar;
 const GAMMA: &str = "gamma";
 
 impl Exporter for RepRapFiveBar {
-    fn name(&self) -> &'static str {
-        "reprap-five-bar"
-    }
-
-    fn frame(&self) -> &'static str {
-        "world of the campaign: the base of the robot is in X, Y and B"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "reprap_five_bar.g"
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "world of the campaign: the base of the robot is in X, Y and B",
+            // The tool is on the line of its link.
+            holds: |parameter| parameter.name != GAMMA,
+            ..About::controller("reprap-five-bar", "reprap_five_bar.g")
+        }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
         (robot.model() != "five_bar").then(|| super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
-    }
-
-    /// The tool is on the line of its link.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        parameter.name != GAMMA
     }
 
     /// A tool short of the joint between the distal links is moved to that joint.

@@ -139,7 +139,7 @@ impl ExportInput<'_> {
         if let Some(unsuited) = exporter.unsuited(self) {
             return Err(unsuited.into());
         }
-        let (left_out, frame) = (self.left_out(exporter), exporter.frame());
+        let (left_out, frame) = (self.left_out(exporter), exporter.about().frame);
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
             return Ok(Statement { left_out, errors, parameters: Some(parameters), frame, again: true });
         }

@@ -5,7 +5,7 @@
 //! every format of this crate has.
 
 use super::template::environment;
-use super::{ExportInput, Exporter, status_word};
+use super::{About, ExportInput, Exporter, status_word};
 use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pattern::matches_pattern;
@@ -112,12 +112,8 @@ fn has_no_zeros(robot: &dyn Robot) -> bool {
 }
 
 impl Exporter for TemplateFormat {
-    fn name(&self) -> &str {
-        &self.file_name
-    }
-
-    fn file_name(&self) -> &str {
-        &self.file_name
+    fn about(&self) -> About<'_> {
+        About::controller(&self.file_name, &self.file_name)
     }
 
     fn unsuited(&self, given: &ExportInput) -> Option<Message> {

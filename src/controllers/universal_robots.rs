@@ -2,12 +2,12 @@
 //! (`kinematics_params_file`: ur_description, ur_calibration).
 
 use super::template::render;
-use super::{ExportInput, Exporter, is_geometry, six_axes};
+use super::{About, ExportInput, Exporter, is_geometry, six_axes};
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Pose, Vector, cross, dot, minus, norm};
 use etalon_base::{phrase, warning};
-use etalon_robots::{ChainJoint, JointChain, Parameter, Robot, link_frames};
+use etalon_robots::{ChainJoint, JointChain, Robot, link_frames};
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 use std::f64::consts::PI;
@@ -28,16 +28,14 @@ pub(super) struct UniversalRobots;
 const LINKS: [&str; 6] = ["shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3"];
 
 impl Exporter for UniversalRobots {
-    fn name(&self) -> &'static str {
-        "universal-robots"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the maker: z along axis 1, shoulder above the origin, the base in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "universal_robots_calibration.yaml"
+    /// The driver in ROS reads the file; the controller does not.
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "base of the maker: z along axis 1, shoulder above the origin, the base in the world of the campaign is not in this file",
+            states_controller_hash: true,
+            holds: is_geometry,
+            ..About::laboratory("universal-robots", "universal_robots_calibration.yaml")
+        }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
@@ -49,19 +47,6 @@ impl Exporter for UniversalRobots {
         let chain = six_axes(self.name(), robot, &robot.nominal()).ok()?;
         let difference = difference(&chain)?;
         Some(warning!("file-of-other-structure", format = self.name(), difference))
-    }
-
-    /// The driver in ROS reads the file; the controller does not.
-    fn is_for_controllers(&self) -> bool {
-        false
-    }
-
-    fn states_controller_hash(&self) -> bool {
-        true
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_geometry(parameter)
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

@@ -1,11 +1,11 @@
 //! URDF from which the robot was read, with calibrated origins; everything else is preserved,
 //! including comments.
 
-use super::{ExportInput, Exporter, is_geometry};
+use super::{About, ExportInput, Exporter, is_geometry};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_robots::{Effect, Parameter, Robot};
+use etalon_robots::{Effect, Robot};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::fmt::Write;
@@ -33,29 +33,17 @@ struct Joint {
 }
 
 impl Exporter for Urdf {
-    fn name(&self) -> &'static str {
-        "urdf"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base_link of robot.toml, whose place in the world of the campaign is not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "calibrated.urdf"
-    }
-
-    fn is_for_controllers(&self) -> bool {
-        false
+    fn about(&self) -> About<'_> {
+        About {
+            frame: "base_link of robot.toml, whose place in the world of the campaign is not in this file",
+            // Gains of joints that mimic another joint are in the multiplier of `mimic`.
+            holds: |parameter| is_geometry(parameter) || parameter.effect == Effect::Gains && parameter.by.is_some(),
+            ..About::laboratory("urdf", "calibrated.urdf")
+        }
     }
 
     fn unsuited_robot(&self, robot: &dyn Robot, has_urdf: bool) -> Option<Message> {
         (!has_urdf).then(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))
-    }
-
-    /// Gains of joints that mimic another joint are in the multiplier of `mimic`.
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_geometry(parameter) || parameter.effect == Effect::Gains && parameter.by.is_some()
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

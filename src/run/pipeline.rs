@@ -156,7 +156,7 @@ fn written(
         Some(WrittenFile {
             format: name.to_owned(),
             file: exporter.file_name().to_owned(),
-            is_for_controllers: exporter.is_for_controllers(),
+            is_for_controllers: exporter.about().is_for_controllers,
             sha256: None,
             check: values.and_then(|values| loading_check(robot, solution, &values)),
         })

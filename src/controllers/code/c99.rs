@@ -2,10 +2,9 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{ExportInput, Exporter, is_in_code};
+use crate::{About, ExportInput, Exporter};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
-use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -28,20 +27,8 @@ impl Notation for C {
 }
 
 impl Exporter for C99 {
-    fn name(&self) -> &'static str {
-        "c-kinematics"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot in its robot file, to the flange. Tools and the base in the world of the campaign are not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_kinematics.c"
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About::code("c-kinematics", "etalon_kinematics.c")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

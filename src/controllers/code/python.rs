@@ -2,9 +2,8 @@
 
 use super::{Function, Notation, formulas};
 use crate::template::{literal, render};
-use crate::{ExportInput, Exporter, is_in_code};
+use crate::{About, ExportInput, Exporter};
 use etalon_base::message::Result;
-use etalon_robots::Parameter;
 use minijinja::context;
 use minijinja::value::Serde;
 
@@ -26,20 +25,8 @@ impl Notation for Python {
 }
 
 impl Exporter for PythonCode {
-    fn name(&self) -> &'static str {
-        "python-kinematics"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot in its robot file, to the flange. Tools and the base in the world of the campaign are not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_kinematics.py"
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About::code("python-kinematics", "etalon_kinematics.py")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

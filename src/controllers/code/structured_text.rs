@@ -3,10 +3,9 @@
 
 use super::{Notation, formulas, interface, kept, statements};
 use crate::template::real_literal;
-use crate::{ExportInput, Exporter, is_in_code};
+use crate::{About, ExportInput, Exporter};
 use etalon_base::expression::Formula;
 use etalon_base::message::Result;
-use etalon_robots::Parameter;
 use std::fmt::Write;
 
 /// Function blocks.
@@ -265,20 +264,8 @@ fn declarations(unit: &Unit, siemens: bool) -> String {
 }
 
 impl Exporter for StructuredText {
-    fn name(&self) -> &'static str {
-        "structured-text"
-    }
-
-    fn frame(&self) -> &'static str {
-        "base of the robot in its robot file, to the flange. Tools and the base in the world of the campaign are not in this file"
-    }
-
-    fn file_name(&self) -> &'static str {
-        "etalon_kinematics.st"
-    }
-
-    fn holds(&self, parameter: &Parameter, _given: &ExportInput) -> bool {
-        is_in_code(parameter)
+    fn about(&self) -> About<'_> {
+        About::code("structured-text", "etalon_kinematics.st")
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
