@@ -123,6 +123,8 @@ fn rows_before_the_data_mean_the_same_in_every_table() {
         ("delimiter = \",\"\nheader = 2", ",", "title,a,b\n"),
         ("delimiter = \",\"\nheader = 2", ",", "title\n"),
         ("delimiter = \",\"\nheader = 2", ",", "title\n\n"),
+        ("delimiter = \",\"\nheader = 3", ",", "title\n\n"),
+        ("delimiter = \",\"\nheader = 2", ",", ""),
         ("delimiter = \",\"\nheader = [\"A\", \"B\"]", ",", "title\nsecond\n"),
         ("delimiter = \",\"\nheader = [\"A\", \"D\"]", ",", ""),
         ("delimiter = \" \"\nheader = 1", " ", ""),

@@ -12,7 +12,7 @@ use etalon_base::{error, phrase};
 use etalon_tables::filter::{Filter, no_row_selected};
 use etalon_tables::lexer::pose_name;
 use etalon_tables::lexer::{self, PlainColumn, Row, WHOLE, each_row, marked, parsed, written_out};
-use etalon_tables::sheet::{column, header, number};
+use etalon_tables::sheet::{column, header, header_of_numbers, number};
 use etalon_tables::{ColumnSource, Decimal, Delimiter, Encoding, Expression, Form, Header, stated_units};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
@@ -388,7 +388,9 @@ fn resolved(
         wrong.push(message.at(header.map_or_else(|| Place::file(file), |row| row.place(file))));
     }
     if !wrong.is_empty() {
-        return Err(wrong);
+        let sources: Vec<&ColumnSource> = named.iter().map(|(_, source)| source).collect();
+        let numbers = header.and_then(|row| Some(header_of_numbers(row, &dialect.form, &sources)?.at(row.place(file))));
+        return Err(numbers.map_or(wrong, |message| vec![message]));
     }
     let (more, computed): (Vec<ColumnRole>, Vec<Expression>) = computed.into_iter().unzip();
     roles.extend(more);

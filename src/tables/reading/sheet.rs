@@ -96,19 +96,10 @@ impl<'t> Sheet<'t> {
         }
     }
 
-    /// Checks that the row which should name the columns contains no numbers, unless one of them is
-    /// given as a heading.
+    /// Checks that the row which should name the columns contains no numbers.
     fn check_header(&self, columns: &[&ColumnSource]) -> Result<()> {
-        let Some(header) = &self.header else { return Ok(()) };
-        let is_number = |field: &&Cow<str>| parsed(field.trim(), self.form.decimal(), self.form.thousands).is_some();
-        let stated = |field: &Cow<str>| {
-            columns.iter().any(|source| matches!(source, ColumnSource::Heading(heading) if heading == field.trim()))
-        };
-        if 2 * header.fields.iter().filter(is_number).count() > header.fields.len() && !header.fields.iter().any(stated)
-        {
-            return Err(error!("header-holds-numbers").at(header.place(self.file)).into());
-        }
-        Ok(())
+        let numbers = self.header.as_ref().and_then(|header| header_of_numbers(header, self.form, columns));
+        numbers.map_or(Ok(()), |message| Err(message.at(self.place()).into()))
     }
 
     /// Place of the header, or of the first row.
@@ -239,6 +230,17 @@ pub fn header<'t>(
             found.map(Some).ok_or_else(|| error!("header-words-missing", words))
         }
     }
+}
+
+/// Error if the row which should name the columns contains numbers, none of which is given as a
+/// heading.
+pub fn header_of_numbers(header: &Row, form: &Form, columns: &[&ColumnSource]) -> Option<Message> {
+    let is_number = |field: &&Cow<str>| parsed(field.trim(), form.decimal(), form.thousands).is_some();
+    let stated = |field: &Cow<str>| {
+        columns.iter().any(|source| matches!(source, ColumnSource::Heading(heading) if heading == field.trim()))
+    };
+    let numbers = header.fields.iter().filter(is_number).count();
+    (2 * numbers > header.fields.len() && !header.fields.iter().any(stated)).then(|| error!("header-holds-numbers"))
 }
 
 /// Returns the column of a table of this width, or an expression of its columns.
