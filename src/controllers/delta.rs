@@ -148,7 +148,7 @@ impl Exporter for Printer {
         About { frame: FRAME, holds: |p| !is_tilt(p), ..About::controller(self.name, self.file_name) }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         (!has_towers(robot)).then(|| super::other_robot(self.name, robot, phrase!("kind-delta-towers")))
     }
 
@@ -170,7 +170,7 @@ impl Exporter for DeltaHal {
         About { frame: FRAME, ..About::controller("linuxcnc-delta", "deltakins.hal") }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         pins(robot.model()).is_empty().then(|| super::other_robot(self.name(), robot, phrase!("kind-delta")))
     }
 

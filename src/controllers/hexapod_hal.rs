@@ -21,7 +21,7 @@ impl Exporter for HexapodHal {
         }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         (robot.model() != "hexapod").then(|| super::other_robot(self.name(), robot, phrase!("kind-hexapod")))
     }
 

@@ -73,6 +73,8 @@ pub struct About<'a> {
     pub states_controller_hash: bool,
     /// `true` if the file shows the errors of the measured points ([`ExportInput::errors`]).
     pub shows_errors: bool,
+    /// `true` if the file is the URDF of the robot with identified origins.
+    pub edits_urdf: bool,
     /// `true` for parameters that the format holds.
     pub holds: fn(&Parameter) -> bool,
 }
@@ -87,6 +89,7 @@ impl<'a> About<'a> {
             is_for_controllers: true,
             states_controller_hash: false,
             shows_errors: false,
+            edits_urdf: false,
             holds: |_| true,
         }
     }
@@ -122,15 +125,22 @@ pub trait Exporter {
         self.about().file_name
     }
 
-    /// Rejection of a robot that the format does not describe; `has_urdf` states whether a URDF
-    /// describes the robot.
-    fn unsuited_robot(&self, _robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    /// Rejection of a robot that the format does not describe.
+    fn unsuited_robot(&self, _robot: &dyn Robot) -> Option<Message> {
         None
+    }
+
+    /// Rejection of a robot that the format does not describe; a file that edits the description of
+    /// the robot needs one.
+    fn unsuited_to(&self, robot: &dyn Robot, description: Option<Description>) -> Option<Message> {
+        let is_missing = self.about().edits_urdf && description.is_none();
+        let missing = || other_robot(self.name(), robot, phrase!("kind-urdf"));
+        is_missing.then(missing).or_else(|| self.unsuited_robot(robot))
     }
 
     /// Rejection of a result that the format does not describe; `None` if the robot is unknown.
     fn unsuited(&self, given: &ExportInput) -> Option<Message> {
-        self.unsuited_robot(given.robot?, given.description.is_some())
+        self.unsuited_to(given.robot?, given.description)
     }
 
     /// Warning about a file that is written for a robot unlike the robots of the format; `None` if
@@ -542,9 +552,9 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Names of the formats that a controller of this robot may load.
-pub fn names_for_controllers(robot: &dyn Robot, has_urdf: bool) -> impl Iterator<Item = &'static str> {
+pub fn names_for_controllers(robot: &dyn Robot) -> impl Iterator<Item = &'static str> {
     let suits = move |exporter: &&&dyn Exporter| {
-        exporter.about().is_for_controllers && exporter.unsuited_robot(robot, has_urdf).is_none()
+        exporter.about().is_for_controllers && exporter.unsuited_robot(robot).is_none()
     };
     EXPORTERS.iter().filter(suits).map(|exporter| exporter.name())
 }

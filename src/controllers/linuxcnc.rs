@@ -42,7 +42,7 @@ impl Exporter for LinuxCnc {
         }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 

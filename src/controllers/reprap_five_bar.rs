@@ -25,7 +25,7 @@ impl Exporter for RepRapFiveBar {
         }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         (robot.model() != "five_bar").then(|| super::other_robot(self.name(), robot, phrase!("kind-five-bar")))
     }
 

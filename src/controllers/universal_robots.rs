@@ -38,7 +38,7 @@ impl Exporter for UniversalRobots {
         }
     }
 
-    fn unsuited_robot(&self, robot: &dyn Robot, _has_urdf: bool) -> Option<Message> {
+    fn unsuited_robot(&self, robot: &dyn Robot) -> Option<Message> {
         six_axes(self.name(), robot, &robot.nominal()).err()
     }
 

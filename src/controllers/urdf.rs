@@ -2,10 +2,10 @@
 //! including comments.
 
 use super::{About, ExportInput, Exporter, is_geometry};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
-use etalon_robots::{Effect, Robot};
+use etalon_robots::Effect;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::fmt::Write;
@@ -36,14 +36,11 @@ impl Exporter for Urdf {
     fn about(&self) -> About<'_> {
         About {
             frame: "base_link of robot.toml, whose place in the world of the campaign is not in this file",
+            edits_urdf: true,
             // Gains of joints that mimic another joint are in the multiplier of `mimic`.
             holds: |parameter| is_geometry(parameter) || parameter.effect == Effect::Gains && parameter.by.is_some(),
             ..About::laboratory("urdf", "calibrated.urdf")
         }
-    }
-
-    fn unsuited_robot(&self, robot: &dyn Robot, has_urdf: bool) -> Option<Message> {
-        (!has_urdf).then(|| super::other_robot(self.name(), robot, phrase!("kind-urdf")))
     }
 
     fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {

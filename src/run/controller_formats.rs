@@ -6,7 +6,7 @@ use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Place, Problems, Result};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
-use etalon_controllers::{Exporter, TemplateFormat};
+use etalon_controllers::{Description, Exporter, TemplateFormat};
 use etalon_documents::{Source, SourceKind};
 use etalon_robots::Robot;
 use toml::Spanned;
@@ -58,10 +58,10 @@ impl ControllerFormats {
 
     /// Rejects formats that do not describe the robot of the campaign, before anything is computed.
     pub fn check(&self, campaign: &Campaign, robot: &dyn Robot, problems: &mut Problems) {
-        let has_urdf = campaign.robot.description().is_some();
+        let description = campaign.robot.description().map(|(file, text)| Description { file, text });
         for format in &self.formats {
             let Format::Known(exporter, Some(place)) = format else { continue };
-            let unsuited = exporter.unsuited_robot(robot, has_urdf);
+            let unsuited = exporter.unsuited_to(robot, description);
             problems.0.extend(unsuited.map(|message| message.at(place.clone())));
         }
     }

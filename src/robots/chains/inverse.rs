@@ -86,6 +86,15 @@ struct Linearised {
     size: f64,
 }
 
+/// Range of the joints on the way to a pose.
+#[derive(Clone, Copy, PartialEq)]
+enum Travel {
+    /// Inside the limits of the joints.
+    Limited,
+    /// Beyond the limits too.
+    Free,
+}
+
 /// End of the steps from a start.
 struct Attempt {
     joints: Vec<f64>,
@@ -122,11 +131,11 @@ impl<'a> Search<'a> {
         self.joints.get(joint).map_or(1.0, |joint| joint.unit)
     }
 
-    /// `q` + `share` · `step`, inside the limits if `bounded`.
-    fn moved(&self, q: &[f64], step: &[f64], share: f64, bounded: bool) -> Vec<f64> {
+    /// `q` + `share` · `step`, inside the limits if `travel` is limited.
+    fn moved(&self, q: &[f64], step: &[f64], share: f64, travel: Travel) -> Vec<f64> {
         let mut next: Vec<f64> =
             q.iter().zip(step).enumerate().map(|(j, (q, step))| q + share * step * self.unit(j)).collect();
-        if bounded {
+        if travel == Travel::Limited {
             self.clamp(&mut next);
         }
         next
@@ -152,11 +161,12 @@ impl<'a> Search<'a> {
         Linearised { error, jacobian, size }
     }
 
-    /// Damped step (rad or m); joints at a limit that block the way stand still if `bounded`.
-    fn step(&self, q: &[f64], at: &Linearised, damping: f64, bounded: bool) -> Option<Vec<f64>> {
+    /// Damped step (rad or m); joints at a limit that block the way stand still if `travel` is
+    /// limited.
+    fn step(&self, q: &[f64], at: &Linearised, damping: f64, travel: Travel) -> Option<Vec<f64>> {
         let n = q.len();
         let mut a = at.jacobian.clone();
-        if bounded {
+        if travel == Travel::Limited {
             for (j, joint) in self.joints.iter().enumerate() {
                 let Some([lower, upper]) = joint.limits else { continue };
                 let towards: f64 = (0..6).map(|i| a[i * n + j] * at.error[i]).sum::<f64>() * joint.unit;
@@ -173,24 +183,24 @@ impl<'a> Search<'a> {
         Factor::new(&a, &right, &vec![1.0; n]).solve()
     }
 
-    /// Follows damped steps from a start, inside the limits if `bounded`. An error below
+    /// Follows damped steps from a start, inside the limits if `travel` is limited. An error below
     /// `tolerance` is left if only a long motion removes it.
-    fn attempt(&self, start: &[f64], bounded: bool, tolerance: f64) -> Attempt {
+    fn attempt(&self, start: &[f64], travel: Travel, tolerance: f64) -> Attempt {
         let mut q = start.to_vec();
-        if bounded {
+        if travel == Travel::Limited {
             self.clamp(&mut q);
         }
         let (mut at, mut damping, mut stalled) = (self.linearise(&q), DAMPING, 0);
         let mut is_attained = false;
         for _ in 0..STEPS {
-            let Some(step) = self.step(&q, &at, damping, bounded).filter(|_| at.size.is_finite()) else { break };
+            let Some(step) = self.step(&q, &at, damping, travel).filter(|_| at.size.is_finite()) else { break };
             let longest = step.iter().fold(0.0f64, |most, s| most.max(s.abs()));
             let long = longest > LONG && at.size <= tolerance;
             if long || (at.size <= ATTAINED && longest <= ROUNDING) {
                 is_attained = true;
                 break;
             }
-            let next = self.moved(&q, &step, (LONGEST / longest).min(1.0), bounded);
+            let next = self.moved(&q, &step, (LONGEST / longest).min(1.0), travel);
             let there = self.linearise(&next);
             if there.size < at.size {
                 stalled = if there.size > 0.95 * at.size { stalled + 1 } else { 0 };
@@ -208,11 +218,11 @@ impl<'a> Search<'a> {
 
     /// Joint values that attain the pose on the branch of the start.
     pub fn solve(&self, start: &[f64]) -> Option<Vec<f64>> {
-        self.attained(start, false, ATTAINED)
+        self.attained(start, Travel::Free, ATTAINED)
     }
 
-    fn attained(&self, start: &[f64], bounded: bool, tolerance: f64) -> Option<Vec<f64>> {
-        let Attempt { joints, is_attained, .. } = self.attempt(start, bounded, tolerance);
+    fn attained(&self, start: &[f64], travel: Travel, tolerance: f64) -> Option<Vec<f64>> {
+        let Attempt { joints, is_attained, .. } = self.attempt(start, travel, tolerance);
         is_attained.then_some(joints)
     }
 
@@ -220,7 +230,7 @@ impl<'a> Search<'a> {
     /// resolution and only a long motion could remove it.
     fn is_attained(&self, q: &[f64]) -> bool {
         let at = self.linearise(q);
-        let long = || self.step(q, &at, DAMPING, false).is_none_or(|step| step.iter().any(|s| s.abs() > LONG));
+        let long = || self.step(q, &at, DAMPING, Travel::Free).is_none_or(|step| step.iter().any(|s| s.abs() > LONG));
         at.size <= ROUNDING || (at.size <= RESOLUTION && long())
     }
 
@@ -297,7 +307,7 @@ impl<'a> Search<'a> {
 
     /// Moves a solution along its family, or along the freedom of a redundant arm, to the member
     /// nearest to `near`.
-    fn slide(&self, mut q: Vec<f64>, near: &[f64], bounded: bool) -> Vec<f64> {
+    fn slide(&self, mut q: Vec<f64>, near: &[f64], travel: Travel) -> Vec<f64> {
         for _ in 0..40 {
             let way: Vec<f64> =
                 near.iter().zip(&q).enumerate().map(|(j, (near, q))| (near - q) / self.unit(j)).collect();
@@ -306,7 +316,7 @@ impl<'a> Search<'a> {
             let before = self.distance(&q, near);
             let shorter = |half: i32| {
                 let share = (3.0 * ALONG / length).min(1.0) * 0.5f64.powi(half);
-                let next = self.attained(&self.moved(&q, still.as_slice(), share, bounded), bounded, RESOLUTION)?;
+                let next = self.attained(&self.moved(&q, still.as_slice(), share, travel), travel, RESOLUTION)?;
                 (self.distance(&next, near) < before).then_some(next)
             };
             match (0..6).filter(|_| length > SETTLED).find_map(shorter) {
@@ -322,7 +332,7 @@ impl<'a> Search<'a> {
         let (values, rows) = self.decompose(q);
         let leads = |row: &DVector<f64>| {
             [0.5 * ALONG, -0.5 * ALONG].iter().any(|&by| {
-                let there = self.attained(&self.moved(q, row.as_slice(), by, false), false, RESOLUTION);
+                let there = self.attained(&self.moved(q, row.as_slice(), by, Travel::Free), Travel::Free, RESOLUTION);
                 let moved = |there: Vec<f64>| {
                     there.iter().zip(q).enumerate().map(|(j, (a, b))| (a - b) / self.unit(j) * row[j]).sum::<f64>()
                 };
@@ -349,8 +359,8 @@ impl<'a> Search<'a> {
         for sign in [1.0, -1.0] {
             let (mut at, mut direction) = (q.to_vec(), along * sign);
             for k in 0..MOST_ALONG {
-                let next = self.moved(&at, direction.as_slice(), ALONG, false);
-                let Some(next) = self.attained(&next, false, RESOLUTION) else { break };
+                let next = self.moved(&at, direction.as_slice(), ALONG, Travel::Free);
+                let Some(next) = self.attained(&next, Travel::Free, RESOLUTION) else { break };
                 let still = self.still(&next, direction.as_slice());
                 if self.distance(&next, &at) < 0.25 * ALONG || still.norm() < 0.1 {
                     break;
@@ -396,7 +406,7 @@ impl<'a> Search<'a> {
         while starts < MOST_STARTS && without_new < WITHOUT_NEW {
             let start = if starts == 0 { near.to_vec() } else { self.draw(&mut noise, near) };
             (starts, without_new) = (starts + 1, without_new + 1);
-            let ended = self.attempt(&start, false, ATTAINED);
+            let ended = self.attempt(&start, Travel::Free, ATTAINED);
             let in_valley = !ended.is_attained && ended.size < SHALLOW;
             let mut found = if in_valley { self.in_new_valley(&ended.joints, &mut valleys) } else { Vec::new() };
             found.extend(ended.is_attained.then_some(ended.joints));
@@ -456,7 +466,7 @@ impl<'a> Search<'a> {
                 let across = &across * sign(&across, before.map(|b| &b.across));
                 return Some(Valley { joints: q, left: across.dot(&error), along, across });
             }
-            q = self.moved(&q, step.as_slice(), (LONGEST / step.amax()).min(1.0), false);
+            q = self.moved(&q, step.as_slice(), (LONGEST / step.amax()).min(1.0), Travel::Free);
         }
         None
     }
@@ -469,7 +479,7 @@ impl<'a> Search<'a> {
             let along = &bottom.along * sign;
             let mut at = Valley { along, joints: bottom.joints.clone(), across: bottom.across.clone(), ..*bottom };
             for k in 0..most {
-                let next = self.moved(&at.joints, at.along.as_slice(), ALONG, false);
+                let next = self.moved(&at.joints, at.along.as_slice(), ALONG, Travel::Free);
                 let Some(next) = self.valley(&next, Some(&at)) else { break };
                 if self.largest_difference(&next.joints, &at.joints) < 0.25 * ALONG {
                     break;
@@ -497,7 +507,7 @@ impl<'a> Search<'a> {
             let start: Vec<f64> = q[0].iter().zip(&q[1]).map(|(a, b)| a + share * (b - a)).collect();
             let middle = self.valley(&start, Some(a))?;
             if middle.left.abs() < 0.1 * ATTAINED || self.largest_difference(&q[0], &q[1]) < SETTLED {
-                return self.attained(&middle.joints, false, RESOLUTION);
+                return self.attained(&middle.joints, Travel::Free, RESOLUTION);
             }
             let side = usize::from(middle.left * ends[0] < 0.0);
             ends[side] = middle.left;
@@ -538,8 +548,8 @@ impl<'a> Search<'a> {
 
     /// Slides a solution to the nearest member of its family, inside the limits if possible.
     fn slide_within(&self, q: Vec<f64>, near: &[f64]) -> Vec<f64> {
-        let bounded = self.is_within(&q);
-        self.slide(q, near, bounded)
+        let travel = if self.is_within(&q) { Travel::Limited } else { Travel::Free };
+        self.slide(q, near, travel)
     }
 
     /// Permissible solution nearest to `near`.
@@ -596,7 +606,7 @@ impl<'a> Search<'a> {
             let start = match k {
                 // the mirror image of the solution about the start
                 0 => near.iter().zip(&best).map(|(near, q)| 2.0 * near - q).collect(),
-                _ => self.moved(near, &step, 1.0, false),
+                _ => self.moved(near, &step, 1.0, Travel::Free),
             };
             let others = self.closest(&start, near).into_iter().filter(|q| self.is_within(q));
             if let Some(other) = self.nearest_permissible(others, near).filter(|q| self.distance(q, near) < distance) {

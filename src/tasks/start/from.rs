@@ -161,8 +161,7 @@ impl RobotFiles {
     /// Line `controllers` of a campaign, below a comment with the formats for a controller of this
     /// robot.
     pub fn controllers_lines(&self, robot: Option<&dyn Robot>) -> String {
-        let has_urdf = self.files.iter().any(|(name, _)| Path::new(name).extension().is_some_and(|end| end == "urdf"));
-        let names = robot.map(|robot| etalon_controllers::names_for_controllers(robot, has_urdf).collect::<Vec<_>>());
+        let names = robot.map(|robot| etalon_controllers::names_for_controllers(robot).collect::<Vec<_>>());
         let formats = match names.as_deref() {
             None | Some([]) => String::new(),
             Some(names) => {
