@@ -57,10 +57,6 @@ fn campaign(scratch: &Scratch, table: &str) {
     scratch.replace("campaign.toml", "[limits]\ndistance_max_mm = 0.4\n", "");
 }
 
-fn document(scratch: &Scratch, name: &str) -> Value {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 fn rms(accuracy: &Value, when: &str) -> f64 {
     accuracy["sets"][1]["errors"][0][when]["rms"].as_f64().unwrap()
 }
@@ -86,7 +82,7 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
     campaign(&scratch, &table);
     let said = ends(&scratch, "run", 0, &["[placed-by-validation]: 60 targets ", ": `V0`, `V1`"]);
     assert!(!said.contains("[placed-by-validation-unjudged]") && !said.contains("another campaign"), "{said}");
-    let accuracy = document(&scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     // all that is left is noise: two readings place a target, and show half of their errors
     let expected = 3f64.sqrt() * U_MM;
     assert!((rms(&accuracy, "after") / expected - 1.0).abs() < 0.15, "{} {expected}", rms(&accuracy, "after"));
@@ -96,7 +92,7 @@ fn targets_of_validation_poses_are_placed_and_count_by_their_redundancy() {
         let r = p["redundancy"].as_f64().unwrap();
         assert!(p["readings"] == 2 && (r - 0.5).abs() < 1e-6 && p["is_assessed"] == true, "{p}");
     }
-    let parameters = document(&scratch, "parameters.json");
+    let parameters = scratch.json("parameters.json");
     let entries = parameters["parameters"].as_array().unwrap();
     let entry = |name: &str| entries.iter().find(|p| p["name"] == name).unwrap();
     let (v, s) = (entry("V7_x"), entry("S1_x"));
@@ -149,12 +145,12 @@ fn anchors_and_sockets_of_validation_poses_are_placed() {
     let what = ["[placed-by-validation-unjudged]: 3 fixtures ", ": `anchor_0`, `anchor_1`, `cup`"];
     let said = ends(&scratch, "run", 0, &what);
     assert!(!said.contains("another campaign"), "{said}");
-    let accuracy = document(&scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     assert!(said.contains("not judged: `anchor_1`"), "{said}\n{}", accuracy["placed_apart"]);
     // without places the errors are hundreds of millimetres
     assert!(rms(&accuracy, "after") < 3.0 * U_MM, "{}", rms(&accuracy, "after"));
     assert_eq!(accuracy["sets"][1]["count"], 15, "two distances do not place an anchor, and are not counted");
-    let parameters = document(&scratch, "parameters.json");
+    let parameters = scratch.json("parameters.json");
     let entries = parameters["parameters"].as_array().unwrap();
     for (axis, truth) in ["x", "y", "z"].iter().zip(places[0]) {
         let p = entries.iter().find(|p| p["name"] == format!("anchor_0_{axis}")).unwrap();

@@ -8,10 +8,6 @@ use etalon::simulate::Truth;
 
 const TABLE: &str = "observations.csv";
 
-fn parameters(scratch: &Scratch) -> ParametersDocument {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
-}
-
 /// Writes the table again with changed rows; `None` removes a row. Cells are in the order of the header.
 fn rewrite(scratch: &Scratch, change: impl Fn(&[&str], Vec<String>) -> Option<Vec<String>>) {
     let path = scratch.path().join(TABLE);
@@ -45,7 +41,7 @@ fn left_alone() -> Scratch {
 fn two_hands_give_the_truth_and_determine_the_torso_better_than_one() {
     let both = copy_sample("two-hands");
     ends(&both, "run", 0, &[]);
-    let both_parameters = parameters(&both);
+    let both_parameters = both.parameters();
     let truth = Truth::read(&both.path().join("truth.toml")).unwrap();
     // deviations from the truth, in standard uncertainties
     let true_value = |name: &str, nominal: f64| truth.parameters.get(name).copied().unwrap_or(nominal);
@@ -67,7 +63,7 @@ fn two_hands_give_the_truth_and_determine_the_torso_better_than_one() {
 
     let left = left_alone();
     ends(&left, "run", 0, &[]);
-    let left_parameters = parameters(&left);
+    let left_parameters = left.parameters();
     let u = |all: &ParametersDocument, name: &str| {
         let p = all.parameters.iter().find(|p| p.name == name).unwrap();
         assert_eq!(p.status, ParameterStatus::Identified, "{name}");

@@ -7,10 +7,6 @@ const STATED: &str = "\n[expansion]\nexpanded_temperature_uncertainty_c = 1.0\nc
     [homing]\nexpanded_uncertainty_um = 10\ncoverage_factor = 2\n";
 const FACTOR: &str = "coverage_factor = 2\n";
 
-fn document<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
-    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 /// The CMM sample with more in `[instrument]` and at its end.
 fn with(instrument: &str, end: &str) -> Scratch {
     let scratch = copy_sample("prexyt-cmm");
@@ -24,7 +20,7 @@ fn with(instrument: &str, end: &str) -> Scratch {
 fn contributions_add_up_to_the_uncertainty_of_every_parameter() {
     let scratch = with("expanded_scale_uncertainty_um_per_m = 3", STATED);
     ends(&scratch, "run", 0, &[]);
-    let found: ParametersDocument = document(&scratch, "parameters.json");
+    let found: ParametersDocument = scratch.document("parameters.json");
     let sources: Vec<UncertaintySource> = found.budget.iter().map(|b| b.source).collect();
     use UncertaintySource::{Frame, Homing, Instrument, Scale, Temperature};
     for source in [Instrument, Frame, Scale, Temperature, Homing] {
@@ -43,7 +39,7 @@ fn contributions_add_up_to_the_uncertainty_of_every_parameter() {
     for (name, expected) in [("y_o", 0.005), ("d3", 0.005 * 2f64.sqrt()), ("d", 0.005), ("beta", 0.0)] {
         assert!((of(Homing, name) - expected).abs() < 2e-5, "{name}: {}", of(Homing, name));
     }
-    let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
+    let accuracy: AccuracyDocument = scratch.document("accuracy.json");
     for figure in &accuracy.budget {
         let sum: f64 = figure.contributions.iter().map(|c| c.standard_uncertainty_mm.powi(2)).sum();
         assert!((sum.sqrt() / figure.standard_uncertainty_mm - 1.0).abs() < 1e-9);
@@ -53,7 +49,7 @@ fn contributions_add_up_to_the_uncertainty_of_every_parameter() {
     // nothing of it changes a value
     let plain = copy_sample("prexyt-cmm");
     ends(&plain, "run", 0, &[]);
-    let before: ParametersDocument = document(&plain, "parameters.json");
+    let before: ParametersDocument = plain.document("parameters.json");
     for (a, b) in found.parameters.iter().zip(&before.parameters) {
         assert_eq!(a.value, b.value, "{}", a.name);
         assert!(a.standard_uncertainty >= b.standard_uncertainty, "{}", a.name);

@@ -2,7 +2,6 @@
 //! out of the identification (synthetic).
 
 use crate::support::said::Says;
-use crate::support::samples::Ran;
 use crate::support::scratch::{Scratch, copy_sample, ends, etalon};
 use etalon::base::phrase;
 use serde_json::Value;
@@ -35,12 +34,8 @@ const TILTS: [(&str, f64); 6] = [
     ("pedestal_y", 0.13),
 ];
 
-fn document(scratch: &Scratch, name: &str) -> Value {
-    Ran { name: String::new(), folder: scratch.path() }.document(name)
-}
-
-fn parameter(scratch: &Scratch, name: &str) -> Value {
-    let all = document(scratch, "parameters.json");
+pub(super) fn parameter(scratch: &Scratch, name: &str) -> Value {
+    let all = scratch.json("parameters.json");
     let found = all["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).cloned();
     found.unwrap_or_else(|| panic!("{name}"))
 }
@@ -50,14 +45,14 @@ fn value(scratch: &Scratch, name: &str) -> f64 {
 }
 
 /// RMS position error of the validation poses after calibration, mm.
-fn rms_mm(scratch: &Scratch) -> f64 {
-    let accuracy = document(scratch, "accuracy.json");
+pub(super) fn rms_mm(scratch: &Scratch) -> f64 {
+    let accuracy = scratch.json("accuracy.json");
     accuracy["sets"].as_array().unwrap().last().unwrap()["errors"][0]["after"]["rms"].as_f64().unwrap()
 }
 
 /// `true` if an effect that is, or is not, identified is proven.
 fn is_proven(scratch: &Scratch, effect: &str, is_identified: bool) -> bool {
-    let accuracy = document(scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     let effects = accuracy["effects"].as_array().cloned().unwrap_or_default();
     effects.iter().any(|e| e["effect"] == effect && e["is_identified"] == is_identified)
 }

@@ -37,9 +37,7 @@ fn bending_that_robot_toml_does_not_describe_is_named_with_the_line_to_add() {
         0,
         &["[effect-would-prove] effect=bending joints=q2, q3", "add `bending = [2, 3]` to robot.toml"],
     );
-    let accuracy = || -> Value {
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
-    };
+    let accuracy = || -> Value { scratch.document("accuracy.json") };
     let effects = accuracy()["effects"].clone();
     let bending = effects.as_array().unwrap().iter().find(|e| e["effect"] == "bending").unwrap().clone();
     let [without, with] = ["without_mm", "with_mm"].map(|key| bending[key].as_f64().unwrap());
@@ -64,9 +62,7 @@ fn harmonics_that_robot_toml_does_not_describe_are_named_alone() {
     let named = ["[effect-would-prove] effect=harmonics joints=q1, q4", "add `harmonics = [1, 4]` to robot.toml"];
     let said = ends(&scratch, "run", 0, &named);
     assert_eq!(said.matches("[effect-would-prove]").count(), 1, "{said}");
-    let accuracy = || -> Value {
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
-    };
+    let accuracy = || -> Value { scratch.document("accuracy.json") };
     let promised =
         accuracy()["effects"].as_array().unwrap().iter().find(|e| e["effect"] == "harmonics").unwrap()["with_mm"]
             .as_f64()

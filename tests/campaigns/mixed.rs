@@ -387,9 +387,7 @@ fn joints_and_points_of_an_arm_need_neither_log_nor_join() {
         std::fs::write(at.join("c/campaign.toml"), text).unwrap();
         program(&["run", "c"])
     };
-    let found = || -> ParametersDocument {
-        serde_json::from_slice(&std::fs::read(at.join("c/out/parameters.json")).unwrap()).unwrap()
-    };
+    let found = || -> ParametersDocument { crate::support::document(&at.join("c/out/parameters.json")) };
     let rms = || found().residuals.rms;
 
     let (code, said) = run(&export("a.csv", 1, "LR", ""));

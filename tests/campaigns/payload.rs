@@ -1,26 +1,9 @@
 //! Loads that differ from reading to reading: compliance of joints, accepted on poses left out of the identification (synthetic).
 
-use crate::support::samples::Ran;
+use super::circumstances::{parameter, rms_mm};
 use crate::support::scratch::{Scratch, copy_sample, ends};
-use serde_json::Value;
 
 const SAMPLE: &str = "payload-arm";
-
-fn document(scratch: &Scratch, name: &str) -> Value {
-    Ran { name: SAMPLE.to_owned(), folder: scratch.path() }.document(name)
-}
-
-fn parameter(scratch: &Scratch, name: &str) -> Value {
-    let all = document(scratch, "parameters.json");
-    let found = all["parameters"].as_array().unwrap().iter().find(|p| p["name"] == name).cloned();
-    found.unwrap_or_else(|| panic!("{name}"))
-}
-
-/// RMS position error of the validation poses after calibration, mm.
-fn rms_mm(scratch: &Scratch) -> f64 {
-    let accuracy = document(scratch, "accuracy.json");
-    accuracy["sets"].as_array().unwrap().last().unwrap()["errors"][0]["after"]["rms"].as_f64().unwrap()
-}
 
 /// Cells of a column of the observations, changed.
 fn change(scratch: &Scratch, column: &str, of: impl Fn(usize, f64) -> String) {
@@ -45,7 +28,7 @@ fn stated() -> Scratch {
 }
 
 fn is_identified(scratch: &Scratch) -> bool {
-    let accuracy = document(scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     let effects = accuracy["effects"].as_array().cloned().unwrap_or_default();
     effects.iter().any(|e| e["effect"] == "payload" && e["is_identified"] == true)
 }
@@ -68,7 +51,7 @@ fn loads_by_reading_are_identified_where_left_out_poses_prove_them() {
     let without = rms_mm(&scratch);
     assert!(!is_identified(&scratch) && parameter(&scratch, "compliance_2_load")["status"] == "fixed", "{said}");
     assert!(without > 1.8 * with && with < 0.06, "{without} {with}");
-    let accuracy = document(&scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     let effects = accuracy["effects"].as_array().unwrap();
     assert!(effects.iter().any(|e| e["effect"] == "payload" && e["is_identified"] == false), "{effects:?}");
 }

@@ -2,12 +2,7 @@
 
 use super::apart::{Arm, cells};
 use crate::support::said::Says;
-use crate::support::scratch::{Scratch, copy_sample, ends, etalon};
-use serde_json::Value;
-
-fn frames(scratch: &Scratch) -> Value {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out/frames.json")).unwrap()).unwrap()
-}
+use crate::support::scratch::{copy_sample, ends, etalon};
 
 /// Points of the world frame of the CMM sample: means of five readings, rounded to a tenth of a millimetre.
 const NOMINAL: &str = "nominal_mm = { rail2_a = [323.3, 108.8, 95.3], rail2_b = [298.7, 488.0, 96.7], rail3_a = [722.1, 325.0, 96.9], R_home = [312.6, 148.1, 126.4] }\ntolerance_mm = 0.2\n";
@@ -16,14 +11,14 @@ const NOMINAL: &str = "nominal_mm = { rail2_a = [323.3, 108.8, 95.3], rail2_b = 
 fn points_of_a_frame_without_redundancy_are_listed_and_nominal_places_control_them() {
     let scratch = copy_sample("prexyt-cmm");
     ends(&scratch, "run", 0, &[]);
-    let open = &frames(&scratch)["not_controlled"][0];
+    let open = &scratch.json("frames.json")["not_controlled"][0];
     assert_eq!(open["points"], serde_json::json!(["rail2_a", "rail2_b", "rail3_a", "R_home", "R_end"]));
     assert!(open["keys"][0].as_str().unwrap().contains("nominal_mm"), "{open}");
     let page = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     assert!(page.has_phrase("not-controlled-by-the-data") && page.contains("[frame.world] nominal_mm"));
     scratch.replace("campaign.toml", "towards = \"rail3_a\"\n", &format!("towards = \"rail3_a\"\n{NOMINAL}"));
     ends(&scratch, "run", 0, &[]);
-    assert_eq!(frames(&scratch)["not_controlled"][0]["points"], serde_json::json!(["R_end"]));
+    assert_eq!(scratch.json("frames.json")["not_controlled"][0]["points"], serde_json::json!(["R_end"]));
     // the ball at the origin is 20 mm off in each of its readings
     let world = scratch.path().join("exports/world.txt");
     let text = std::fs::read_to_string(&world).unwrap();
@@ -107,7 +102,7 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
         std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
         let (_, said) = etalon(&scratch, "run");
         assert!(!said.contains("robot.toml states"), "without a nominal base nothing can be said: {said}");
-        let open = &frames(&scratch)["not_controlled"];
+        let open = &scratch.json("frames.json")["not_controlled"];
         let all = open.as_array().unwrap();
         assert!(all.iter().any(|row| row["keys"][0].as_str().unwrap().contains("[nominal] base_x")), "{open}");
         let robot = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
@@ -118,7 +113,7 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
             None => assert!(!said.contains("robot.toml states"), "{said}"),
         }
         // only the scale is open, as the instrument states no uncertainty of it
-        let open = &frames(&scratch)["not_controlled"];
+        let open = &scratch.json("frames.json")["not_controlled"];
         assert!(open.as_array().unwrap().iter().all(|row| row["what_phrase"]["id"] == "unshown-scale"), "{open}");
     }
 }

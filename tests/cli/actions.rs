@@ -58,8 +58,7 @@ fn the_steps_of_a_failed_calibration_run() {
     let scratch = copy_sample("prexyt-cmm");
     scratch.replace("campaign.toml", "position_max_mm = 0.044", "position_max_mm = 0.001");
     ends(&scratch, "run", 1, &[]);
-    let verdict: Value =
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/verdict.json")).unwrap()).unwrap();
+    let verdict: Value = scratch.document("verdict.json");
     let actions = verdict["actions"].as_array().unwrap();
     assert!(actions.iter().all(|a| a["action"] != "load"), "{actions:#?}");
     assert!(actions.iter().any(|a| a["action"] == "meet_limit"), "{actions:#?}");
@@ -102,7 +101,7 @@ fn commands_warn_of_parameters_whose_validity_has_passed() {
     scratch.replace("campaign.toml", name, &format!("{name}\ndate = \"2026-03-31\"\nvalid_for_months = 11"));
     ends(&scratch, "run", 0, &[]);
     let out = scratch.path().join("out");
-    let parameters: Value = serde_json::from_slice(&std::fs::read(out.join("parameters.json")).unwrap()).unwrap();
+    let parameters: Value = crate::support::document(&out.join("parameters.json"));
     assert_eq!(parameters["valid_until"], "2027-02-28");
     // seconds of 2027-02-28 and 2027-03-01, both at noon (`date -u -d`)
     let exported = |seconds: &str| {

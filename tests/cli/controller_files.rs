@@ -82,7 +82,7 @@ fn twin(arm: &Arm) -> Twin {
 }
 
 fn json(folder: &Path, name: &str) -> Value {
-    serde_json::from_slice(&std::fs::read(folder.join("out").join(name)).unwrap()).unwrap()
+    crate::support::document(&folder.join("out").join(name))
 }
 
 /// Values of the robot's parameters (mm, rad, 1) in a list of a document.

@@ -24,7 +24,7 @@ fn run(sample: &str) -> Scratch {
 }
 
 fn document(folder: &Path, name: &str) -> Value {
-    serde_json::from_slice(&std::fs::read(folder.join("out").join(name)).unwrap()).unwrap()
+    crate::support::document(&folder.join("out").join(name))
 }
 
 #[test]

@@ -8,10 +8,6 @@ use calamine::Data;
 use etalon::documents::{Conformity, Iso9283ComplianceDocument, Iso9283Document, Iso9283Drift, Iso9283Pose};
 use std::fmt::Write;
 
-fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 fn ran(scratch: &Scratch) -> String {
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert!(done.status.success(), "{}", text_of(&done));
@@ -27,7 +23,7 @@ fn answered<T: serde::de::DeserializeOwned>(scratch: &Scratch, arguments: &[&str
 fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     let scratch = copy_sample("pose-test");
     let shown = ran(&scratch);
-    let of_campaign: Iso9283Document = read(&scratch, "iso9283.json");
+    let of_campaign: Iso9283Document = scratch.document("iso9283.json");
     let tables = ["poses.csv", "--commanded", "commanded.csv", "--reference", "reference.csv"];
     let stated = ["--rotation-order", "Rz(c) Ry(b) Rx(a)", "--drift-set", "5", "--expanded-uncertainty-um", "10"];
     let limits = ["--ap-limit-mm", "0.4", "--rp-limit-mm", "0.1", "--all"];
@@ -36,7 +32,7 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert!(of_campaign.distances.len() == 10 && of_campaign.distances == of_command.distances);
     assert!(of_campaign.drifts.len() == 5 && of_campaign.drifts == of_command.drifts);
     assert!(of_campaign.reference.len() == 3 && of_campaign.reference == of_command.reference);
-    let loads: Iso9283ComplianceDocument = read(&scratch, "iso9283-compliance.json");
+    let loads: Iso9283ComplianceDocument = scratch.document("iso9283-compliance.json");
     assert_eq!(loads, answered(&scratch, &["--compliance", "loads.csv"]));
     assert!(judged(&shown, "largest pose accuracy", "pass"), "{shown}");
     assert!(rows(&shown).iter().any(|row| row.starts_with("+x 1.83 ")), "{shown}");
@@ -61,7 +57,7 @@ fn a_test_of_poses_needs_no_robot_and_no_name() {
     let shown = ran(&without);
     let title = shown.lines().next().unwrap();
     assert_eq!(title, "Test of six axes, rated load 3 kg (invented), 2026-03-02");
-    let [one, other]: [Iso9283Document; 2] = [&with, &without].map(|scratch| read(scratch, "iso9283.json"));
+    let [one, other]: [Iso9283Document; 2] = [&with, &without].map(|scratch| scratch.document("iso9283.json"));
     assert_eq!(one, other);
     // an identification does need it
     let calibrated = copy_sample("prexyt-cmm");
@@ -105,7 +101,7 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
             assert!(said.says(part), "{part}: {said}");
         }
     }
-    let found: Iso9283Document = read(&scratch, "iso9283.json");
+    let found: Iso9283Document = scratch.document("iso9283.json");
     let mut book = workbook(&scratch);
     let mut numbers = |sheet: &str, title: &str| -> Vec<f64> {
         column(&mut book, sheet, title).iter().map(|c| calamine::DataType::as_f64(c).unwrap()).collect()
@@ -158,7 +154,7 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
         scratch.replace("campaign.toml", "homing = ", "commanded = \"positions.csv\"\ndrift_set = 10\nhoming = ");
         scratch.replace("campaign.toml", "[limits]", "[limits]\naccuracy_max_mm = 500");
         let shown = ran(&scratch);
-        let found: Iso9283Document = read(&scratch, "iso9283.json");
+        let found: Iso9283Document = scratch.document("iso9283.json");
         as_tables(&scratch, &found, axes);
         let same: Iso9283Document = answered(
             &scratch,
@@ -384,7 +380,7 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             let name = key.split(' ').next().unwrap();
             scratch.replace("campaign.toml", key, &format!("{name} = {limit_mm}"));
             let run = etalon(scratch.root(), &["run", "campaign"]);
-            let found: Iso9283Document = read(&scratch, "iso9283.json");
+            let found: Iso9283Document = scratch.document("iso9283.json");
             if sample == "prexyt-repeatability" {
                 as_tables(&scratch, &found, &[0, 1, 2]);
                 let rows = (1..=5).map(|pose| format!("{pose},0,0,0\n")).collect::<String>();

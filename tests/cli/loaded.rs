@@ -7,7 +7,6 @@ use etalon::documents::{
     Acceptance, ActionKind, CampaignSummary, ControllersDocument, LoadAnswer, LoadingCheck, VerdictDocument,
 };
 use etalon::run::pipeline::evaluate;
-use serde::de::DeserializeOwned;
 use std::collections::BTreeMap;
 
 /// Zeros of joints alone, as ABB, KUKA and FANUC take them.
@@ -21,12 +20,8 @@ fn arm() -> Scratch {
     scratch
 }
 
-fn document<T: DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
-    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 fn check_of(scratch: &Scratch) -> LoadingCheck {
-    let campaign: CampaignSummary = document(scratch, "campaign.json");
+    let campaign: CampaignSummary = scratch.document("campaign.json");
     campaign.controller_files.into_iter().find(|file| file.file == "zeros.ini").unwrap().check.unwrap()
 }
 
@@ -35,8 +30,8 @@ fn check_of(scratch: &Scratch) -> LoadingCheck {
 fn a_file_of_zeros_is_judged_by_its_own_errors() {
     let scratch = arm();
     ends(&scratch, "run", 1, &[]);
-    let verdict: VerdictDocument = document(&scratch, "verdict.json");
-    let controllers: ControllersDocument = document(&scratch, "controllers.json");
+    let verdict: VerdictDocument = scratch.document("verdict.json");
+    let controllers: ControllersDocument = scratch.document("controllers.json");
     let written = controllers.files[0].deciding().unwrap().written;
     assert_eq!((verdict.verdict, verdict.judged_file.as_deref()), (Some(Acceptance::Fail), Some("zeros.ini")));
     assert_eq!(verdict.limits[0].value, Some(written.max_mm));
@@ -48,7 +43,7 @@ fn a_file_of_zeros_is_judged_by_its_own_errors() {
     // the same robot with all parameters
     scratch.replace("campaign.toml", "[\"json\", \"zeros.ini.j2\"]", "[\"json\"]");
     ends(&scratch, "run", 0, &[]);
-    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let verdict: VerdictDocument = scratch.document("verdict.json");
     assert!(verdict.judged_file.is_none() && verdict.limits[0].value.unwrap() < 0.4, "{verdict:?}");
 }
 
@@ -115,8 +110,8 @@ fn the_display_after_loading_is_that_of_the_file() {
 fn a_robot_with_loaded_zeros_is_verified_by_its_new_joint_values() {
     let scratch = arm();
     ends(&scratch, "run", 1, &[]);
-    let controllers: ControllersDocument = document(&scratch, "controllers.json");
-    let parameters: etalon::documents::ParametersDocument = document(&scratch, "parameters.json");
+    let controllers: ControllersDocument = scratch.document("controllers.json");
+    let parameters: etalon::documents::ParametersDocument = scratch.document("parameters.json");
     let change: BTreeMap<String, f64> = controllers.files[0]
         .values
         .iter()
@@ -213,7 +208,7 @@ fn warnings_are_in_the_language_of_the_report() {
             &format!("[report]\nlanguage = \"{language}\"\n\n[instrument]"),
         );
         let run = etalon(scratch.root(), &["run", "campaign"]);
-        let parameters: etalon::documents::ParametersDocument = document(&scratch, "parameters.json");
+        let parameters: etalon::documents::ParametersDocument = scratch.document("parameters.json");
         let shown = text_of(&run);
         let message = &parameters.messages[0];
         assert!(shown.contains(&message.in_language(language).what), "{language}: {shown}");

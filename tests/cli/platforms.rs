@@ -34,9 +34,7 @@ fn samples_of_platforms_are_calibrated() {
         ends(&scratch, "simulate", 0, &[]);
         assert_eq!(std::fs::read(scratch.path().join("exports/poses.txt")).unwrap(), before, "{name}");
         ends(&scratch, "run", 0, &[]);
-        let read = |file: &str| -> serde_json::Value {
-            serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(file)).unwrap()).unwrap()
-        };
+        let read = |file: &str| -> serde_json::Value { scratch.document(file) };
         let parameters = read("parameters.json");
         let held = parameters["parameters"].as_array().unwrap().iter();
         assert_eq!(held.filter(|p| p["status"] == "not_identifiable").count(), 12, "{name}");

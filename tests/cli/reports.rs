@@ -177,7 +177,7 @@ fn doubtful_numbers_are_found() {
 #[test]
 fn before_has_one_meaning_in_a_report() {
     let scratch = ran("prexyt-cmm");
-    let accuracy = document(&scratch, "accuracy.json");
+    let accuracy = scratch.json("accuracy.json");
     let set = &accuracy["sets"][1];
     let before_mm = set["errors"][0]["before"]["max"].as_f64().unwrap();
     let mut book = workbook(&scratch);
@@ -213,10 +213,6 @@ fn before_has_one_meaning_in_a_report() {
     assert!(!page.contains("Tool point: error before"));
 }
 
-fn document(scratch: &Scratch, name: &str) -> Value {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 #[cfg(feature = "pdf")]
 mod pdf {
     use super::*;
@@ -231,7 +227,7 @@ mod pdf {
         for page in 1..=pages.parse::<usize>().unwrap() {
             assert!(words.contains(&format!("page {page} of {pages}")), "{page} of {pages}");
         }
-        let inputs = document(&scratch, "parameters.json");
+        let inputs = scratch.json("parameters.json");
         let checksum = inputs["provenance"]["inputs"]["encoders.csv"].as_str().unwrap();
         for part in [
             "PreXYT, CMM (synthetic)",
@@ -395,7 +391,7 @@ fn all(values: &Value, key: &str) -> Vec<Value> {
 #[test]
 fn the_workbook_holds_every_number_of_a_calibration() {
     let scratch = ran("prexyt-cmm");
-    let (parameters, accuracy) = (document(&scratch, "parameters.json"), document(&scratch, "accuracy.json"));
+    let (parameters, accuracy) = (scratch.json("parameters.json"), scratch.json("accuracy.json"));
     let mut book = workbook(&scratch);
     let list = &parameters["parameters"];
     for (title, key) in [
@@ -427,9 +423,9 @@ fn the_workbook_holds_every_number_of_a_calibration() {
     let inputs = &parameters["provenance"]["inputs"];
     let checksums: Vec<Value> = inputs.as_object().unwrap().values().cloned().collect();
     same(&column(&mut book, "Inputs", "SHA-256"), &checksums);
-    let features = document(&scratch, "features.json");
+    let features = scratch.json("features.json");
     same(&column(&mut book, "Features", "point x [mm]"), &all(&features["features"], "/point_mm/0"));
-    let frames = document(&scratch, "frames.json");
+    let frames = scratch.json("frames.json");
     let axis = all(&frames["world"]["poses"], "/export_T_world/rotation/1/0");
     same(&column(&mut book, "Frames", "x axis, y"), &axis);
     // every residual, and their largest by pose
@@ -446,7 +442,7 @@ fn the_workbook_holds_every_number_of_a_calibration() {
 #[test]
 fn the_workbook_holds_every_characteristic_of_a_test() {
     let scratch = ran("prexyt-repeatability");
-    let found = document(&scratch, "iso9283.json");
+    let found = scratch.json("iso9283.json");
     let mut book = workbook(&scratch);
     let mut poses = found["poses"].as_array().unwrap().clone();
     poses.push(found["homing"].clone());
@@ -458,7 +454,7 @@ fn the_workbook_holds_every_characteristic_of_a_test() {
     same(&column(&mut book, "ISO 9283 variation", "vAP [mm]"), &all(&found["approaches"], "/vap_mm"));
     same(&column(&mut book, "ISO 9283 visits", "z [mm]"), &all(&found["visits"], "/attained_mm/2"));
     same(&column(&mut book, "ISO 9283 visits", "approached"), &all(&found["visits"], "/approach"));
-    let recorded = document(&scratch, "iso9283-streams.json");
+    let recorded = scratch.json("iso9283-streams.json");
     same(&column(&mut book, "Streams", "duration [s]"), &all(&recorded["streams"], "/stream/duration_s"));
     let stood = all(&recorded["streams"], "/stream/standstills");
     let noise: Vec<Value> = stood.iter().flat_map(|s| all(s, "/noise_mm")).collect();

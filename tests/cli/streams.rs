@@ -2,12 +2,8 @@
 
 use super::{etalon, rows, text, text_of};
 use crate::support::said::Says;
-use crate::support::scratch::{Scratch, copy_sample};
+use crate::support::scratch::copy_sample;
 use etalon::documents::{ImportDocument, Iso9283StreamsDocument};
-
-fn read<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
 
 #[test]
 fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
@@ -19,7 +15,7 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
         assert!(shown.contains(part), "{part}: {shown}");
     }
     assert!(rows(&shown).iter().any(|row| row.starts_with("1 2 10 223.607 1.81")), "posing time: {shown}");
-    let document: Iso9283StreamsDocument = read(&scratch, "iso9283-streams.json");
+    let document: Iso9283StreamsDocument = scratch.document("iso9283-streams.json");
     let stream = &document.streams[0].stream;
     let path = stream.path.as_ref().unwrap();
     // the path is off by the rounded corner and a wave of 30 µm; passes scatter by 6 µm
@@ -34,7 +30,7 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     assert!(stream.settling.iter().all(|s| (0.1..0.25).contains(&s.stabilisation_s)), "{:?}", stream.settling);
     let shown: Vec<i64> = stream.arrivals.iter().map(|a| a.pose.number().unwrap()).collect();
     assert_eq!(shown.iter().filter(|p| **p == 2).count(), 3);
-    let import: ImportDocument = read(&scratch, "import.json");
+    let import: ImportDocument = scratch.document("import.json");
     let sources: Vec<&str> =
         import.sources.iter().filter(|s| s.kind.name() == "stream").map(|s| s.file.as_str()).collect();
     assert_eq!(sources, ["exports/motion.csv", "commanded.csv", "path.csv"]);
@@ -67,7 +63,7 @@ fn a_weave_in_a_campaign_tells_what_the_command_tells() {
     );
     let done = etalon(scratch.root(), &["run", "campaign"]);
     assert!(done.status.success(), "{}", text_of(&done));
-    let document: Iso9283StreamsDocument = read(&scratch, "iso9283-streams.json");
+    let document: Iso9283StreamsDocument = scratch.document("iso9283-streams.json");
     let weave = document.streams[0].stream.weaving.as_ref().unwrap();
     assert!((weave.stroke_mm - 5.0).abs() < 2e-3 && (weave.frequency_hz - 3.0).abs() < 5e-3, "{weave:?}");
     assert!((weave.ws_percent - 25.0).abs() < 0.1 && (weave.wf_percent - 20.0).abs() < 0.2, "{weave:?}");

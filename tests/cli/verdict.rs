@@ -35,7 +35,7 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         let sentence = shown.lines().find(|line| line.starts_with("Largest position error at")).unwrap();
         assert!(sentence.contains(&format!("limit 44 µm: {verdict}")), "{um} {rule}: {sentence}");
         assert_eq!(sentence.contains("risk of false acceptance"), verdict == "conditional", "{sentence}");
-        let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
+        let accuracy: AccuracyDocument = scratch.document("accuracy.json");
         let limit = &accuracy.limits[0];
         let u = limit.expanded_uncertainty.unwrap();
         // Limits and budget have one uncertainty
@@ -45,7 +45,7 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         // the centre of two balls is known better than one ball, and not better than their mean
         let of_coordinate = 1e-3 * um.parse::<f64>().unwrap();
         assert!((0.7 * of_coordinate..1.5 * of_coordinate).contains(&u), "{um}: {u}");
-        let judged: VerdictDocument = document(&scratch, "verdict.json");
+        let judged: VerdictDocument = scratch.document("verdict.json");
         let expected = [("pass", Acceptance::Pass), ("conditional", Acceptance::Conditional)];
         let expected = expected.iter().find(|e| e.0 == verdict).map_or(Acceptance::Undecided, |e| e.1);
         assert_eq!((judged.verdict, i32::from(judged.exit_code)), (Some(expected), code), "{um} {rule}");
@@ -80,10 +80,6 @@ fn every_output_has_the_same_sentence() {
     }
 }
 
-fn document<T: serde::de::DeserializeOwned>(scratch: &Scratch, name: &str) -> T {
-    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out").join(name)).unwrap()).unwrap()
-}
-
 /// A length between two points says nothing of a position, and has the uncertainty of a length.
 #[test]
 fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
@@ -95,7 +91,7 @@ fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
         let scratch = copy_sample(sample);
         let run = etalon(scratch.root(), &["run", "campaign"]);
         assert_eq!(run.status.code(), Some(0), "{sample}: {}", text_of(&run));
-        let accuracy: AccuracyDocument = document(&scratch, "accuracy.json");
+        let accuracy: AccuracyDocument = scratch.document("accuracy.json");
         let set = accuracy.sets.last().unwrap();
         assert!(
             set.error_statistics(ErrorQuantity::Position).is_none() && set.error_statistics(quantity).is_some(),
@@ -110,7 +106,7 @@ fn each_kind_of_observation_has_its_own_error_uncertainty_and_limit() {
         let run = etalon(scratch.root(), &["run", "campaign"]);
         assert_eq!(run.status.code(), Some(1), "{sample}: {}", text_of(&run));
         assert!(text(&run.stdout).contains("Not assessable"), "{sample}: {}", text(&run.stdout));
-        let verdict: VerdictDocument = document(&scratch, "verdict.json");
+        let verdict: VerdictDocument = scratch.document("verdict.json");
         assert_eq!(verdict.verdict, Some(Acceptance::Undecided), "{sample}");
         assert_eq!(verdict.reasons, [Reason::NotAssessable { limit: LimitQuantity::PositionMaxMm }], "{sample}");
     }
@@ -122,7 +118,7 @@ fn preconditions_of_iso_9283_are_reservations_of_the_verdict() {
     let scratch = copy_sample("pose-test");
     let run = etalon(scratch.root(), &["run", "campaign"]);
     assert_eq!(run.status.code(), Some(0), "{}", text_of(&run));
-    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let verdict: VerdictDocument = scratch.document("verdict.json");
     assert_eq!(verdict.verdict, Some(Acceptance::Conditional));
     let coarse = Reason::InstrumentTooCoarse { poses: [1, 2, 3, 4].map(Into::into).to_vec() };
     assert!(verdict.reasons.contains(&coarse) && verdict.reasons.contains(&Reason::NoWarmUp), "{verdict:?}");
@@ -136,7 +132,7 @@ fn preconditions_of_iso_9283_are_reservations_of_the_verdict() {
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 10", "expanded_uncertainty_um = 1");
     scratch.replace("campaign.toml", "drift_set = 5 ", "# drift_set = 5");
     let run = etalon(scratch.root(), &["run", "campaign"]);
-    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let verdict: VerdictDocument = scratch.document("verdict.json");
     assert_eq!((run.status.code(), verdict.verdict), (Some(0), Some(Acceptance::Pass)), "{verdict:?}");
 }
 

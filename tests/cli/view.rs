@@ -525,8 +525,7 @@ fn a_run_from_the_page_is_the_run_of_the_command() {
         }
         assert!(begun.elapsed() < PATIENCE, "{}", state["messages"]);
     };
-    let verdict: Value =
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/verdict.json")).unwrap()).unwrap();
+    let verdict: Value = scratch.document("verdict.json");
     assert_eq!(state["verdict"]["status"], verdict["verdict"]);
     let report = page.get(&format!("/api/download?name=report.html&token={}", page.token));
     assert_eq!(report.body, std::fs::read(scratch.path().join("out/report.html")).unwrap());

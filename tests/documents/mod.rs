@@ -58,7 +58,7 @@ fn stored_folders_are_read() {
         ["then", "again"].iter().for_each(|name| copy(&stored, &root.join(name)));
         etalon(root, &["report", "then"]);
         let report = std::fs::read_to_string(root.join("then/report.html")).unwrap();
-        let campaign: Value = serde_json::from_slice(&std::fs::read(stored.join("campaign.json")).unwrap()).unwrap();
+        let campaign: Value = crate::support::document(&stored.join("campaign.json"));
         assert!(report.contains(campaign["name"].as_str().unwrap()), "{}", stored.display());
         etalon(root, &["compare", "again", "then"]);
         if !stored.join("parameters.json").is_file() {

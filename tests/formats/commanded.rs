@@ -1,15 +1,8 @@
 //! Commanded coordinates are refused as measurements, by name, and measured ones of a good robot are not.
 
+use super::program;
 use etalon::base::noise::Noise;
 use std::fmt::Write;
-use std::path::Path;
-
-fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output =
-        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout) + &text(output.stderr))
-}
 
 #[test]
 fn coordinates_that_the_nominal_robot_computes_are_no_measurements() {

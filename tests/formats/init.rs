@@ -1,5 +1,6 @@
 //! `etalon init --from`: a stranger's files become a campaign that runs, after the questions that `check` lists.
 
+use super::program;
 use super::recordings::{Cdr, JOINTS, recording};
 use crate::support::root;
 use crate::support::said::Says;
@@ -8,13 +9,6 @@ use etalon::base::pose::Pose;
 use etalon::documents::ParametersDocument;
 use std::fmt::Write;
 use std::path::Path;
-
-pub(super) fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output =
-        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout) + &text(output.stderr))
-}
 
 /// Joint values (rad), the place of a reflector and the orientation of its body of a UR5e with small errors.
 pub(super) fn measured(at: &Path, count: usize) -> Vec<(Vec<f64>, [f64; 3], [f64; 4])> {
@@ -75,7 +69,7 @@ pub(super) fn answer(at: &Path, answers: &[(&str, &str)]) -> Vec<String> {
 pub(super) fn found(at: &Path) -> ParametersDocument {
     let (code, said) = program(at, &["run", "mine"]);
     assert_eq!(code, Some(0), "{said}");
-    serde_json::from_slice(&std::fs::read(at.join("mine/out/parameters.json")).unwrap()).unwrap()
+    crate::support::document(&at.join("mine/out/parameters.json"))
 }
 
 /// Values of the true errors, within what a calibration of forty poses determines.

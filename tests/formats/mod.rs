@@ -21,6 +21,14 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+/// Exit code and output, stdout before stderr, of the program in a folder.
+fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
+    let output =
+        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout) + &text(output.stderr))
+}
+
 #[derive(Deserialize)]
 struct Corpus {
     file: Vec<Right>,

@@ -1,5 +1,6 @@
 //! `etalon formats --robot`: the nominal kinematics test the proposal. All data are synthetic.
 
+use super::program;
 use crate::support::said::Says;
 use etalon::base::noise::Noise;
 use etalon::base::phrase;
@@ -8,13 +9,6 @@ use etalon::formats::propose_file_for;
 use etalon::robots::Robot;
 use std::fmt::Write;
 use std::path::Path;
-
-pub fn program(at: &Path, arguments: &[&str]) -> (Option<i32>, String) {
-    let output =
-        std::process::Command::new(crate::support::program()).args(arguments).current_dir(at).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout) + &text(output.stderr))
-}
 
 /// A UR5e, nominal.
 pub fn robot(at: &Path) -> Box<dyn Robot> {

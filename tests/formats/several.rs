@@ -1,6 +1,7 @@
 //! `etalon formats A B ...`: the printed lines run as they are. All data are synthetic.
 
-use super::robot::{measured, program, robot};
+use super::program;
+use super::robot::{measured, robot};
 use crate::support::root;
 use crate::support::said::Says;
 use std::fmt::Write;
@@ -23,8 +24,7 @@ fn run(at: &Path, files: &[&str], parts: &[&str]) {
     std::fs::write(at.join("campaign.toml"), campaign).unwrap();
     let (code, said) = program(at, &["run", "."]);
     assert_eq!(code, Some(0), "{said}\n{lines}");
-    let document: etalon::documents::ParametersDocument =
-        serde_json::from_slice(&std::fs::read(at.join("out/parameters.json")).unwrap()).unwrap();
+    let document: etalon::documents::ParametersDocument = crate::support::document(&at.join("out/parameters.json"));
     assert!(document.residuals.rms < 0.03, "{}", document.residuals.rms);
 }
 

@@ -1,7 +1,8 @@
 //! Files of strangers become campaigns: angles beside a log, traces of KUKA, sheets of a workbook, tests of poses, reversed joints, the
 //! world of a planar robot, and a motion without a common clock. All data are synthetic.
 
-use super::init::{answer, found, is_calibrated, measured, program};
+use super::init::{answer, found, is_calibrated, measured};
+use super::program;
 use crate::support::root;
 use etalon::base::angle_order::AngleOrder;
 use etalon::base::pose::Pose;

@@ -4,7 +4,6 @@ use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::base::phrase;
 use etalon::base::pose::Pose;
-use etalon::documents::ParametersDocument;
 use etalon::formats::{Export, TableReading, file_text, observations_with};
 use etalon::identify::Settings;
 use etalon::stages::kinds::{self, RowDefaults};
@@ -120,10 +119,6 @@ fn exports_have_computed_columns_and_filters_too() {
     assert!(problems.contains("[not-a-number]: `half`") && problems.contains("e.csv:2"), "{problems}");
 }
 
-fn parameters(scratch: &Scratch) -> ParametersDocument {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
-}
-
 #[test]
 fn several_tables_of_observations_are_one() {
     let whole = copy_sample("probe-poses");
@@ -145,7 +140,7 @@ fn several_tables_of_observations_are_one() {
     std::fs::write(parts.path().join("campaign.toml"), format!("{before}{tables}\n[{after}")).unwrap();
     ends(&parts, "check", 0, &[]);
     ends(&parts, "run", 0, &[]);
-    assert_eq!(parameters(&parts).parameters, parameters(&whole).parameters);
+    assert_eq!(parts.parameters().parameters, whole.parameters().parameters);
     // an error of the second file names it and its line
     let wrong = second.replacen(';', ";=x", 2).replacen(";=x", ";", 1);
     std::fs::write(parts.path().join("b.csv"), format!("{head}\n{wrong}")).unwrap();
@@ -419,7 +414,7 @@ fn rows_of_a_log_are_left_out_by_filters() {
     ends(&own, "check", 2, &["[not-a-number]"]);
     own.replace("campaign.toml", "file = \"encoders.csv\"\n", "file = \"encoders.csv\"\nwithout = { fault = 1 }\n");
     ends(&own, "run", 0, &[]);
-    assert_eq!(parameters(&own).parameters, parameters(&plain).parameters);
+    assert_eq!(own.parameters().parameters, plain.parameters().parameters);
     let import = std::fs::read_to_string(own.path().join("out/import.json")).unwrap();
     assert!(import.contains("row-left-out-by-cell"), "{import}");
     own.replace("campaign.toml", "without = { fault = 1 }", "only = { mode = 1 }");

@@ -216,7 +216,7 @@ fn targets_of_validation_poses_alone_are_not_judged() {
     let accuracy = |more: usize| -> serde_json::Value {
         let scratch = with_unplaced_targets(more);
         ends(&scratch, "run", 0, &[]);
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/accuracy.json")).unwrap()).unwrap()
+        scratch.document("accuracy.json")
     };
     let (with, without) = (accuracy(7), accuracy(0));
     assert_eq!(with["sets"][1]["count"], without["sets"][1]["count"]);

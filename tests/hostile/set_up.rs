@@ -6,11 +6,6 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::catalogue::IntoArgument;
 use etalon::base::phrase;
 use etalon::campaign::Campaign;
-use etalon::documents::ParametersDocument;
-
-fn parameters(scratch: &Scratch) -> ParametersDocument {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
-}
 
 /// Adds text to a file of the campaign.
 fn add(scratch: &Scratch, file: &str, text: &str) {
@@ -64,10 +59,10 @@ fn excluded_readings_have_a_reason_that_the_report_repeats() {
     let scratch = copy_sample("prexyt-cmm");
     let rule = "\n[[identify.exclude]]\nposes = \"3\"\ncycle = 2\ntarget = \"K\"\nreason = \"stylus slipped\"\n";
     assert_eq!(etalon(&scratch, "run").0, Some(0));
-    let all = parameters(&scratch).residuals.count;
+    let all = scratch.parameters().residuals.count;
     add(&scratch, "campaign.toml", rule);
     ends(&scratch, "run", 0, &["[excluded-readings] count=1 of=pose 3, cycle 2, target `K` reason=stylus slipped"]);
-    assert_eq!(parameters(&scratch).residuals.count, all - 2);
+    assert_eq!(scratch.parameters().residuals.count, all - 2);
     assert!(std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("stylus slipped"));
     for (from, to, said) in [
         ("poses = \"3\"", "poses = \"333\"", "error[exclusion-matches-nothing] of=poses name=333"),
@@ -89,7 +84,7 @@ fn exclusions_that_overlap_are_each_counted_by_what_was_measured() {
         add(&scratch, "campaign.toml", &rule);
     }
     ends(&scratch, "run", 0, &["excluded: 2 readings, pose 3, cycle 2", "excluded: 6 readings, poses 2-4, cycle 2"]);
-    assert_eq!(parameters(&scratch).residuals.count, 160 - 12);
+    assert_eq!(scratch.parameters().residuals.count, 160 - 12);
 }
 
 #[test]
@@ -98,7 +93,7 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
     scratch.replace("campaign.toml", "calibration = \"1-8\"", "calibration = \"1-40\"\noutliers = \"exclude\"");
     scratch.replace("campaign.toml", "validation = \"9-59\"", "validation = \"41-59\"");
     assert_eq!(etalon(&scratch, "run").0, Some(0));
-    let clean = parameters(&scratch);
+    let clean = scratch.parameters();
     let path = scratch.path().join("exports/poses.txt");
     let text = std::fs::read_to_string(&path).unwrap();
     // three rows of four hundred are 2 mm off
@@ -119,7 +114,7 @@ fn outliers_are_left_out_where_the_campaign_says_so() {
         "(K, pose 33, cycle 4)",
     ];
     ends(&scratch, "run", 0, &parts);
-    let found = parameters(&scratch);
+    let found = scratch.parameters();
     assert_eq!(found.residuals.count, clean.residuals.count - 6);
     for (p, q) in found.parameters.iter().zip(&clean.parameters) {
         let Some(u) = q.standard_uncertainty else { continue };

@@ -297,8 +297,7 @@ fn of_stored_errors_and_parameters() {
         table.set(column, Values::Texts(vec![Some(word.to_owned()); stored.height()]));
         of(etalon::stages::evaluate::error_table::from_table(&table))
     };
-    let mut document: ParametersDocument =
-        serde_json::from_slice(&std::fs::read(out.join("parameters.json")).unwrap()).unwrap();
+    let mut document: ParametersDocument = crate::support::document(&out.join("parameters.json"));
     let given = |document: &ParametersDocument| {
         of(etalon::stages::verify::earlier_parameters::parameters_from_document(&Prexyt::default(), document))
     };

@@ -18,6 +18,7 @@ use etalon::base::folder::Durability;
 use etalon::base::message::Problems;
 use etalon::campaign::Campaign;
 use etalon::run::pipeline::{self, Outcome, Wanted};
+use serde::de::DeserializeOwned;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -37,6 +38,12 @@ pub fn program() -> &'static str {
     static PROGRAM: OnceLock<Option<String>> = OnceLock::new();
     let stated = PROGRAM.get_or_init(|| std::env::var("ETALON_PROGRAM").ok());
     stated.as_deref().unwrap_or(env!("CARGO_BIN_EXE_etalon"))
+}
+
+/// A document from its file.
+pub fn document<T: DeserializeOwned>(path: &Path) -> T {
+    let bytes = std::fs::read(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    serde_json::from_slice(&bytes).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
 /// How a process ended.

@@ -15,7 +15,7 @@ pub struct Ran {
 impl Ran {
     /// A document of the output folder.
     pub fn document(&self, name: &str) -> serde_json::Value {
-        serde_json::from_slice(&std::fs::read(self.folder.join("out").join(name)).unwrap()).unwrap()
+        super::document(&self.folder.join("out").join(name))
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::root;
 use super::said::Says;
-use etalon::documents::ManifestDocument;
+use etalon::documents::{ManifestDocument, ParametersDocument};
+use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -28,6 +29,21 @@ impl Scratch {
     /// The campaign's folder.
     pub fn path(&self) -> PathBuf {
         self.0.path().join("campaign")
+    }
+
+    /// A document of the campaign's output folder.
+    pub fn document<T: DeserializeOwned>(&self, name: &str) -> T {
+        super::document(&self.path().join("out").join(name))
+    }
+
+    /// A document of the campaign's output folder as JSON.
+    pub fn json(&self, name: &str) -> serde_json::Value {
+        self.document(name)
+    }
+
+    /// The identified parameters.
+    pub fn parameters(&self) -> ParametersDocument {
+        self.document("parameters.json")
     }
 
     /// Replaces text in a file of the campaign; the text must be there.

@@ -300,8 +300,7 @@ fn a_byte_order_mark_is_part_of_the_recorded_bytes() {
     let marked = format!("\u{feff}{text}");
     std::fs::write(scratch.path().join("robot.toml"), &marked).unwrap();
     run(&scratch);
-    let import: serde_json::Value =
-        serde_json::from_slice(&std::fs::read(scratch.path().join("out/import.json")).unwrap()).unwrap();
+    let import: serde_json::Value = scratch.document("import.json");
     let robot = import["sources"].as_array().unwrap().iter().find(|s| s["kind"] == "robot").unwrap();
     assert_eq!(robot["sha256"], etalon::base::files::sha256(marked.as_bytes()));
     assert_eq!(robot["bytes"], marked.len());

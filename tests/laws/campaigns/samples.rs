@@ -1,7 +1,6 @@
 //! Samples of every kind of observation: made again byte for byte, explained by what is stated, and the truth itself where there is no noise.
 
 use crate::support::scratch::{Scratch, copy_sample, ends};
-use etalon::documents::ParametersDocument;
 use etalon::simulate::Truth;
 
 const SAMPLES: [&str; 12] = [
@@ -19,10 +18,6 @@ const SAMPLES: [&str; 12] = [
     "warming-arm",
 ];
 
-fn parameters(scratch: &Scratch) -> ParametersDocument {
-    serde_json::from_slice(&std::fs::read(scratch.path().join("out/parameters.json")).unwrap()).unwrap()
-}
-
 #[test]
 fn samples_of_observations_are_made_again_and_explained() {
     for name in SAMPLES {
@@ -33,7 +28,7 @@ fn samples_of_observations_are_made_again_and_explained() {
         assert!(read("observations.csv") == before, "{name}: another table than that of the sample");
         assert!(read("campaign.toml").lines().count() <= 40, "{name}");
         ends(&scratch, "run", 0, &[]);
-        let residuals = parameters(&scratch).residuals;
+        let residuals = scratch.parameters().residuals;
         let (chi_square, degrees) = (residuals.test.chi_square.unwrap(), residuals.degrees_of_freedom as f64);
         println!("{name}: chi-square {chi_square:.1} of {degrees} degrees of freedom");
         // three standard deviations of chi-square
@@ -85,7 +80,7 @@ fn largest_error(name: &str, change: Change) -> (f64, String) {
     ends(&scratch, "simulate", 0, &[]);
     ends(&scratch, "run", 0, &[]);
     let truth = Truth::read(&scratch.path().join("truth.toml")).unwrap().parameters;
-    let found = parameters(&scratch).parameters;
+    let found = scratch.parameters().parameters;
     let apart = found.iter().map(|p| ((p.value - truth.get(&p.name).unwrap_or(&p.nominal)).abs(), p.name.clone()));
     apart.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
 }

@@ -165,7 +165,7 @@ fn run(scratch: &Scratch) -> Result<Outcome, Problems> {
 }
 
 fn document(scratch: &Scratch) -> ImportDocument {
-    serde_json::from_str(&std::fs::read_to_string(scratch.path().join("out/import.json")).unwrap()).unwrap()
+    scratch.document("import.json")
 }
 
 #[test]

@@ -50,7 +50,7 @@ fn points() -> Vec<LabelledPoint> {
 }
 
 fn document<T: DeserializeOwned>(folder: &std::path::Path, name: &str) -> T {
-    serde_json::from_slice(&std::fs::read(folder.join("out").join(name)).unwrap()).unwrap()
+    crate::support::document(&folder.join("out").join(name))
 }
 
 /// Runs the sample with the world frame `world`; what it found, and where the world truly is in the exports.
