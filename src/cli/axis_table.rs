@@ -133,7 +133,7 @@ fn assignment(text: &str) -> std::result::Result<(String, f64), String> {
 type Both = [f64; 2];
 
 /// Source of deviations.
-enum Source<'a> {
+enum Deviations<'a> {
     Joint {
         robot: &'a Calibrated<'a>,
         joints: Vec<f64>,
@@ -151,7 +151,7 @@ enum Source<'a> {
     Measured(Vec<(Vec<f64>, Both)>),
 }
 
-impl Source<'_> {
+impl Deviations<'_> {
     /// Attained minus programmed position of the corrected axis at positions of the base axes (mm
     /// or deg); `near` holds the joint values before the motion.
     fn deviation(&self, positions: &[f64], near: &mut Vec<f64>) -> std::result::Result<Both, Phrase> {
@@ -314,7 +314,7 @@ impl AxisTable {
         names.into_iter().flatten().flatten()
     }
 
-    fn robot_deviations<'a>(&self, robot: &'a Calibrated<'a>) -> Result<Source<'a>> {
+    fn robot_deviations<'a>(&self, robot: &'a Calibrated<'a>) -> Result<Deviations<'a>> {
         let cartesian = |name: &str| XYZ.iter().position(|known| *known == name);
         let joints = robot.arm.joints();
         let joint = |name: &str| joints.iter().position(|joint| joint.column() == name);
@@ -333,7 +333,7 @@ impl AxisTable {
         let at = Pose { translation_mm: [x, y, z], ..Pose::from_quaternion(q) };
         if let Some(all) = names().map(cartesian).collect::<Option<Vec<_>>>() {
             let (bases, corrected) = (all[..self.axes.len()].to_vec(), all[self.axes.len()]);
-            return Ok(Source::Pose { robot, at, bases, corrected });
+            return Ok(Deviations::Pose { robot, at, bases, corrected });
         }
         let Some(all) = names().map(joint).collect::<Option<Vec<_>>>() else {
             let joints: Vec<String> = joints.iter().map(|joint| joint.column()).collect();
@@ -346,10 +346,10 @@ impl AxisTable {
         if bases != [corrected] && !all.iter().all(slides) {
             return Err(error!("table-of-turning-joints").into());
         }
-        Ok(Source::Joint { robot, joints: near, bases, corrected })
+        Ok(Deviations::Joint { robot, joints: near, bases, corrected })
     }
 
-    fn lead_deviations<'a>(&self, geometric: &'a GeometricDocument) -> Result<Source<'a>> {
+    fn lead_deviations<'a>(&self, geometric: &'a GeometricDocument) -> Result<Deviations<'a>> {
         let name = &self.axes[0].name;
         let lead = geometric.leads.iter().find(|lead| *name == format!("rho{}_mm", lead.actuator));
         let missing = || {
@@ -359,11 +359,11 @@ impl AxisTable {
         if self.axes.len() != 1 || self.corrected() != name {
             return Err(error!("lead-of-one-axis").into());
         }
-        Ok(Source::Lead(lead.ok_or_else(missing)?))
+        Ok(Deviations::Lead(lead.ok_or_else(missing)?))
     }
 
     /// Measured errors of a table, whose positions become the positions of the base axes.
-    fn table_deviations<'a>(&mut self, file: &TableFile) -> Result<Source<'a>> {
+    fn table_deviations<'a>(&mut self, file: &TableFile) -> Result<Deviations<'a>> {
         let both = BOTH.iter().any(|name| file.table.has(name)) && !file.table.has(DEVIATION);
         let errors = if both { &BOTH[..] } else { &[DEVIATION] };
         let errors = errors.iter().map(|name| (*name).to_owned());
@@ -393,13 +393,13 @@ impl AxisTable {
         }
         // finite numbers, sorted for fast search
         rows.sort_by(|(a, _), (b, _)| a.partial_cmp(b).unwrap_or(Ordering::Equal));
-        Ok(Source::Measured(rows))
+        Ok(Deviations::Measured(rows))
     }
 
     /// Deviations along the first axis, one row per position of the second.
-    fn rows(&self, source: &Source) -> Result<Vec<Vec<Both>>> {
+    fn rows(&self, source: &Deviations) -> Result<Vec<Vec<Both>>> {
         let mut near = match source {
-            Source::Pose { robot, .. } => vec![0.0; joint_names(robot.arm).len()],
+            Deviations::Pose { robot, .. } => vec![0.0; joint_names(robot.arm).len()],
             _ => Vec::new(),
         };
         let mut deviation = |at: &[f64]| {

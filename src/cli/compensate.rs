@@ -136,7 +136,7 @@ struct Target {
 }
 
 /// Targets and their origin.
-struct Source {
+struct Input {
     targets: Vec<Target>,
     program: Option<ProgramSource>,
 }
@@ -219,7 +219,7 @@ impl Compensate {
     }
 
     /// Reads the targets of the table or program.
-    fn read(&self, robot: &Calibrated) -> Result<Source> {
+    fn read(&self, robot: &Calibrated) -> Result<Input> {
         let ending = self.targets.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match commands::language_by_extension(ending) {
             Some((name, language)) => {
@@ -233,7 +233,7 @@ impl Compensate {
         }
     }
 
-    fn read_program(&self, name: &'static str, language: &dyn CommandLanguage, freedoms: Freedoms) -> Result<Source> {
+    fn read_program(&self, name: &'static str, language: &dyn CommandLanguage, freedoms: Freedoms) -> Result<Input> {
         let bytes = files::read(&self.targets)?;
         let text = String::from_utf8_lossy(&bytes);
         let found = language.targets(&bytes, freedoms);
@@ -249,7 +249,7 @@ impl Compensate {
             configuration: t.configuration,
         };
         let targets = program.targets.iter().map(target).collect();
-        Ok(Source { targets, program: Some(ProgramSource { language: name, bytes, program }) })
+        Ok(Input { targets, program: Some(ProgramSource { language: name, bytes, program }) })
     }
 
     /// Rejects a program whose tool or work object is unknown or changes, or whose tool is not that
@@ -280,7 +280,7 @@ impl Compensate {
     }
 
     /// Reads positions of a Galil program: joint values commanded to the nominal robot.
-    fn read_galil(&self, robot: &Calibrated) -> Result<Source> {
+    fn read_galil(&self, robot: &Calibrated) -> Result<Input> {
         let bytes = files::read(&self.targets)?;
         let text = String::from_utf8_lossy(&bytes);
         let galil = self.galil(robot)?;
@@ -294,7 +294,7 @@ impl Compensate {
             Ok(Target { name: t.name.clone(), pose, near: Some(joints), configuration: None })
         };
         let targets = program.targets.iter().map(target).collect::<Result<_>>()?;
-        Ok(Source { targets, program: Some(ProgramSource { language: GALIL, bytes, program }) })
+        Ok(Input { targets, program: Some(ProgramSource { language: GALIL, bytes, program }) })
     }
 
     /// Joint values at the start of a program (rad or mm); zero by default.
@@ -314,7 +314,7 @@ impl Compensate {
         Ok(Galil { counts_per_unit: self.counts_per_unit.clone() })
     }
 
-    fn read_table(&self, robot: &Calibrated) -> Result<Source> {
+    fn read_table(&self, robot: &Calibrated) -> Result<Input> {
         let file = TableFile::read(&self.targets)?;
         let read = || -> Result<Vec<Target>> {
             let names = file.table.poses()?;
@@ -329,7 +329,7 @@ impl Compensate {
                 .map(|((name, pose), near)| Target { name: name.to_string(), pose, near, configuration: None })
                 .collect())
         };
-        Ok(Source { targets: read().map_err(|problems| file.place(problems))?, program: None })
+        Ok(Input { targets: read().map_err(|problems| file.place(problems))?, program: None })
     }
 
     /// Pose of the nominal robot's tool in the frame of the targets.

@@ -9,7 +9,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 use std::collections::BTreeSet;
 
-type Identified<'a> = &'a (ParametersDocument, AccuracyDocument);
+type Calibration<'a> = &'a (ParametersDocument, AccuracyDocument);
 
 /// Degrees of freedom of a parameter's standard uncertainty; infinite if it follows from given
 /// uncertainties.
@@ -27,7 +27,7 @@ pub(super) fn degrees(parameters: &ParametersDocument) -> f64 {
 }
 
 /// All parameters that at least one campaign identified.
-pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
+pub(super) fn trends(all: &[Calibration], messages: &mut Vec<Message>) -> Vec<CompareTrend> {
     let Some(first) = all.first() else { return Vec::new() };
     let mut trends = Vec::new();
     let mut held = Vec::new();
@@ -38,7 +38,7 @@ pub(super) fn trends(all: &[Identified], messages: &mut Vec<Message>) -> Vec<Com
         if entries.iter().flatten().any(|e| e.nominal != p.nominal) {
             redrawn.insert(p.name.clone());
         }
-        let estimate = |(entry, c): (&Option<&ParameterEntry>, &Identified)| {
+        let estimate = |(entry, c): (&Option<&ParameterEntry>, &Calibration)| {
             let entry = entry.filter(|e| e.status == ParameterStatus::Identified)?;
             let standard_uncertainty = entry.standard_uncertainty.unwrap_or(f64::NAN);
             Some(Estimate {
@@ -81,7 +81,7 @@ fn misfits(parameters: &ParametersDocument) -> bool {
 /// intervals of mean errors, which contain the scatter of poses only, are removed. `names` are the
 /// names of the campaigns.
 pub(super) fn without_evidence(
-    all: &[Identified],
+    all: &[Calibration],
     trends: &mut [CompareTrend],
     names: &[&str],
 ) -> (Vec<CompareBetween>, Option<Message>) {
@@ -113,7 +113,7 @@ pub(super) fn without_evidence(
 /// Birge ratio of all changes of the robot's parameters to their uncertainties, at least 1 (Birge
 /// 1932, Phys. Rev. 40, 207; for correlated values √(Δᵀ (C₁ + C₂)⁻¹ Δ / m)); 1 if covariances are
 /// unknown.
-fn between(all: &[Identified], trends: &[CompareTrend], [from, to]: [usize; 2]) -> CompareBetween {
+fn between(all: &[Calibration], trends: &[CompareTrend], [from, to]: [usize; 2]) -> CompareBetween {
     let robot = trends.iter().filter(|t| t.family == CompareFamily::Robot);
     let names: Vec<&str> = robot.map(|t| t.name.english()).collect();
     let change = change(all, &names, [from, to]);
@@ -125,7 +125,7 @@ fn between(all: &[Identified], trends: &[CompareTrend], [from, to]: [usize; 2]) 
 
 /// Joint test of all robot parameters, Δᵀ (C₁ + C₂)⁻¹ Δ. It detects changes in directions that are
 /// hidden by the large uncertainties of strongly correlated parameters.
-pub(super) fn together(all: &[Identified], trends: &[CompareTrend]) -> Vec<CompareTogether> {
+pub(super) fn together(all: &[Calibration], trends: &[CompareTrend]) -> Vec<CompareTogether> {
     let robot = |t: &&CompareTrend| t.family == CompareFamily::Robot;
     let names: Vec<&str> = trends.iter().filter(robot).map(|t| t.name.english()).collect();
     let fits = |&[from, to]: &[usize; 2]| !misfits(&all[from].0) && !misfits(&all[to].0);
@@ -149,13 +149,13 @@ impl Change {
 
 /// Changes of the parameters in `names` that both campaigns identified; `None` if a covariance is
 /// missing.
-pub(super) fn change(all: &[Identified], names: &[&str], [from, to]: [usize; 2]) -> Option<Change> {
-    let identified = |c: Identified| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
+pub(super) fn change(all: &[Calibration], names: &[&str], [from, to]: [usize; 2]) -> Option<Change> {
+    let identified = |c: Calibration| c.0.identified().map(|p| (p.name.clone(), p.value)).collect::<Vec<_>>();
     let (a, b) = (identified(all[from]), identified(all[to]));
     let place = |all: &[(String, f64)], name: &str| all.iter().position(|p| p.0 == name);
     let both: Vec<(usize, usize)> = names.iter().filter_map(|n| Some((place(&a, n)?, place(&b, n)?))).collect();
     let m = both.len();
-    let block = |c: Identified, of: &dyn Fn(&(usize, usize)) -> usize| -> Option<DMatrix<f64>> {
+    let block = |c: Calibration, of: &dyn Fn(&(usize, usize)) -> usize| -> Option<DMatrix<f64>> {
         let rows: Option<Vec<f64>> = both
             .iter()
             .flat_map(|i| both.iter().map(move |j| (i, j)))
@@ -174,7 +174,7 @@ pub(super) fn change(all: &[Identified], names: &[&str], [from, to]: [usize; 2])
     Some(Change { sizes, earlier: scaled(&first), later: scaled(&second) })
 }
 
-fn pair_together(all: &[Identified], names: &[&str], [from, to]: [usize; 2]) -> Option<CompareTogether> {
+fn pair_together(all: &[Calibration], names: &[&str], [from, to]: [usize; 2]) -> Option<CompareTogether> {
     let change = change(all, names, [from, to])?;
     let m = change.sizes.len();
     let inverse = Cholesky::new(change.correlation())?.inverse();

@@ -25,7 +25,7 @@ const SHORT_MM: f64 = 1.0;
 
 /// A row of the table, with joint offset and gain.
 #[derive(Serialize)]
-struct Row {
+struct LinkParameters {
     alpha_rad: f64,
     a_mm: f64,
     theta_rad: f64,
@@ -73,7 +73,7 @@ const DISTANT: f64 = 2.0;
 const OFFSET_RAD: f64 = 1e-12;
 
 /// Warning about near-parallel axes, whose common normal is far from the arm.
-fn distant(rows: &[Row]) -> Option<Message> {
+fn distant(rows: &[LinkParameters]) -> Option<Message> {
     let parallel = |k: &usize| {
         let sine = rows[*k].alpha_rad.sin().abs();
         sine > PARALLEL && sine < NEAR_PARALLEL_RAD.sin()
@@ -90,14 +90,14 @@ fn distant(rows: &[Row]) -> Option<Message> {
 
 /// Warning about joint offsets, which `genserkins` does not have, with the displacement of the
 /// flange at joint values zero if they are ignored.
-fn offsets(rows: &[Row]) -> Option<Message> {
+fn offsets(rows: &[LinkParameters]) -> Option<Message> {
     let reached = |share: f64| {
-        let link = |pose: Pose, r: &Row| {
+        let link = |pose: Pose, r: &LinkParameters| {
             pose.turn_x(r.alpha_rad).shift(0, r.a_mm).turn_z(share * r.theta_rad).shift(2, r.d_mm)
         };
         rows.iter().fold(Pose::identity(), link).translation_mm
     };
-    let listed = |(k, row): (usize, &Row)| format!("{k}: {:?}", row.theta_rad.to_degrees());
+    let listed = |(k, row): (usize, &LinkParameters)| format!("{k}: {:?}", row.theta_rad.to_degrees());
     let stated = rows.iter().enumerate().filter(|(_, row)| row.theta_rad.abs() > OFFSET_RAD).map(listed);
     let offsets_deg: Vec<String> = stated.collect();
     let off_mm = norm(minus(reached(1.0), reached(0.0)));
@@ -105,7 +105,7 @@ fn offsets(rows: &[Row]) -> Option<Message> {
 }
 
 /// First frame in the base, and parameters of each joint; `None` if two axes coincide.
-fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
+fn table(chain: &JointChain) -> Option<(Pose, Vec<LinkParameters>)> {
     let mut frames: Vec<Pose> = Vec::new();
     for joint in &chain.joints {
         frames.push(frames.last().map_or(joint.origin, |last| last.then(&joint.origin)));
@@ -126,7 +126,7 @@ fn table(chain: &JointChain) -> Option<(Pose, Vec<Row>)> {
         };
         let theta_rad = dot(cross(x, next_x), z).atan2(dot(x, next_x));
         let (d_mm, gain) = (dot(minus(leaves, foot), z), chain.joints[i].gain);
-        rows.push(Row { alpha_rad: link.0, a_mm: link.1, theta_rad, d_mm, gain });
+        rows.push(LinkParameters { alpha_rad: link.0, a_mm: link.1, theta_rad, d_mm, gain });
         if let Some(next) = frames.get(i + 1) {
             let turned = next.axis(2);
             let alpha_rad = dot(cross(z, turned), next_x).atan2(dot(z, turned));

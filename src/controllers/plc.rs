@@ -2,7 +2,7 @@
 //! XML for CODESYS, and a Siemens SCL data block. PLCopen and SCL also contain the kinematics as
 //! function blocks, if the robot is known.
 
-use super::code::{Kind, Unit, Variable, scl, units};
+use super::code::{Unit, Variable, VariableKind, scl, units};
 use super::template::{identifier, real_literal, render};
 use super::xml::{Element, block, element, leaf};
 use super::{About, ExportInput, Exporter, is_in_code};
@@ -98,19 +98,19 @@ fn kinematics(given: &ExportInput) -> Result<Vec<Unit>> {
 /// A function or function block in PLCopen XML.
 fn pou(unit: Unit) -> Element {
     const XHTML: &str = "http://www.w3.org/1999/xhtml";
-    let of = |kind: &Kind| match kind {
-        Kind::Real => element("LREAL", []),
-        Kind::Integer => element("INT", []),
-        Kind::Truth => element("BOOL", []),
-        Kind::Block(name) => element("derived", []).with("name", name),
-        Kind::Array(last) => {
+    let of = |kind: &VariableKind| match kind {
+        VariableKind::Real => element("LREAL", []),
+        VariableKind::Integer => element("INT", []),
+        VariableKind::Truth => element("BOOL", []),
+        VariableKind::Block(name) => element("derived", []).with("name", name),
+        VariableKind::Array(last) => {
             let range = |last: &usize| element("dimension", []).with("lower", 0).with("upper", last);
             let base = element("baseType", [element("LREAL", [])]);
             element("array", last.iter().map(range).chain([base]))
         }
     };
     let variable = |v: &Variable| element("variable", [element("type", [of(&v.kind)])]).with("name", v.name);
-    let returned = unit.is_function().then(|| element("returnType", [of(&Kind::Real)]));
+    let returned = unit.is_function().then(|| element("returnType", [of(&VariableKind::Real)]));
     let list = |(word, list): (&str, &[Variable])| {
         let name = match word {
             "VAR_INPUT" => "inputVars",

@@ -103,7 +103,7 @@ impl File {
         self.write("/errors", &MARKERS, time_s, markers(given, time_s, number, visit, magnification))
     }
 
-    fn write(&mut self, topic: &str, kind: &Kind, time_s: f64, data: Vec<u8>) -> Result<()> {
+    fn write(&mut self, topic: &str, kind: &MessageKind, time_s: f64, data: Vec<u8>) -> Result<()> {
         let kind = || MessageType { name: kind.name, definition: kind.definition() };
         self.0.write(topic, kind, time_s, &data).map_err(failed)
     }
@@ -126,14 +126,14 @@ fn transforms(given: &ExportInput, joints: &[Joint], logged: &[f64]) -> Vec<(&'s
 }
 
 /// Type of a message.
-struct Kind {
+struct MessageKind {
     name: &'static str,
     fields: &'static str,
     /// Types of the fields.
     parts: &'static [&'static str],
 }
 
-impl Kind {
+impl MessageKind {
     /// Returns the definition of the type, followed by the definitions of the types of its fields,
     /// as rosbag2 stores them.
     fn definition(&self) -> String {
@@ -146,23 +146,23 @@ impl Kind {
     }
 }
 
-const JOINT_STATE: Kind = Kind {
+const JOINT_STATE: MessageKind = MessageKind {
     name: "sensor_msgs/msg/JointState",
     fields: "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n",
     parts: &["std_msgs/Header", "builtin_interfaces/Time"],
 };
-const POINT: Kind = Kind {
+const POINT: MessageKind = MessageKind {
     name: "geometry_msgs/msg/PointStamped",
     fields: "std_msgs/Header header\ngeometry_msgs/Point point\n",
     parts: &["std_msgs/Header", "builtin_interfaces/Time", "geometry_msgs/Point"],
 };
-const CLOUD: Kind = Kind {
+const CLOUD: MessageKind = MessageKind {
     name: "sensor_msgs/msg/PointCloud2",
     fields: "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\nbool is_bigendian\n\
              uint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n",
     parts: &["std_msgs/Header", "builtin_interfaces/Time", "sensor_msgs/PointField"],
 };
-const TRANSFORMS: Kind = Kind {
+const TRANSFORMS: MessageKind = MessageKind {
     name: "tf2_msgs/msg/TFMessage",
     fields: "geometry_msgs/TransformStamped[] transforms\n",
     parts: &[
@@ -174,7 +174,7 @@ const TRANSFORMS: Kind = Kind {
         "geometry_msgs/Quaternion",
     ],
 };
-const MARKERS: Kind = Kind {
+const MARKERS: MessageKind = MessageKind {
     name: "visualization_msgs/msg/MarkerArray",
     fields: "visualization_msgs/Marker[] markers\n",
     parts: &[

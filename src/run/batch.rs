@@ -35,7 +35,7 @@ const STACK: usize = 8 << 20;
 
 /// One result of one campaign.
 #[derive(Debug, Default)]
-struct Row {
+struct Line {
     kind: &'static str,
     /// Name in the table; results that the page shows have a phrase.
     item: Worded,
@@ -121,7 +121,7 @@ fn campaign(
     wanted: Wanted,
     since: Option<SystemTime>,
     entry: &mut BatchEntry,
-) -> Result<(Vec<Row>, Option<PathBuf>)> {
+) -> Result<(Vec<Line>, Option<PathBuf>)> {
     let campaign = Campaign::read(folder)?;
     if let Some(name) = campaign.missing_variable() {
         entry.ended = BatchEnd::Skipped;
@@ -207,22 +207,22 @@ fn is_precondition(reason: &Reason) -> bool {
     )
 }
 
-fn rows(results: &Results) -> Vec<Row> {
+fn rows(results: &Results) -> Vec<Line> {
     let mut rows = Vec::new();
     if let Some(IdentifiedDocuments { parameters, accuracy, .. }) = &results.identified {
-        rows.extend(parameters.parameters.iter().map(|p| Row {
+        rows.extend(parameters.parameters.iter().map(|p| Line {
             kind: "parameter",
             item: p.name.as_str().into(),
             unit: p.unit.clone(),
             value: p.value,
             standard_uncertainty: p.standard_uncertainty,
             nominal: Some(p.nominal),
-            ..Row::default()
+            ..Line::default()
         }));
         for set in &accuracy.sets {
             for errors in &set.errors {
                 let (set, quantity) = (set.name, errors.quantity);
-                let of = |(statistic, figure, value): (&str, Option<Argument>, f64)| Row {
+                let of = |(statistic, figure, value): (&str, Option<Argument>, f64)| Line {
                     kind: "error",
                     item: Worded::stored(
                         format!("{set} {quantity} {statistic}"),
@@ -232,7 +232,7 @@ fn rows(results: &Results) -> Vec<Row> {
                     ),
                     unit: errors.unit.clone(),
                     value,
-                    ..Row::default()
+                    ..Line::default()
                 };
                 let (before, after) = (&errors.before, &errors.after);
                 let all = [
@@ -244,19 +244,24 @@ fn rows(results: &Results) -> Vec<Row> {
                 rows.extend(all.map(of));
             }
         }
-        rows.extend(accuracy.limits.iter().map(|l| Row {
+        rows.extend(accuracy.limits.iter().map(|l| Line {
             kind: "limit",
             item: l.name.to_string().into(),
             unit: l.unit.clone(),
             value: l.value.unwrap_or(f64::NAN),
             limit: Some(l.limit),
             met: Some(l.met),
-            ..Row::default()
+            ..Line::default()
         }));
     }
     let of_pose = |p: &Iso9283Pose| {
-        let row =
-            |kind, value| Row { kind, item: p.pose.to_string().into(), unit: "mm".to_owned(), value, ..Row::default() };
+        let row = |kind, value| Line {
+            kind,
+            item: p.pose.to_string().into(),
+            unit: "mm".to_owned(),
+            value,
+            ..Line::default()
+        };
         PoseCharacteristic::ALL.iter().filter_map(|c| Some(row(c.symbol, (c.value)(p)?))).collect::<Vec<_>>()
     };
     rows.extend(results.tested.poses.iter().flat_map(|tested| &tested.poses).flat_map(of_pose));
@@ -264,7 +269,7 @@ fn rows(results: &Results) -> Vec<Row> {
 }
 
 /// Results that the page shows: errors after calibration, largest AP and RP, and parameters.
-fn page_figures(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
+fn page_figures(rows: &[Line]) -> impl Iterator<Item = (BatchQuantity, f64, Option<f64>)> {
     let of = move |kind: &'static str| rows.iter().filter(move |row| row.kind == kind);
     let errors = of("error").filter(|row| row.item.phrase().is_some()).chain(of("parameter"));
     let quantity = |name: Worded, unit: &str| BatchQuantity { name, unit: unit.to_owned() };
@@ -272,17 +277,17 @@ fn page_figures(rows: &[Row]) -> impl Iterator<Item = (BatchQuantity, f64, Optio
         let value = of(kind).map(|row| row.value).max_by(f64::total_cmp)?;
         Some((quantity(kind.into(), "mm"), value, None))
     });
-    let error = move |row: &Row| (quantity(row.item.clone(), &row.unit), row.value, row.standard_uncertainty);
+    let error = move |row: &Line| (quantity(row.item.clone(), &row.unit), row.value, row.standard_uncertainty);
     largest.chain(errors.map(error))
 }
 
 /// Table of results, one a row: parameters, errors before and after, limits, AP and RP by pose.
-fn table(found: &[(BatchEntry, Vec<Row>)]) -> Result<DataFrame> {
+fn table(found: &[(BatchEntry, Vec<Line>)]) -> Result<DataFrame> {
     let all = || found.iter().flat_map(|(entry, rows)| rows.iter().map(move |row| (entry, row)));
-    let text = |name: &str, of: fn(&BatchEntry, &Row) -> Option<String>| {
+    let text = |name: &str, of: fn(&BatchEntry, &Line) -> Option<String>| {
         Column::new(name.into(), all().map(|(entry, row)| of(entry, row)).collect::<Vec<_>>())
     };
-    let number = |name: &str, of: fn(&Row) -> Option<f64>| {
+    let number = |name: &str, of: fn(&Line) -> Option<f64>| {
         Column::new(name.into(), all().map(|(_, row)| of(row)).collect::<Vec<_>>())
     };
     let columns = vec![

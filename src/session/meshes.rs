@@ -20,14 +20,14 @@ const METRE_MM: f64 = 1000.0;
 
 /// A mesh of a part, and the file that contains it.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct FoundMesh {
     mesh: PartMesh,
     path: PathBuf,
 }
 
 /// Moving parts with meshes whose files are in the folder of the campaign.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Meshes(Vec<Found>);
+pub(super) struct Meshes(Vec<FoundMesh>);
 
 impl Meshes {
     /// Finds the files; none of them is read yet.
@@ -45,7 +45,7 @@ impl Meshes {
         let stated = campaign.robot.meshes(robot, &parts);
         let found = stated.into_iter().filter_map(|mesh| {
             let path = file(&root, &beside, &mesh.file)?;
-            Some(Found { mesh, path })
+            Some(FoundMesh { mesh, path })
         });
         Self(found.collect())
     }
@@ -53,7 +53,7 @@ impl Meshes {
     /// Names of the parts with meshes, each once.
     pub fn parts(&self) -> Vec<String> {
         let mut all: Vec<String> = Vec::new();
-        for Found { mesh, .. } in &self.0 {
+        for FoundMesh { mesh, .. } in &self.0 {
             if !all.contains(&mesh.part) {
                 all.push(mesh.part.clone());
             }
@@ -68,7 +68,7 @@ impl Meshes {
         let most = (MOST / parts.len().max(1)).max(LEAST);
         let packed = |part: String| {
             let own = self.0.iter().filter(|found| found.mesh.part == part);
-            let triangles: Vec<[Vector; 3]> = own.filter_map(Found::triangles).flatten().collect();
+            let triangles: Vec<[Vector; 3]> = own.filter_map(FoundMesh::triangles).flatten().collect();
             let Packed { low, size, points, triangles } = Packed::new(&triangles, most)?;
             Some(Mesh::new(part, low, size, &points, &triangles))
         };
@@ -76,7 +76,7 @@ impl Meshes {
     }
 }
 
-impl Found {
+impl FoundMesh {
     /// Triangles (mm) in the frame of the part.
     fn triangles(&self) -> Option<Vec<[Vector; 3]>> {
         std::fs::metadata(&self.path).ok().filter(|file| file.is_file() && file.len() <= LARGEST)?;

@@ -12,7 +12,7 @@ use etalon_formats::exports::ExportRow;
 use etalon_tables::Encoding;
 
 /// One row, in the unit of the export.
-struct Row {
+struct SimulatedRow {
     label: String,
     target: String,
     /// Measurement; for a stationary point, the measurement with the number of the repeat.
@@ -22,7 +22,7 @@ struct Row {
     xyz: Vector,
 }
 
-impl Row {
+impl SimulatedRow {
     fn written(&self, scene: &Scene) -> ExportRow {
         let offset_s = scene.campaign.file.join.as_ref().and_then(|join| join.stated_offset_s()).unwrap_or(0.0);
         let Turn { pose, cycle, .. } = self.turn;
@@ -74,7 +74,7 @@ pub(super) fn write(scene: &Scene, export: &Export, stream: u64) -> Result<Strin
 }
 
 /// Measured points: fixed points first, then the targets at every pose.
-fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
+fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<SimulatedRow>> {
     let (truth, instrument) = (scene.truth, &scene.campaign.file.instrument);
     let sigma_mm = truth.noise_um.map_or(instrument.standard_uncertainty_mm(), |um| um / 1000.0);
     let mut noise = Noise::new(truth.seed, stream);
@@ -83,7 +83,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for point in truth.points.iter().filter(|p| p.export == *export.file.get_ref()) {
         for repeat in 1..=point.repeats {
-            rows.push(Row {
+            rows.push(SimulatedRow {
                 label: point.label.clone(),
                 target: point.label.clone(),
                 turn: scene.turn(repeat as i64),
@@ -94,7 +94,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
     }
     let labelled = geometric::points(scene, export, &mut measure).into_iter();
     for (label, xyz) in labelled.chain(repeatability::points(scene, export, &mut measure)?) {
-        rows.push(Row { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
+        rows.push(SimulatedRow { target: label.clone(), label, turn: scene.turn(1), moves: false, xyz });
     }
     let names_target = export.format.dialect.columns.contains(ColumnRole::Target);
     if export.label.is_none() && export.target.is_none() && !names_target {
@@ -107,7 +107,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
                 continue;
             }
             let label = pattern.replace("{pose}", &turn.pose.to_string()).replace("{cycle}", &turn.cycle.to_string());
-            rows.push(Row {
+            rows.push(SimulatedRow {
                 label: label.replace("{target}", target),
                 target: target.clone(),
                 turn,
@@ -120,7 +120,7 @@ fn rows(scene: &Scene, export: &Export, stream: u64) -> Result<Vec<Row>> {
 }
 
 /// `true` if `point` agrees with the row in everything that a join or a feature needs.
-fn is_meant(row: &Row, point: &etalon_formats::Point) -> bool {
+fn is_meant(row: &SimulatedRow, point: &etalon_formats::Point) -> bool {
     let target = point.target.as_deref() == Some(row.target.as_str());
     let label = *point.label == *row.label;
     if !row.moves {

@@ -12,7 +12,7 @@ mod structured_text;
 
 pub(super) use c99::{C99, functions};
 pub(super) use python::PythonCode;
-pub(super) use structured_text::{Kind, StructuredText, Unit, Variable, scl, units};
+pub(super) use structured_text::{StructuredText, Unit, Variable, VariableKind, scl, units};
 
 use super::ExportInput;
 use etalon_base::error;

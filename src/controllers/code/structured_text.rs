@@ -25,10 +25,10 @@ pub(crate) struct Unit {
 
 pub(crate) struct Variable {
     pub name: &'static str,
-    pub kind: Kind,
+    pub kind: VariableKind,
 }
 
-pub(crate) enum Kind {
+pub(crate) enum VariableKind {
     Real,
     Integer,
     Truth,
@@ -141,7 +141,7 @@ END_FOR;
 
 impl Unit {
     fn function(name: &str, comment: &str, inputs: &[&'static str], body: &str) -> Self {
-        let inputs = inputs.iter().map(|name| Variable { name, kind: Kind::Real }).collect();
+        let inputs = inputs.iter().map(|name| Variable { name, kind: VariableKind::Real }).collect();
         let (name, comment, body) = (name.to_owned(), comment.to_owned(), body.to_owned());
         Self { name, comment, inputs, outputs: Vec::new(), locals: Vec::new(), body }
     }
@@ -168,7 +168,7 @@ impl Unit {
             name: format!("FB_Etalon{}{rest}", first.to_ascii_uppercase()),
             comment: interface(formula),
             inputs: vec![array("q", &[formula.inputs.len()])],
-            outputs: vec![array("out", &[outputs.len()]), Variable { name: "valid", kind: Kind::Truth }],
+            outputs: vec![array("out", &[outputs.len()]), Variable { name: "valid", kind: VariableKind::Truth }],
             locals: vec![array("t", &[kept(formula)])],
             body,
         }
@@ -177,7 +177,7 @@ impl Unit {
     /// Function block of the search for joint values by Newton corrections.
     fn inverse(formula: &Formula) -> Self {
         let (inputs, joints) = (formula.inputs.len(), formula.outputs.len() - 4);
-        let block = |name, of| Variable { name, kind: Kind::Block(of) };
+        let block = |name, of| Variable { name, kind: VariableKind::Block(of) };
         let blocks = [block("linearised", "FB_EtalonLinearised"), block("correction", "FB_EtalonCorrection")];
         let (last, input) = ((joints - 1).to_string(), (inputs - 1).to_string());
         Self {
@@ -186,7 +186,7 @@ impl Unit {
                       is reached to 1e-9 mm and 1e-12 rad."
                 .to_owned(),
             inputs: vec![array("pose", &[12]), array("start", &[joints])],
-            outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: Kind::Truth }],
+            outputs: vec![array("q", &[joints]), Variable { name: "valid", kind: VariableKind::Truth }],
             locals: blocks.into_iter().chain([array("inside", &[inputs])]).chain(integers(&["i", "search"])).collect(),
             body: INVERSE.replace("{N}", &joints.to_string()).replace("{L}", &last).replace("{I}", &input),
         }
@@ -195,14 +195,14 @@ impl Unit {
     /// Function block of Newton steps to a pose.
     fn direct(formula: &Formula) -> Self {
         let joints = formula.inputs.len() - 12;
-        let block = Variable { name: "iteration", kind: Kind::Block("FB_EtalonStep") };
+        let block = Variable { name: "iteration", kind: VariableKind::Block("FB_EtalonStep") };
         Self {
             name: "FB_EtalonDirect".to_owned(),
             comment: "Pose x, y, z, r11, r12 ... r33 of the platform at joint values (mm and rad), with the starting pose start; \
                       valid if it is found to 1e-9 mm."
                 .to_owned(),
             inputs: vec![array("q", &[joints]), array("start", &[12])],
-            outputs: vec![array("out", &[12]), Variable { name: "valid", kind: Kind::Truth }],
+            outputs: vec![array("out", &[12]), Variable { name: "valid", kind: VariableKind::Truth }],
             locals: [block, array("inside", &[12 + joints])].into_iter().chain(integers(&["i", "search"])).collect(),
             body: DIRECT.replace("{L}", &(joints - 1).to_string()),
         }
@@ -210,11 +210,11 @@ impl Unit {
 }
 
 fn array(name: &'static str, counts: &[usize]) -> Variable {
-    Variable { name, kind: Kind::Array(counts.iter().map(|n| n - 1).collect()) }
+    Variable { name, kind: VariableKind::Array(counts.iter().map(|n| n - 1).collect()) }
 }
 
 fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
-    names.iter().map(|name| Variable { name, kind: Kind::Integer })
+    names.iter().map(|name| Variable { name, kind: VariableKind::Integer })
 }
 
 /// Functions and function blocks of the robot with its identified parameters, each after those that
@@ -236,18 +236,18 @@ pub(crate) fn units(given: &ExportInput) -> Result<Vec<Unit>> {
 }
 
 /// Name of a type; Siemens writes some in mixed case, and types of blocks in quotation marks.
-fn type_name(kind: &Kind, siemens: bool) -> String {
+fn type_name(kind: &VariableKind, siemens: bool) -> String {
     let real = if siemens { "LReal" } else { "LREAL" };
     match kind {
-        Kind::Real => real.to_owned(),
-        Kind::Integer => if siemens { "Int" } else { "INT" }.to_owned(),
-        Kind::Truth => if siemens { "Bool" } else { "BOOL" }.to_owned(),
-        Kind::Array(last) => {
+        VariableKind::Real => real.to_owned(),
+        VariableKind::Integer => if siemens { "Int" } else { "INT" }.to_owned(),
+        VariableKind::Truth => if siemens { "Bool" } else { "BOOL" }.to_owned(),
+        VariableKind::Array(last) => {
             let ranges: Vec<String> = last.iter().map(|last| format!("0..{last}")).collect();
             format!("{}[{}] OF {real}", if siemens { "Array" } else { "ARRAY" }, ranges.join(", "))
         }
-        Kind::Block(name) if siemens => format!("\"{name}\""),
-        Kind::Block(name) => (*name).to_owned(),
+        VariableKind::Block(name) if siemens => format!("\"{name}\""),
+        VariableKind::Block(name) => (*name).to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::data::{Data, Slip};
 use super::embedded::CAMPAIGNS;
-use super::row::{Row, Rows, Subject, not_made};
+use super::row::{Comparison, Rows, Subject, not_made};
 use super::sample::Scratch;
 use crate::run::pipeline::evaluate;
 use etalon_base::catalogue::Phrase;
@@ -66,7 +66,7 @@ impl Worst {
             Some((_, [expected, found, permissible])) => (expected, found, permissible),
             None => (f64::NAN, f64::NAN, 0.0),
         };
-        rows.all.push(Row { test, source: rows.source, unit, expected, found, permissible });
+        rows.all.push(Comparison { test, source: rows.source, unit, expected, found, permissible });
     }
 }
 

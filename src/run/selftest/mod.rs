@@ -22,7 +22,7 @@ use etalon_base::message::Result;
 use etalon_documents::{
     LockedPackage, Machine, Provenance, SelftestDocument, SelftestMustFail, SelftestProgram, SelftestRequirement,
 };
-use row::{Row, Subject, requirement_result};
+use row::{Comparison, Subject, requirement_result};
 use sample::Scratch;
 use std::collections::BTreeMap;
 
@@ -92,7 +92,7 @@ fn requirement(subject: &Subject, data: &Data) -> SelftestRequirement {
 /// Repeats the tests of a subject with a seeded fault in its reference data. The fault is noticed
 /// if more tests fail than the number that fail `already`.
 fn slipped(subject: &Subject, slip: &Slip, data: &Data, already: usize) -> SelftestMustFail {
-    let rows: Vec<Row> = (subject.rows)(&slip.applied(data)).into_iter().flat_map(|rows| rows.all).collect();
+    let rows: Vec<Comparison> = (subject.rows)(&slip.applied(data)).into_iter().flat_map(|rows| rows.all).collect();
     let failed = rows.iter().filter(|row| !row.passes()).count();
     SelftestMustFail {
         id: subject.id.to_owned(),

@@ -7,7 +7,7 @@ use etalon_documents::{SelftestCheck, SelftestRequirement};
 
 /// Comparison of a value with its reference.
 #[derive(Debug)]
-pub(super) struct Row {
+pub(super) struct Comparison {
     pub test: Phrase,
     pub source: &'static str,
     pub unit: &'static str,
@@ -16,7 +16,7 @@ pub(super) struct Row {
     pub permissible: f64,
 }
 
-impl Row {
+impl Comparison {
     /// `true` if the deviation is permissible; a value that is not finite fails.
     pub fn passes(&self) -> bool {
         (self.found - self.expected).abs() <= self.permissible
@@ -27,7 +27,7 @@ impl Row {
 #[derive(Debug)]
 pub(super) struct Rows {
     pub source: &'static str,
-    pub all: Vec<Row>,
+    pub all: Vec<Comparison>,
 }
 
 impl Rows {
@@ -37,7 +37,7 @@ impl Rows {
 
     /// Adds a comparison.
     pub fn add(&mut self, test: Phrase, unit: &'static str, [expected, found]: [f64; 2], permissible: f64) {
-        self.all.push(Row { test, source: self.source, unit, expected, found, permissible });
+        self.all.push(Comparison { test, source: self.source, unit, expected, found, permissible });
     }
 
     /// Adds the comparison of several values, by the one with the largest deviation. Lists of
@@ -79,7 +79,7 @@ pub(super) fn requirement_result(id: &str, requirement: Phrase, rows: Vec<Rows>)
     }
 }
 
-fn check(row: Row) -> SelftestCheck {
+fn check(row: Comparison) -> SelftestCheck {
     let finite = |value: f64| value.is_finite().then_some(value);
     SelftestCheck {
         pass: row.passes(),
