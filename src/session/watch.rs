@@ -106,9 +106,8 @@ impl Session {
 /// State without an identification.
 fn waiting(messages: &[Message], language: &str) -> Watch {
     let wrong = messages.iter().find(|message| message.severity == etalon_base::message::Severity::Error);
-    let too_few =
-        |message: &&Message| ["too-few-equations", "few-poses", "selection-without-pose"].contains(&&*message.id);
-    match wrong.filter(|message| !too_few(message)) {
+    // before the first pose of a selection nothing is wrong
+    match wrong.filter(|message| !message.is("selection-without-pose", &[])) {
         Some(message) => {
             let message = ShownMessage::new(message, language);
             Watch {
