@@ -4,6 +4,7 @@
 use super::recordings::{Cdr, mat, npy, recording, variable};
 use super::source;
 use etalon::base::message::{Problems, SourceText};
+use etalon::campaign::TableDefinition;
 use etalon::formats::{Export, Format, Log, TableReading, file_text, log, observations_with};
 use etalon::tables::Form;
 use std::io::Write as _;
@@ -72,8 +73,19 @@ fn of_observations(text: &str, keys: &str, Columns { names: [x, y, z], unit }: C
     let stated: etalon::campaign::ObservationsDefinition =
         toml::from_str(&format!("file = \"t.csv\"\n{keys}\n{columns}"))
             .unwrap_or_else(|error| panic!("{keys}: {error}"));
-    let layout: TableReading = stated.reading();
-    match observations_with("t.csv", text, &layout) {
+    of_reading(text, &stated.reading())
+}
+
+/// A table of poses or of loads.
+fn of_table(text: &str, keys: &str, Columns { names: [x, y, z], unit }: Columns) -> Read {
+    let columns = format!("columns = {{ x_{unit} = \"{x}\", y_{unit} = \"{y}\", z_{unit} = \"{z}\" }}");
+    let stated: TableDefinition = toml::from_str(&format!("file = \"t.csv\"\n{keys}\n{columns}"))
+        .unwrap_or_else(|error| panic!("{keys}: {error}"));
+    of_reading(text, &TableReading::any(stated.keys().unwrap().layout.clone()))
+}
+
+fn of_reading(text: &str, reading: &TableReading) -> Read {
+    match observations_with("t.csv", text, reading) {
         Ok(table) => {
             let lines = (0..).map_while(|row| table.line(row));
             let all = lines.zip(table.numbers("x_mm").unwrap());
@@ -84,8 +96,8 @@ fn of_observations(text: &str, keys: &str, Columns { names: [x, y, z], unit }: C
 }
 
 /// Reads a text in every section that takes a table.
-fn all(text: &str, keys: &str, columns: Columns) -> [Read; 3] {
-    [of_export(text, keys, columns), of_log(text, keys, columns), of_observations(text, keys, columns)]
+fn all(text: &str, keys: &str, columns: Columns) -> [Read; 4] {
+    [of_export, of_log, of_observations, of_table].map(|section| section(text, keys, columns))
 }
 
 /// Reads a table of three columns and two rows, of which the second begins with `cell`.
@@ -252,7 +264,7 @@ fn topic(rows: &[[f64; 3]]) -> File {
 }
 
 /// Reads a file in every section that takes a table.
-fn in_every_section(File { keys, columns, bytes }: &File) -> [Read; 3] {
+fn in_every_section(File { keys, columns, bytes }: &File) -> [Read; 4] {
     let form: Form = toml::from_str(keys).unwrap();
     let text =
         file_text(Path::new("t.csv"), bytes, None, &Format::from(form)).unwrap_or_else(|e| panic!("{keys}: {e}"));
