@@ -34,9 +34,8 @@ fn rows(data: &Data) -> Vec<Rows> {
 fn least_squares(item: &Data, rows: &mut Rows) {
     let name = item.text("/element");
     let points = item.points("/points_mm");
-    let kind = Element::ALL.into_iter().find(|e| e.name() == name).unwrap_or(Element::Plane);
     let settings = FitSettings { circle: CircleMethod::Orthogonal, ..FitSettings::default() };
-    let fit = match element(kind, &points, &settings) {
+    let fit = match name.parse::<Element>().and_then(|kind| element(kind, &points, &settings)) {
         Ok(fit) => fit,
         Err(problems) => return rows.failed(not_made(name, &problems)),
     };
@@ -90,4 +89,18 @@ fn by_hand() -> Rows {
     let radius = enclosing_sphere(&cube).map_or(f64::NAN, |ball| ball.radius_mm);
     rows.add(phrase!("selftest-enclosing", name = "sphere"), "mm", [10.0 * 3f64.sqrt(), radius], 1e-12);
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Swaps the name of the plane for another text.
+    #[test]
+    fn an_unknown_element_is_compared_with_none() {
+        let slip = Slip::Swap("/fits/1/element", "/kinematics/0/model");
+        let rows = rows(&slip.applied(&Data::embedded().unwrap()));
+        let failed: Vec<_> = rows.iter().flat_map(|rows| &rows.all).filter(|row| !row.passes()).collect();
+        assert!(failed.len() == 1 && failed[0].test.id == "selftest-not-made", "{failed:?}");
+    }
 }
