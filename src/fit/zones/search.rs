@@ -87,16 +87,16 @@ pub(crate) fn search<S: Axial<N, K>, const N: usize, const K: usize>(
     let mut ends = ends.into_iter();
     let (cost, surface, x) = ends.next()?;
     let rival = ends.any(|(other_cost, other, y)| {
-        other_cost <= 1.02 * cost + rounding && differ((&surface.chart().d0, &x), (&other.chart().d0, &y))
+        other_cost <= 1.02 * cost + rounding && differ([surface.chart().d0, other.chart().d0], [&x, &y])
     });
     Some(Found { surface, start: x, rival })
 }
 
 /// `true` if two solutions are different elements, `false` if they are one element reached from two
 /// starts.
-fn differ<const N: usize>(a: (&Vector, &[f64; N]), b: (&Vector, &[f64; N])) -> bool {
-    let sizes = a.1.iter().zip(b.1).skip(5).any(|(x, y)| (x.abs() - y.abs()).abs() > 1e-4 * (x.abs() + y.abs()));
-    sizes || dot(*a.0, *b.0).abs() < 1.0 - 1e-6
+fn differ<const N: usize>([axis, other]: [Vector; 2], [x, y]: [&[f64; N]; 2]) -> bool {
+    let sizes = x.iter().zip(y).skip(5).any(|(x, y)| (x.abs() - y.abs()).abs() > 1e-4 * (x.abs() + y.abs()));
+    sizes || dot(axis, other).abs() < 1.0 - 1e-6
 }
 
 /// Error if no start led to an element.
