@@ -85,7 +85,7 @@ impl<'a> About<'a> {
         Self {
             name,
             file_name,
-            frame: "parameters by name, those of the base place it in the world of the campaign",
+            frame: "parameters by name, base parameters place the base in the world of the campaign",
             is_for_controllers: true,
             states_controller_hash: false,
             shows_errors: false,

@@ -118,7 +118,7 @@ fn header(robot: &dyn Robot, name: &str, document: &PlanDocument, letters: Optio
         format!("Measuring program of etalon {}, {} poses", document.provenance.version, document.choice.chosen.len()),
         format!("Robot: {name}"),
         "Check for collisions and reach at low speed first.".to_owned(),
-        "Joint values are those of the controller: zeros and directions as in".to_owned(),
+        "Joint values are values of the controller: zeros and directions as in".to_owned(),
         "the nominal model are assumed.".to_owned(),
     ];
     if let Some(letters) = letters {

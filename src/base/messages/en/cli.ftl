@@ -931,7 +931,7 @@ converted-by = converted by etalon robot convert
 convert-base-of-table = base of the table in the base of the robot: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 convert-flange-of-table = flange of the robot in the flange of the table: xyz { $xyz_mm } mm, rpy { $rpy_deg } deg
 from-other-joints = the file has { $columns } columns of joints, and the robot has { $joints } joints: remove the columns of joints that the robot does not have
-from-joints-in-order = the joints are those of robot.toml in the order of the file
+from-joints-in-order = the joints are the joints of robot.toml in the order of the file
 from-unit-of-joints = replace UNIT with deg, rad, mm, m or um: the file does not give it
 
 cell-frame = { $name ->

@@ -1300,7 +1300,7 @@ source-frame-meaning = points that define the world frame (common to all poses)
 source-frame-of-poses-meaning = points of the frame that is measured again at each pose
 source-homing-meaning = joint values after homing (common to all poses)
 source-instrument-meaning = stated uncertainty of each reading of the instrument
-source-single-coordinates-meaning = stated uncertainty of readings of one coordinate, such as those of a dial gauge
+source-single-coordinates-meaning = stated uncertainty of readings of one coordinate, such as readings of a dial gauge
 single-coordinates = single coordinates
 source-known-points-meaning = given positions and lengths of fixed points
 source-model-meaning = model error: part of the residuals that no other source describes
@@ -1447,7 +1447,7 @@ velocity-sentence = Velocity: { $velocity }.
 verdict = verdict
 verdict-conditional = Verdict: conditional pass.
 verdict-fail = Verdict: fail.
-verdict-is-of-file = These errors are those of `{ $file }`{ $count ->
+verdict-is-of-file = These errors apply to `{ $file }`{ $count ->
         [0] {""}
         [one] , which omits one identified parameter
        *[other] , which omits { $count } identified parameters
