@@ -252,8 +252,8 @@ impl Compensate {
         Ok(Input { targets, program: Some(ProgramSource { language: name, bytes, program }) })
     }
 
-    /// Rejects a program whose tool or work object is unknown or changes, or whose tool is not that
-    /// of the option. Frames of a program may be relative to a world in which the base is not at
+    /// Rejects a program whose tool or work object is unknown or changes, or whose tool differs
+    /// from the option. Frames of a program may be relative to a world in which the base is not at
     /// the origin.
     fn check_frames(&self, program: &Program) -> Result<()> {
         let place = Place::file(self.targets.display().to_string());
@@ -440,7 +440,7 @@ impl Compensator<'_> {
         let deg = |q: &[f64]| -> Vec<f64> { arm.joints().iter().zip(q).map(|(j, &q)| j.quantity.outward(q)).collect() };
         let seen = commands.inverse().then(&found.command).then(&self.tool);
         let Executed { command, joints, pose: attained } = self.carried_out(&seen, &found.joints, &from)?;
-        // the configuration is that of the command as written, and of the joint values beside it
+        // the command as written, and the joint values in it, give the configuration
         let kept = target.configuration.is_none_or(|c| c.fits(&deg(&joints)) || !c.fits(&deg(&from)));
         let same_configuration =
             kept && [&joints, &found.joints].iter().all(|to| self.robot.same_configuration(&from, to));

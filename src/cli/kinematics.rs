@@ -66,7 +66,7 @@ enum Direction {
 
 impl KinematicsCommand {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
-        // the model needs a target, whose position is not that of the tool
+        // the model needs a target, whose position differs from the tool's
         let file = read_robot(&self.robot)?;
         let mut robot = file.build(&file.targets_or("tool"))?;
         if let Some(path) = &self.parameters {

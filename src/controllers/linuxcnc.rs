@@ -110,7 +110,7 @@ fn table(chain: &JointChain) -> Option<(Pose, Vec<LinkParameters>)> {
     for joint in &chain.joints {
         frames.push(frames.last().map_or(joint.origin, |last| last.then(&joint.origin)));
     }
-    // the first frame is that of the base, moved to the first axis
+    // the first frame is the frame of the base, moved to the first axis
     let (point, z) = (frames[0].translation_mm, frames[0].axis(2));
     let along = dot(point, z);
     let origin = [0, 1, 2].map(|i| point[i] - along * z[i]);

@@ -252,7 +252,7 @@ impl FieldDocument {
         let other = |name: &str| error!("field-of-other-robot", name);
         let joint =
             |name: &String| robot.joints().iter().position(|joint| joint.column() == *name).ok_or_else(|| other(name));
-        // a compensated program has other targets than those that were measured
+        // a compensated program has other targets than the measured ones
         let of_target = |name: &String| self.parameters.iter().any(|p| p.name == *name && p.role == Role::Target);
         let parameter = |name: &String| match robot.index(name) {
             None if !of_target(name) => Err(other(name)),

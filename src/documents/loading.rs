@@ -181,7 +181,7 @@ fn best(mut known: Vec<KnownFile>) -> Vec<KnownFile> {
     known
 }
 
-/// The best controller files of those that are clearly better than nominal parameters.
+/// The best of the controller files that are clearly better than nominal parameters.
 fn better_files<'a>(
     whole: &ControllerErrors,
     files: &'a [WrittenFile],

@@ -693,7 +693,7 @@ fn wanted_parameters(robot: &dyn Robot, observations: &[Observation], settings: 
     }
     let held = |name: &str| settings.hold.iter().any(|pattern| matches_pattern(pattern, name));
     let unseen = unseen_by(robot, settings.kind);
-    // nothing is measured in a world: that of the robot's base is the only one
+    // nothing is measured in a world: the frame of the robot's base is the only one
     let bases = robot.free_base().is_none() || tied_to_world(observations, settings);
     let joints = observations.iter().map(|o| &o.joints).chain(settings.conditions.iter().map(|c| &c.joints));
     let included = settings.effects.include(robot, joints.map(Vec::as_slice));

@@ -107,7 +107,7 @@ impl Linearised {
 
 /// Returns the solution of a problem that differs little from a problem with this linear part at
 /// `start`. Takes undamped steps by the current gradient and that factor, until a step is below
-/// `near` times the first. With `is_same`, the Jacobian at `start` is that of the linear part.
+/// `near` times the first. With `is_same`, the linear part has the Jacobian at `start`.
 /// `None` if steps do not shrink tenfold.
 pub fn solve_near(
     problem: &impl Problem,

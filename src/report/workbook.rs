@@ -206,7 +206,7 @@ fn draw(page: &mut Worksheet, sheet: &Sheet, words: &Words, rows: u32) -> std::r
     let Some(plot) = plots().into_iter().find(|p| p.sheet == sheet.name.id && first) else { return Ok(()) };
     let column = |title: &str| (0u16..).zip(&sheet.columns).find(|(_, c)| c[1] == title).map(|(i, _)| i);
     let up: Vec<u16> = plot.up.iter().filter_map(|title| column(title)).collect();
-    // a table of other columns on a sheet of this name, as that of a plan, has no chart: Excel
+    // a table of other columns on a sheet of this name, such as a plan, has no chart: Excel
     // rejects a chart without series
     let Some(across) = column(plot.across).filter(|_| !up.is_empty()) else { return Ok(()) };
     let name = name(sheet, words);

@@ -346,8 +346,8 @@ impl ArmBuilder {
         self.lateral.tilts.iter().map(spring(true)).chain(self.lateral.sags.iter().map(spring(false))).collect()
     }
 
-    /// Adds the parameters of the tilts: angles under 100 N·m about the same direction. The moment
-    /// is that of the known masses and of the payload; without known masses, of the payload alone.
+    /// Adds the parameters of the tilts: angles under 100 N·m about the same direction. Known
+    /// masses and the payload cause the moment; without known masses, the payload alone.
     pub fn tilts(&mut self, gravity: Vector) {
         if self.lateral.tilts.is_empty() && self.lateral.pedestal.is_none() {
             return;

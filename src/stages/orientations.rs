@@ -145,8 +145,8 @@ impl Written {
         Self { form, numbers: [a, b, c, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ..*self }
     }
 
-    /// Orientation of the body in the world; angles in this order, or in that of their row. Without
-    /// both the order is arbitrary.
+    /// Orientation of the body in the world; angles in this order, or in the order of their row.
+    /// Without both the order is arbitrary.
     ///
     /// # Errors
     /// Fails if a number is missing, or if a quaternion has a length other than one.

@@ -388,8 +388,8 @@ impl RobotFile {
         if targets.is_empty() { vec![name.to_owned()] } else { targets }
     }
 
-    /// Targets whose positions `[nominal]` or `[tolerance]` gives, such as that of `SMR_x`. A name
-    /// like that of a parameter is misspelt, and belongs to no target.
+    /// Targets whose positions `[nominal]` or `[tolerance]` gives, such as `SMR` by `SMR_x`. A name
+    /// similar to a parameter's is misspelt, and belongs to no target.
     fn placed_targets(&self) -> Vec<String> {
         let Some((robot, suffixes)) = self.target_suffixes() else { return Vec::new() };
         let others: Vec<&str> = robot.parameters().iter().map(|p| p.name.as_str()).collect();

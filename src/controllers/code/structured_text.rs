@@ -217,8 +217,8 @@ fn integers(names: &'static [&'static str]) -> impl Iterator<Item = Variable> {
     names.iter().map(|name| Variable { name, kind: VariableKind::Integer })
 }
 
-/// Functions and function blocks of the robot with its identified parameters, each after those that
-/// it calls.
+/// Functions and function blocks of the robot with its identified parameters, each after the blocks
+/// that it calls.
 pub(crate) fn units(given: &ExportInput) -> Result<Vec<Unit>> {
     let mut all = vec![
         Unit::function("ETALON_ATAN2", "Angle of the vector (x, y), rad.", &["y", "x"], ATAN2),

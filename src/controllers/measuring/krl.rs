@@ -17,7 +17,7 @@ impl MeasuringLanguage for Krl {
     }
 
     fn text(&self, program: &MeasuringProgram) -> String {
-        // the name of the program is that of its file
+        // program and file have the same name
         let mut out = format!("DEF {}( )\n", identifier(program.name, 24));
         out += &program.comments(";");
         out += "DECL INT I\nBAS (#INITMOV,0)\nFOR I=1 TO 6\n$VEL_AXIS[I]=10\nENDFOR\n";

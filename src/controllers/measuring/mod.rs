@@ -172,7 +172,7 @@ pub fn language(name: Option<&str>, ending: &str) -> Option<(&'static str, &'sta
 ///
 /// # Errors
 ///
-/// Reports other joints, a joint whose motor is logged (its value is not that of the joint), and
+/// Reports other joints, a joint whose motor is logged (its value is not the joint value), and
 /// missing or unsuited settings.
 pub fn check(
     name: &str,

@@ -279,8 +279,8 @@ fn narrowest_slab(points: &[Vector], start: Slab) -> (Slab, bool, usize) {
     (best, true, looked_at)
 }
 
-/// Points that can be extreme in a direction whose angle to that of `rows` has at most this
-/// tangent: their depth below the highest point is at most their distance from it times the
+/// Points that can be extreme in a direction whose angle to the direction of `rows` has at most
+/// this tangent: their depth below the highest point is at most their distance from it times the
 /// tangent.
 fn extreme_within(points: &[Vector], rows: &[[f64; 3]], tangent: f64) -> Vec<Vector> {
     let (low, high) = extremes(rows, [0.0; 2]);

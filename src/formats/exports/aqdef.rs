@@ -369,7 +369,7 @@ fn field(text: &str) -> Option<(usize, Option<usize>, &str)> {
     let digits = |words: &str| !words.is_empty() && words.bytes().all(|b| b.is_ascii_digit());
     let mut parts = key.strip_prefix('K')?.split('/');
     let key = parts.next().filter(|key| key.len() == 4 && digits(key))?;
-    // a second index is that of the value
+    // a second index belongs to the value
     let index = parts.next();
     if !index.is_none_or(digits) || !parts.all(digits) {
         return None;

@@ -183,7 +183,7 @@ fn by_words(labels: &[impl AsRef<str>]) -> Option<String> {
     });
     let within = |at: usize| target.is_some_and(|(from, to)| (from..=to).contains(&at));
     let crosses = within(pose) || cycle.is_some_and(within) || words.iter().any(|at| within(*at));
-    // a short word alone may be that of a point
+    // a short word alone may name a point
     let unsure = target.is_none() && first[word_before(pose)?].1.chars().count() < 3;
     if crosses || unsure {
         return None;

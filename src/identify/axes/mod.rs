@@ -148,7 +148,7 @@ pub fn joint_axis(sweep: &Sweep, settings: &AxesSettings) -> Result<JointAxis, S
     if motion::is_reversed(sweep, &fit) != (backwards && sweep.readings.iter().all(|r| r.joints.is_empty())) {
         fit.reverse();
     }
-    // the given uncertainty where chi-square agrees, otherwise that of the residuals
+    // the given uncertainty if chi-square agrees, otherwise the uncertainty from the residuals
     let own = (fit.deviation_mm, fit.degrees_of_freedom as f64);
     let (u, mut degrees_of_freedom) = match settings.standard_uncertainty_mm {
         None => own,

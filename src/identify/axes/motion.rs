@@ -154,7 +154,7 @@ fn slope([travels, values]: &[Vec<f64>; 2]) -> f64 {
 }
 
 /// Motion compared with the joint values; `None` without joint values or motion. `covariance` is
-/// that of the parameters of the fit.
+/// the covariance of the parameters of the fit.
 pub(super) fn travel(sweep: &Sweep, fit: &SweepFit, u_mm: f64, covariance: &DMatrix<f64>) -> Option<Travel> {
     let rows: Vec<Vec<usize>> = fit.paths.iter().map(|p| smooth::rows(sweep, fit, p.target, false)).collect();
     let (mut weights, mut sum, mut degrees_of_freedom) = (Vec::new(), 0.0, 0.0f64);

@@ -56,8 +56,8 @@ impl HeldOut {
     }
 }
 
-/// Errors of the coordinates of a pose before and after, and the variances after: that of the
-/// prediction and of the reading.
+/// Errors of the coordinates of a pose before and after, and the variances of prediction and
+/// reading after.
 struct Pose {
     name: PoseName,
     coordinates: Vec<[f64; 4]>,

@@ -233,8 +233,8 @@ pub struct Repeats {
     pub standard_deviation: f64,
     /// Scatter expected from the uncertainties of the points.
     pub expected: f64,
-    /// Variance of the mean in excess of that of the points: zero unless chi-square rejects the
-    /// points' uncertainty.
+    /// Variance of the mean in excess of the variance of the points: zero unless chi-square rejects
+    /// the points' uncertainty.
     pub excess_variance: f64,
 }
 

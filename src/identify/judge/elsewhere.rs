@@ -67,7 +67,7 @@ impl Elsewhere<'_> {
         let by_base = || is_same(differences(branches.iter().flatten().map(at_base)));
         let places = data.readings(*robot).into_iter().flat_map(|(k, _)| arm.target_place(k)..arm.target_place(k) + 3);
         let targets_free = places.into_iter().all(|i| free.contains(&i));
-        // without a measured world, that of the base is the only one
+        // without a measured world, the frame of the base is the only one
         let is_base_free = !tied_to_world(&data.observations, &data.settings) || (0..6).all(|i| free.contains(&i));
         targets_free && by_targets() || is_base_free && by_base()
     }

@@ -150,8 +150,8 @@ const PART: usize = 60;
 /// Minimum scale (mm, rad) of residuals: no instrument resolves less.
 pub const LEAST_RESIDUAL: f64 = 1e-6;
 
-/// Residual of every reading after a robust fit. Each quantity is judged by its own scatter: that
-/// of a model that is incomplete is not the instrument's.
+/// Residual of every reading after a robust fit. Each quantity is judged by its own scatter: an
+/// incomplete model scatters more than the instrument.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
     /// The largest first, relative to its outlier limit.
@@ -409,8 +409,9 @@ fn is_judged(c: &Condition) -> bool {
 }
 
 /// Standard deviation of the difference between each residual of a reading and its prediction by
-/// the fit with the Cauchy loss, relative to that of the reading: √(1 + J C Jᵀ). A pose far from
-/// the others is predicted less accurately. No values if the parameters are too many.
+/// the fit with the Cauchy loss, relative to the standard deviation of the reading: √(1 + J C Jᵀ).
+/// A pose far from the others is predicted less accurately. No values if the parameters are too
+/// many.
 fn prediction_factors(
     robot: &dyn Robot,
     observations: &[Observation],

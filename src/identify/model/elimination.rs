@@ -172,7 +172,7 @@ impl Owners {
     fn new(robot: &dyn Robot, arm: &dyn FreeBase, settings: &Settings) -> Self {
         let place = |k: usize| arm.target_place(k)..arm.target_place(k) + 3;
         let mut targets: Vec<Range<usize>> = (0..robot.targets().len()).map(place).collect();
-        // of four unknowns one may be that of a point
+        // one of four unknowns may belong to a point
         let (mut mountings, mut fixtures, mut shared) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
         for c in &settings.conditions {
             let of = c.kind.equation().unknowns();

@@ -21,8 +21,8 @@ pub struct RigidPart {
     pub places_mm: Vec<Vector>,
     /// Standard uncertainty of one of these coordinates, mm.
     pub standard_uncertainty_mm: f64,
-    /// Maximum difference (mm) of a distance from the given one; beyond it, the distance is that
-    /// of another part.
+    /// Maximum difference (mm) of a distance from the given one; beyond it, the distance
+    /// belongs to another part.
     pub tolerance_mm: f64,
     /// Factor of the rows: the standard deviation of a residual, so that the rigidity of a part
     /// relative to the errors of the robot follows its given uncertainty; 1 if unknown.

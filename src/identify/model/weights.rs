@@ -1,5 +1,5 @@
-//! Readings with their own uncertainties: their residuals are divided by these, instead of by that
-//! of the instrument.
+//! Readings with their own uncertainties: their residuals are divided by these uncertainties
+//! instead of the instrument's.
 
 use crate::{Error, Result};
 use crate::{Observation, Settings};

@@ -93,7 +93,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
 fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     let document = &results.identified.as_ref()?.parameters;
     let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));
-    // the last digit of a value is that of its expanded uncertainty
+    // a value and its expanded uncertainty end at the same digit
     let expanded = |p: &ParameterEntry| p.standard_uncertainty.map(|u| 2.0 * u);
     for (title, group) in &parameters::groups(&document.parameters, words) {
         let columns = Columns::<&ParameterEntry>::new()

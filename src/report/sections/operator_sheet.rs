@@ -104,7 +104,7 @@ fn steps(plan: &PlanDocument, words: &Words) -> Vec<Text> {
         .collect()
 }
 
-/// Configurations in the order of measurement. A label is that of `{target}_{pose}_{cycle}`, with
+/// Configurations in the order of measurement. A label has the form `{target}_{pose}_{cycle}`, with
 /// the number of the configuration as cycle.
 fn rows(plan: &PlanDocument) -> Vec<Row<'_>> {
     let reflectors = plan.choice.generated.iter().flat_map(|g| &g.reflectors);

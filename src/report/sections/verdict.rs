@@ -55,7 +55,7 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     // a platform without a given point has its centre, which nobody measured
     let is_stated = |tool: &&ToolAccuracy| tool.frame != ToolFrame::Platform || tool.point_mm != [0.0; 3];
     let tool = identified.and_then(|i| i.accuracy.tool.as_ref()).filter(is_stated);
-    // the expected error at the tool point is that of all identified parameters
+    // all identified parameters give the expected error at the tool point
     let tool = tool.filter(|_| judged_file.is_none());
     let tool = tool.map(|tool| at_tool(tool, words));
     let shown = set.map_or_else(Vec::new, |set| before_after(&limits, set, words));
@@ -373,7 +373,7 @@ fn at_tool(tool: &ToolAccuracy, words: &Words) -> BeforeAfter {
     }
 }
 
-/// Headlines; those on one axis have one unit, which is that of the axis.
+/// Headlines; headlines on one axis have the unit of the axis.
 fn headlines(all: Vec<BeforeAfter>) -> Vec<Headline> {
     let largest = ["mm", "deg"].map(|unit| {
         let of_unit = all.iter().filter(|e| e.unit == unit).flat_map(|e| e.values);

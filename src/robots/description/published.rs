@@ -1,5 +1,5 @@
-//! Arms whose Denavit-Hartenberg parameters their makers publish. A table may be that of another of
-//! them by mistake.
+//! Arms whose Denavit-Hartenberg parameters their makers publish. A table may
+//! belong to another arm by mistake.
 
 use crate::SerialJoint;
 

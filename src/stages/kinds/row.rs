@@ -199,8 +199,8 @@ pub(super) fn fixed_rows(table: &Table) -> Result<Vec<bool>> {
     Ok(table.optional_poses()?.iter().map(Option::is_none).collect())
 }
 
-/// The stations of rows outside the frame of the world, which is that of coordinates without a
-/// station, or else of the first station.
+/// The stations of rows outside the frame of the world. The world is the frame of coordinates
+/// without a station, otherwise of the first station.
 fn other_stations(table: &Table) -> Vec<Option<String>> {
     let rows = 0..table.height();
     let x = table.values(XYZ[0]);

@@ -24,8 +24,8 @@ pub struct Misfit {
 }
 
 impl Misfit {
-    /// Standard deviations (mm) of the error that several targets of a pose share, and of that of
-    /// each.
+    /// Standard deviations (mm) of the error that several targets of a pose share, and of the error
+    /// of each target.
     fn parts_mm(&self) -> [f64; 2] {
         let all = self.coordinate_mm;
         let of_target = |u: f64| [(all.powi(2) - u.powi(2)).max(0.0).sqrt(), u];

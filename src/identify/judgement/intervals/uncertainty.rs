@@ -509,8 +509,8 @@ fn held_message(robot: &dyn Robot, group: &Group) -> Message {
 }
 
 /// Covariance of the residuals of each observation, by its square root from below: the instrument's
-/// noise, of pose residuals that of the balls, and the uncertainty of the frame that places it.
-/// `None` where one is not positive definite.
+/// noise, the noise of the balls for pose residuals, and the uncertainty of the frame that places
+/// it. `None` where one is not positive definite.
 fn noise(
     problem: &Residuals,
     solution: &Solution,

@@ -47,7 +47,8 @@ impl RotationOrder {
     }
 
     /// Angles a, b, c (rad) of an orientation: those nearest to `near_rad` of all that reach it. If
-    /// the axes of the first and the last rotation coincide, the last angle is that of `near_rad`.
+    /// the axes of the first and the last rotation coincide, the last angle is taken from
+    /// `near_rad`.
     pub fn angles_rad(&self, wanted: &Pose, near_rad: Vector) -> Vector {
         let [(i, _), (j, _), (k, last)] = self.steps;
         let third = 3 - i - j;
