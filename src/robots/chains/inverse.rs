@@ -579,11 +579,12 @@ impl<'a> Search<'a> {
     /// members. The nearest comes first.
     fn closest(&self, start: &[f64], near: &[f64]) -> Vec<Vec<f64>> {
         let redundant = self.joints.len() > 6;
+        let travel = if redundant { Travel::Limited } else { Travel::Free };
         let slid = |q: Vec<f64>| {
             let free = redundant || self.least_value(&q) <= FAINT;
-            if free { self.slide(q, near, redundant) } else { q }
+            if free { self.slide(q, near, travel) } else { q }
         };
-        let ended = self.attempt(start, redundant, RESOLUTION);
+        let ended = self.attempt(start, travel, RESOLUTION);
         let found = ended.is_attained.then(|| self.represent(ended.joints, near)).flatten().map(slid);
         let found: Vec<Vec<f64>> = found.into_iter().collect();
         if redundant || found.iter().any(|q| self.distance(q, near) < NEAR) {
