@@ -4,9 +4,9 @@
 use crate::loading::accepted_field;
 use crate::worded::worded;
 use crate::{
-    AccuracyDocument, CampaignSummary, EffectProof, FieldDocument, Figure, Judged, LOADING_RATIO, LimitQuantity,
-    LimitVerdict, LoadAnswer, Loading, LoadingCheck, PointError, PoseSet, PositionErrors, Reason, UncertaintySource,
-    VerdictDocument,
+    AccuracyDocument, CampaignSummary, Effect, EffectProof, ErrorQuantity, FieldDocument, Figure, Judged,
+    LOADING_RATIO, LimitQuantity, LimitVerdict, LoadAnswer, Loading, LoadingCheck, PointError, PoseSet, PositionErrors,
+    Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank, Severity};
@@ -127,6 +127,9 @@ pub struct WrittenFile {
     /// SHA-256 of the file; absent in output folders of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
+    /// Effects that the format cannot contain; absent in output folders of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub omitted_effects: Vec<Effect>,
     /// Pose on the display of the controller, before and after loading; absent in output folders of
     /// earlier versions, and for robots without kinematics of a whole pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -224,9 +227,10 @@ impl Evidence<'_> {
         let mut all: Vec<Action> = loading.and_then(|l| self.load(l)).into_iter().chain(self.measure_again()).collect();
         all.extend(loading.and_then(|loading| self.compensate(loading)));
         let effects = self.judged.accuracy.into_iter().flat_map(|a| &a.effects);
-        all.extend(effects.filter(|e| !e.is_identified).map(add_effect));
+        let is_first = loading.is_some_and(|loading| loading.answer == LoadAnswer::IdentifyFurther);
+        all.extend(effects.filter(|e| !e.is_identified).map(|proof| self.add_effect(proof, is_first)));
         all.extend(verdict.reasons.iter().filter_map(|reason| self.remedy(reason, verdict)));
-        all.extend(self.add_validation());
+        all.extend(self.add_validation(&verdict.reasons));
         all.extend(self.messages.iter().filter_map(|m| resolve(m)));
         let judges = self.judged.accuracy.is_some() || self.judged.tested.poses.is_some();
         if verdict.limits.is_empty() && judges {
@@ -271,11 +275,18 @@ impl Evidence<'_> {
             (false, true) => phrase!("action-load", file, count, others),
             (false, false) => phrase!("action-load-or-compensate", file, count, others),
         };
-        let (best, PositionErrors { rms_mm: nominal, .. }) = (errors.written, errors.nominal);
-        let [expected, nominal_error] = lengths([best.rms_mm, nominal]);
-        let (quantity, set) = (leading.quantity.phrase(), set.name.name());
-        let reason = phrase!("action-load-reason", expected, nominal = nominal_error, quantity, count = poses, set);
-        Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(nominal - best.rms_mm)))
+        // errors at calibration poses are smaller than at other poses
+        let held_out = self.judged.accuracy?.left_out.as_ref().filter(|_| {
+            let is_whole = errors.written == PositionErrors::from(&leading.after);
+            set.name == PoseSet::Calibration && leading.quantity == ErrorQuantity::Position && is_whole
+        });
+        let (count, set, rms_mm) = match held_out {
+            Some(found) => (found.poses, "held-out", [found.identified.rms, found.nominal.rms]),
+            None => (poses, set.name.name(), [errors.written.rms_mm, errors.nominal.rms_mm]),
+        };
+        let ([expected, nominal], quantity) = (lengths(rms_mm), leading.quantity.phrase());
+        let reason = phrase!("action-load-reason", expected, nominal, quantity, count, set);
+        Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(rms_mm[1] - rms_mm[0])))
     }
 
     /// Correction of programs by the residual field, in addition to the loaded parameters.
@@ -461,6 +472,39 @@ impl Evidence<'_> {
         Some(Action::new(ActionKind::ReduceUncertainty, what, reason))
     }
 
+    /// Effect that improves the errors at poses that are excluded from the identification; if it
+    /// `is_first`, nothing is loaded without it. If no controller file can contain it, programs are
+    /// corrected.
+    fn add_effect(&self, proof: &EffectProof, is_first: bool) -> Action {
+        let [without, with] = lengths([proof.without_mm, proof.with_mm]);
+        // output folders of earlier versions do not contain the line
+        let of_campaign = || proof.campaign_line.clone().unwrap_or_else(|| "effects = \"proven\"".to_owned());
+        let (file, line) = match &proof.robot_key {
+            Some(key) => ("robot.toml", key.clone()),
+            None => ("campaign.toml", of_campaign()),
+        };
+        let what = match (&proof.robot_key, is_first) {
+            (Some(key), false) => phrase!("action-add-effect", line = key),
+            (Some(key), true) => phrase!("action-add-effect-first", line = key),
+            (None, false) => phrase!("action-prove-effects", line = line.clone()),
+            (None, true) => phrase!("action-prove-effects-first", line = line.clone()),
+        };
+        let reason = match self.is_omitted(proof.effect) {
+            true => phrase!("action-add-effect-not-in-file", without, with, effect = proof.effect.phrase()),
+            false => phrase!("action-add-effect-reason", without, with),
+        };
+        let gain = Some(proof.without_mm - proof.with_mm);
+        Action::new(ActionKind::AddEffect, what, reason).file(file).line(line).gain(gain)
+    }
+
+    /// `true` if no file for a controller can contain an effect; without such files, no other file.
+    fn is_omitted(&self, effect: Effect) -> bool {
+        let files = &self.campaign.controller_files;
+        let is_of_controllers = files.iter().any(|file| file.is_for_controllers);
+        let mut loaded = files.iter().filter(|file| file.is_for_controllers == is_of_controllers).peekable();
+        loaded.peek().is_some() && loaded.all(|file| file.omitted_effects.contains(&effect))
+    }
+
     /// Test of the loaded file at a pose, and the way back.
     fn verify(&self, loading: Option<&Loading>) -> Action {
         let name = loading.and_then(|loading| loading.file.as_ref());
@@ -479,33 +523,23 @@ impl Evidence<'_> {
         Action::new(ActionKind::Verify, what, reason)
     }
 
-    /// Validation, without which errors are too small.
-    fn add_validation(&self) -> Option<Action> {
+    /// Validation, without which errors are too small or, for one of the `reasons`, unknown.
+    fn add_validation(&self, reasons: &[Reason]) -> Option<Action> {
         let sets = &self.judged.accuracy.filter(|a| a.given.is_none())?.sets;
         let counted = |name| sets.iter().any(|s| s.name == name && s.count > 0);
         (counted(PoseSet::Calibration) && !counted(PoseSet::Validation)).then(|| {
-            let (what, reason) = (phrase!("action-add-validation"), phrase!("action-add-validation-reason"));
+            let unknown = reasons.iter().find_map(|reason| match reason {
+                Reason::ErrorsUnknown { calibration_mm, left_out_mm } => Some(lengths([*calibration_mm, *left_out_mm])),
+                _ => None,
+            });
+            let reason = match unknown {
+                Some([calibration, left_out]) => phrase!("action-add-validation-unknown", calibration, left_out),
+                None => phrase!("action-add-validation-reason"),
+            };
+            let what = phrase!("action-add-validation");
             Action::new(ActionKind::AddValidation, what, reason).file("campaign.toml")
         })
     }
-}
-
-/// Effect that improves the errors at poses that are excluded from the identification.
-fn add_effect(proof: &EffectProof) -> Action {
-    let [without, with] = lengths([proof.without_mm, proof.with_mm]);
-    let reason = phrase!("action-add-effect-reason", without, with);
-    // output folders of earlier versions do not contain the line
-    let of_campaign = || proof.campaign_line.clone().unwrap_or_else(|| "effects = \"proven\"".to_owned());
-    let (file, line) = match &proof.robot_key {
-        Some(key) => ("robot.toml", key.clone()),
-        None => ("campaign.toml", of_campaign()),
-    };
-    let what = match &proof.robot_key {
-        Some(key) => phrase!("action-add-effect", line = key),
-        None => phrase!("action-prove-effects", line),
-    };
-    let gain = Some(proof.without_mm - proof.with_mm);
-    Action::new(ActionKind::AddEffect, what, reason).file(file).line(line).gain(gain)
 }
 
 /// Source with the largest share of the variance of a figure.

@@ -3,7 +3,8 @@
 
 use crate::{AccuracyDocument, ControllerErrors, Effect, EffectProof, FigureBudget, PositionErrors};
 use crate::{
-    CampaignSummary, ControllerFiles, ControllersDocument, FieldHeldOut, Figure, Judged, VerdictDocument, WrittenFile,
+    CampaignSummary, ControllerFiles, ControllersDocument, FieldHeldOut, Figure, Judged, Reason, VerdictDocument,
+    WrittenFile,
 };
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
@@ -118,21 +119,25 @@ impl Loading {
         if !parameters.is_plausible() {
             return Some(empty(LoadAnswer::Resolve));
         }
+        let field_mm = accepted_field(accuracy).map_or(f64::INFINITY, |field| field.with_mm);
+        let better: Vec<_> = further_effects(accuracy).filter(|proof| proof.with_mm < field_mm).collect();
+        let further =
+            Self { effects: better.iter().map(|proof| proof.effect).collect(), ..empty(LoadAnswer::IdentifyFurther) };
+        // further effects may show errors that are unknown without them
+        let is_blocked = verdict.reasons.iter().any(Reason::blocks_effects);
         if hardly_better(accuracy).is_some() {
-            return Some(empty(LoadAnswer::KeepNominal));
+            let improves = better.iter().any(|proof| improves_on_nominal(accuracy, proof));
+            return Some(if improves && !is_blocked { further } else { empty(LoadAnswer::KeepNominal) });
         }
         let files = better_files(&whole, &campaign.controller_files, judged.controllers);
         if files.is_empty() && !campaign.controller_files.is_empty() {
             return Some(empty(LoadAnswer::KeepNominal));
         }
+        if !is_blocked && !further.effects.is_empty() {
+            return Some(further);
+        }
         if !verdict.passes() {
             return Some(empty(LoadAnswer::Resolve));
-        }
-        let field_mm = accepted_field(accuracy).map_or(f64::INFINITY, |field| field.with_mm);
-        let better = further_effects(accuracy).filter(|proof| proof.with_mm < field_mm);
-        let effects: Vec<Effect> = better.map(|proof| proof.effect).collect();
-        if !effects.is_empty() {
-            return Some(Self { effects, ..empty(LoadAnswer::IdentifyFurther) });
         }
         let Some(first) = files.first() else {
             return Some(Self { errors: Some(whole), ..empty(LoadAnswer::Load) });
@@ -218,6 +223,12 @@ pub(crate) fn accepted_field(accuracy: &AccuracyDocument) -> Option<&FieldHeldOu
 /// larger.
 pub(crate) fn further_effects(accuracy: &AccuracyDocument) -> impl Iterator<Item = &EffectProof> {
     accuracy.effects.iter().filter(|e| !e.is_identified && e.without_mm > LOADING_RATIO * e.with_mm)
+}
+
+/// `true` if errors at held-out poses are more than 5 % smaller with a further effect than with
+/// nominal parameters.
+fn improves_on_nominal(accuracy: &AccuracyDocument, proof: &EffectProof) -> bool {
+    accuracy.left_out.as_ref().is_some_and(|left_out| left_out.nominal.rms > LOADING_RATIO * proof.with_mm)
 }
 
 /// Errors with nominal and with all identified parameters, if the identified ones are not clearly

@@ -2,9 +2,9 @@
 
 use crate::loading::hardly_better;
 use crate::{
-    Acceptance, AccuracyDocument, Action, Characteristics, Conditions, Conformity, ControllerErrors, ControllerFiles,
-    ControllersDocument, Iso9283Document, LimitQuantity, LimitVerdict, Loading, ParametersDocument, PoseCharacteristic,
-    PositionErrors, UntestedMistake,
+    Acceptance, AccuracyDocument, AccuracySet, Action, Characteristics, Conditions, Conformity, ControllerErrors,
+    ControllerFiles, ControllersDocument, ErrorQuantity, Iso9283Document, LeftOutErrors, LimitQuantity, LimitVerdict,
+    Loading, ParametersDocument, PoseCharacteristic, PoseSet, PositionErrors, UntestedMistake,
 };
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::pose::CYCLES;
@@ -113,6 +113,19 @@ pub enum Reason {
     ModelDoesNotFit {
         /// Residuals over the standard uncertainty of the instrument.
         times: f64,
+        /// Poses whose errors apply; absent in output folders of earlier versions.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        #[schemars(with = "Option<String>")]
+        set: Option<PoseSet>,
+    },
+    /// Calibration poses decide and do not show the errors at other poses: the model does not fit,
+    /// and its parameters absorb errors of the model; or errors at calibration poses that were
+    /// excluded from the identification are beyond a limit.
+    ErrorsUnknown {
+        /// Root mean square of the position error at calibration poses (mm).
+        calibration_mm: f64,
+        /// Root mean square of the position error at excluded calibration poses (mm).
+        left_out_mm: f64,
     },
     /// The measurements cannot show some mistakes of the set-up: with one of them, the tool is
     /// beyond a limit.
@@ -142,6 +155,12 @@ pub enum Reason {
 /// instrument is accurate. Their errors at validation poses are true nevertheless.
 const MISFIT: f64 = 3.0;
 
+/// Ratio of the errors at excluded poses to the errors at calibration poses, over the same ratio of
+/// nominal parameters, beyond which parameters of the robot absorb errors of the model. Base and
+/// targets, which both fits contain, cancel. A correct model with n parameters from N coordinates
+/// has the ratio √((1 + n/N) / (1 − n/N)) (Seber & Lee, Linear Regression Analysis).
+const ABSORBED: f64 = 1.5;
+
 /// Documents that are judged together.
 #[derive(Clone, Copy)]
 pub struct Judged<'a> {
@@ -159,6 +178,11 @@ pub struct Judged<'a> {
     pub conditions: Option<&'a Conditions>,
 }
 
+/// Set of poses whose errors decide.
+fn deciding_set(accuracy: &AccuracyDocument) -> Option<&AccuracySet> {
+    accuracy.sets.iter().rfind(|set| set.count > 0)
+}
+
 impl Reason {
     /// Verdict that the reason alone gives.
     pub fn acceptance(&self) -> Acceptance {
@@ -169,9 +193,10 @@ impl Reason {
             | Self::FileRefused
             | Self::LimitNotMet { .. }
             | Self::PosesNotConforming { .. } => Acceptance::Fail,
-            Self::LimitUndecided { .. } | Self::PosesUndecided { .. } | Self::NotAssessable { .. } => {
-                Acceptance::Undecided
-            }
+            Self::LimitUndecided { .. }
+            | Self::PosesUndecided { .. }
+            | Self::NotAssessable { .. }
+            | Self::ErrorsUnknown { .. } => Acceptance::Undecided,
             Self::WithinGuardBand { .. }
             | Self::InstrumentTooCoarse { .. }
             | Self::NoWarmUp
@@ -181,6 +206,11 @@ impl Reason {
             | Self::SetUpUntested { .. }
             | Self::HardlyBetter { .. } => Acceptance::Conditional,
         }
+    }
+
+    /// `true` if the verdict fails or is open for a reason that further effects do not remove.
+    pub(crate) fn blocks_effects(&self) -> bool {
+        !self.acceptance().is_accepted() && !matches!(self, Self::ErrorsUnknown { .. })
     }
 
     /// Reason by which a limit is not simply passed.
@@ -239,10 +269,30 @@ impl Reason {
     }
 
     /// Model that leaves residuals several times the uncertainty of the instrument.
-    fn from_residuals(parameters: &ParametersDocument) -> Option<Self> {
-        let times =
-            parameters.residuals.times_uncertainty().filter(|_| parameters.residuals.test.chi_square_rejected)?;
-        (times > MISFIT).then_some(Self::ModelDoesNotFit { times })
+    fn from_residuals(parameters: &ParametersDocument, accuracy: Option<&AccuracyDocument>) -> Option<Self> {
+        let residuals = &parameters.residuals;
+        let times = residuals.times_uncertainty().filter(|_| residuals.test.chi_square_rejected)?;
+        let set = accuracy.and_then(deciding_set).map(|set| set.name);
+        (times > MISFIT).then_some(Self::ModelDoesNotFit { times, set })
+    }
+
+    /// Errors at other poses that are unknown, if calibration poses decide: parameters absorb errors
+    /// of a model that does not fit, or errors at held-out poses are beyond one of the `limits` that
+    /// calibration poses meet.
+    fn from_left_out(accuracy: &AccuracyDocument, limits: &[&LimitVerdict], is_misfit: bool) -> Option<Self> {
+        let set = deciding_set(accuracy).filter(|set| set.name == PoseSet::Calibration)?;
+        let errors = set.error_statistics(ErrorQuantity::Position)?;
+        let LeftOutErrors { nominal, identified: left_out, .. } = accuracy.left_out.as_ref()?;
+        // nominal parameters with fitted base and targets, and identified ones
+        let [before, after] = [nominal.rms / errors.before.rms, left_out.rms / errors.after.rms];
+        let absorbs = is_misfit && after > ABSORBED * before;
+        let is_beyond = |limit: &&LimitVerdict| match limit.name.limited_error() {
+            Some((ErrorQuantity::Position, figure)) => limit.met && figure.value_in(left_out) > limit.limit,
+            _ => false,
+        };
+        let (calibration_mm, left_out_mm) = (errors.after.rms, left_out.rms);
+        let is_unknown = absorbs || limits.iter().any(is_beyond);
+        is_unknown.then_some(Self::ErrorsUnknown { calibration_mm, left_out_mm })
     }
 
     /// Mistakes of the set-up that the measurements cannot show, and that move the tool beyond one
@@ -315,8 +365,12 @@ impl<'a> Judged<'a> {
             reasons.extend(Reason::from_test(document, self.conditions));
         }
         let plausible = self.parameters.filter(|p| p.is_plausible());
-        reasons.extend(plausible.and_then(Reason::from_residuals));
+        let misfit = plausible.and_then(|parameters| Reason::from_residuals(parameters, self.accuracy));
         let limits: Vec<&LimitVerdict> = self.limits().collect();
+        if let (Some(accuracy), Some(_)) = (self.accuracy, plausible) {
+            reasons.extend(Reason::from_left_out(accuracy, &limits, misfit.is_some()));
+        }
+        reasons.extend(misfit);
         reasons.extend(plausible.and_then(|parameters| Reason::from_untested(parameters, &limits)));
         if let (Some(accuracy), Some(_)) = (self.accuracy, plausible) {
             reasons.extend(Reason::from_controller_files(accuracy, self.controllers));

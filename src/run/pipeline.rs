@@ -23,7 +23,7 @@ use etalon_documents::{
     to_json,
 };
 use etalon_report::Renderer;
-use etalon_robots::{Robot, Role};
+use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
 
 /// Files that a run writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -149,6 +149,9 @@ fn written(
         controllers: results.controllers.as_ref(),
         ..export_input(campaign, robot, found, &results.campaign)
     };
+    let positions = solution.sets.calibration.iter().map(|o| o.joints.as_slice());
+    let joints = positions.chain(solution.settings.conditions.iter().map(|c| c.joints.as_slice()));
+    let effects = etalon_identify::effects(robot, joints);
     let file = |(name, exporter): (&str, &dyn Exporter)| {
         let statement = input.statement(exporter).ok().filter(|statement| statement.refusal(name).is_none())?;
         let parameters = statement.parameters.as_ref().unwrap_or(&found.parameters);
@@ -158,10 +161,32 @@ fn written(
             file: exporter.file_name().to_owned(),
             is_for_controllers: exporter.about().is_for_controllers,
             sha256: None,
+            omitted_effects: omitted_effects(robot, &effects, &input, exporter),
             check: values.and_then(|values| loading_check(robot, solution, &values)),
         })
     };
     formats.all().into_iter().filter_map(file).collect()
+}
+
+/// Effects of which a format contains no parameter, even if the robot has no such parameters;
+/// `effects` contains the effect of each parameter.
+fn omitted_effects(
+    robot: &dyn Robot,
+    effects: &[Option<Effect>],
+    input: &ExportInput,
+    exporter: &dyn Exporter,
+) -> Vec<etalon_documents::Effect> {
+    let described = |effect: Effect| {
+        robot.parameters().iter().zip(effects).filter(move |(_, own)| **own == Some(effect)).map(|(p, _)| p)
+    };
+    let holds = |effect: Effect| match described(effect).next() {
+        Some(_) => described(effect).any(|p| exporter.holds(p, input)),
+        None => {
+            let other = Parameter { effect, ..Parameter::new("", Quantity::Ratio, Role::Robot, 0.0) };
+            exporter.holds(&other, input)
+        }
+    };
+    Effect::ALL.into_iter().filter(|effect| !holds(*effect)).map(Into::into).collect()
 }
 
 /// Writes what [`evaluate`] computed to the output folder of the campaign.

@@ -4,7 +4,8 @@ use super::{etalon, text_of};
 use crate::support::said::Says;
 use crate::support::scratch::{Scratch, copy_sample, ends};
 use etalon::documents::{
-    Acceptance, ActionKind, CampaignSummary, ControllersDocument, LoadAnswer, LoadingCheck, VerdictDocument,
+    Acceptance, AccuracyDocument, ActionKind, CampaignSummary, ControllersDocument, Effect, LeftOutErrors, LoadAnswer,
+    LoadingCheck, Reason, VerdictDocument,
 };
 use etalon::run::pipeline::evaluate;
 use std::collections::BTreeMap;
@@ -37,6 +38,11 @@ fn a_file_of_zeros_is_judged_by_its_own_errors() {
     assert_eq!(verdict.limits[0].value, Some(written.max_mm));
     assert!(written.max_mm > 1.0 && written.rms_mm > 0.5, "{written:?}");
     assert_eq!(verdict.loading.unwrap().answer, LoadAnswer::Resolve);
+    let campaign: CampaignSummary = document(&scratch, "campaign.json");
+    let file = campaign.controller_files.iter().find(|file| file.file == "zeros.ini").unwrap();
+    let omitted = &file.omitted_effects;
+    assert!(omitted.contains(&Effect::Geometry) && omitted.contains(&Effect::Gains), "{omitted:?}");
+    assert!(!omitted.contains(&Effect::Zeros), "{omitted:?}");
     assert!(verdict.actions.iter().all(|step| step.action != ActionKind::Load), "{:?}", verdict.actions);
     let meet = verdict.actions.iter().find(|step| step.action == ActionKind::MeetLimit).unwrap();
     assert_eq!(meet.what.phrase().unwrap().id, "action-use-all-parameters");
@@ -229,4 +235,45 @@ fn a_date_after_today_is_a_warning_that_no_document_contains() {
     let shown = text_of(&run);
     assert!(shown.says("warning[date-in-future] key=date date=2062-03-02 today=2026-03-01"), "{shown}");
     assert!(!std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("date-in-future"));
+}
+
+/// Zeros of joints from nine poses are no better than nominal parameters. The geometry is, as held-out poses prove.
+#[test]
+fn an_effect_that_few_poses_prove_comes_before_nominal_parameters() {
+    let scratch = copy_sample("column-arm");
+    scratch.replace("campaign.toml", "calibration = \"1-60\"\nvalidation = \"61-80\"", "calibration = \"1-9\"");
+    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.15", "");
+    scratch.replace("campaign.toml", "effects = \"all\"", "effects = [\"zeros\"]");
+    ends(&scratch, "run", 0, &[]);
+    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let loading = verdict.loading.unwrap();
+    assert_eq!((loading.answer, &loading.effects[..]), (LoadAnswer::IdentifyFurther, &[Effect::Geometry][..]));
+    let step = verdict.actions.iter().find(|step| step.action == ActionKind::AddEffect).unwrap();
+    scratch.replace("campaign.toml", "effects = [\"zeros\"]", step.line.as_deref().unwrap());
+    let errors = || -> LeftOutErrors { document::<AccuracyDocument>(&scratch, "accuracy.json").left_out.unwrap() };
+    let before = errors();
+    let again = etalon(scratch.root(), &["run", "campaign"]);
+    assert!(again.status.code() < Some(2), "{}", text_of(&again));
+    assert!(errors().identified.rms < 0.7 * before.nominal.rms, "{before:?} {:?}", errors());
+}
+
+/// Ten poses of an arm that bends: its zeros and lengths absorb the bending at these poses, and not at others.
+#[test]
+fn parameters_of_few_poses_that_absorb_errors_of_the_model_are_not_loaded() {
+    let scratch = copy_sample("elastic-arm");
+    scratch.replace("campaign.toml", "calibration = \"1-60\"", "calibration = \"1-10\"");
+    scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.15", "");
+    scratch.replace("campaign.toml", "effects = \"proven\"", "effects = \"usual\"");
+    let rms = |accuracy: &AccuracyDocument| accuracy.sets.last().unwrap().leading().unwrap().after.rms;
+    ends(&scratch, "run", 0, &[]);
+    let judged: AccuracyDocument = document(&scratch, "accuracy.json");
+    scratch.replace("campaign.toml", "validation = \"rest\"", "");
+    ends(&scratch, "run", 1, &[]);
+    let (accuracy, verdict): (AccuracyDocument, VerdictDocument) =
+        (document(&scratch, "accuracy.json"), document(&scratch, "verdict.json"));
+    // other poses have several times the errors of the calibration poses
+    assert!(rms(&judged) > 5.0 * rms(&accuracy), "{} {}", rms(&judged), rms(&accuracy));
+    assert!(verdict.reasons.iter().any(|reason| matches!(reason, Reason::ErrorsUnknown { .. })), "{verdict:?}");
+    assert_ne!(verdict.loading.unwrap().answer, LoadAnswer::Load);
+    assert!(verdict.actions.iter().any(|step| step.action == ActionKind::AddValidation), "{:?}", verdict.actions);
 }

@@ -246,6 +246,7 @@ mod tests {
         let without = section(&results);
         assert!(
             without.contains("expanded_scale_uncertainty_um_per_m") && without.contains("[expansion]"),
+            omitted_effects: Vec::new(),
             "{without}"
         );
         let budget = &mut results.identified.as_mut().unwrap().parameters.budget;

@@ -95,8 +95,16 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
         Reason::InstrumentTooCoarse { poses } => {
             tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
         }
-        Reason::ModelDoesNotFit { times } => {
-            tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 3))
+        Reason::ModelDoesNotFit { times, set } => {
+            // output folders of earlier versions do not contain the set
+            let set = set.unwrap_or(PoseSet::Validation).name();
+            tr!(words, "reservation-model-does-not-fit", times = number::significant(*times, 3), set)
+        }
+        Reason::ErrorsUnknown { calibration_mm, left_out_mm } => {
+            let DisplayUnit { unit, factor } = number::display_unit("mm", *calibration_mm);
+            let [calibration, left_out] =
+                [calibration_mm, left_out_mm].map(|mm| format!("{} {unit}", number::significant(mm * factor, 3)));
+            tr!(words, "reservation-errors-unknown", calibration, left_out)
         }
         Reason::SetUpUntested { count, flange_mm, flange_deg } => tr!(
             words,

@@ -6,8 +6,8 @@ use crate::campaign::contents;
 use crate::*;
 use etalon_documents::{
     Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule, DisplayedPose, Effect,
-    EffectProof, FieldHeldOut, FieldSummary, LimitQuantity, LimitVerdict, LoadingCheck, PoseSet, RobustParameter,
-    RobustPose, RobustSummary, Source, SourceKind, Statistics, WrittenFile,
+    EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck,
+    PoseSet, RobustParameter, RobustPose, RobustSummary, Source, SourceKind, Statistics, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -24,6 +24,7 @@ fn file(format: &str, file: &str) -> WrittenFile {
         file: file.to_owned(),
         is_for_controllers: false,
         sha256: None,
+        omitted_effects: Vec::new(),
         check: None,
     }
 }
@@ -96,6 +97,112 @@ fn a_file_that_is_no_better_than_nominal_is_not_to_be_loaded() {
     }
     let all = kinds(&actions(&documents));
     assert!(!all.contains(&ActionKind::Load) && all.contains(&ActionKind::KeepNominal), "{all:?}");
+}
+
+/// The controller of a campaign may have no place for an effect that the data prove.
+#[test]
+fn an_effect_that_no_controller_file_contains_is_advised_with_another_way() {
+    let mut documents = measured();
+    documents.accuracy.effects = vec![geometry(1.19, 0.1)];
+    let step = |documents: &Documents| {
+        let all = actions(documents);
+        all.iter().find(|a| a.action == ActionKind::AddEffect).unwrap().reason.phrase().unwrap().id.clone()
+    };
+    assert_eq!(step(&documents), "action-add-effect-reason");
+    let omitted_effects = vec![Effect::Geometry];
+    let zeros = WrittenFile { is_for_controllers: true, omitted_effects, ..file("zeros.ini", "zeros.ini") };
+    documents.campaign.controller_files.push(zeros);
+    assert_eq!(step(&documents), "action-add-effect-not-in-file");
+    let all = WrittenFile { is_for_controllers: true, ..file("twincat", "etalon.st") };
+    documents.campaign.controller_files.push(all);
+    assert_eq!(step(&documents), "action-add-effect-reason");
+}
+
+/// Geometry that is not identified, with errors at held-out poses (mm).
+fn geometry(without_mm: f64, with_mm: f64) -> EffectProof {
+    EffectProof {
+        effect: Effect::Geometry,
+        joints: vec!["q1".to_owned()],
+        is_identified: false,
+        robot_key: None,
+        campaign_line: Some("effects = [\"zeros\", \"geometry\"]".to_owned()),
+        without_mm,
+        with_mm,
+        gain_over_u: Some(4.0),
+        p_value: Some(1e-9),
+    }
+}
+
+/// Errors of this size at held-out calibration poses.
+fn left_out(nominal_mm: f64, identified_mm: f64) -> Option<LeftOutErrors> {
+    let of_size = |mm| Statistics { mean: mm, rms: mm, p95: mm, max: mm };
+    let [nominal, identified] = [nominal_mm, identified_mm].map(of_size);
+    Some(LeftOutErrors { poses: 8, folds: 8, nominal, identified })
+}
+
+fn answer(documents: &Documents) -> (LoadAnswer, u8) {
+    let verdict = documents.results().verdict;
+    (verdict.loading.unwrap().answer, verdict.exit_code)
+}
+
+#[test]
+fn an_effect_that_improves_on_nominal_parameters_precedes_them() {
+    let mut documents = measured();
+    for set in &mut documents.accuracy.sets {
+        set.errors.iter_mut().for_each(|e| e.after.rms = 0.99 * e.before.rms);
+    }
+    documents.accuracy.left_out = left_out(1.2, 1.19);
+    documents.accuracy.effects = vec![geometry(1.19, 0.1)];
+    assert_eq!(answer(&documents), (LoadAnswer::IdentifyFurther, 0));
+    let all = actions(&documents);
+    let add = all.iter().find(|a| a.action == ActionKind::AddEffect).unwrap().what.phrase().unwrap();
+    assert_eq!(add.id, "action-prove-effects-first");
+    // clearly better than without the effect, and not than nominal parameters
+    documents.accuracy.left_out = left_out(0.103, 1.19);
+    assert_eq!(answer(&documents), (LoadAnswer::KeepNominal, 0));
+}
+
+#[test]
+fn a_model_that_does_not_fit_is_loaded_if_poses_show_its_errors() {
+    let mut documents = measured();
+    documents.accuracy.limits.clear();
+    documents.accuracy.left_out = left_out(1.2, 0.1);
+    // residuals are 10 times the uncertainty
+    documents.parameters.residuals.test.chi_square = Some(100.0 * 149.0);
+    assert_eq!(answer(&documents), (LoadAnswer::Load, 0), "validation poses show them");
+    // 0.026 mm at calibration poses
+    documents.accuracy.sets.retain(|set| set.name == PoseSet::Calibration);
+    assert_eq!(answer(&documents), (LoadAnswer::Resolve, 1));
+    let all = actions(&documents);
+    let validate = all.iter().find(|a| a.action == ActionKind::AddValidation).unwrap().reason.phrase().unwrap();
+    let text = |text: &str| etalon_base::catalogue::Argument::Text(text.to_owned());
+    assert_eq!(validate.id, "action-add-validation-unknown");
+    assert_eq!(
+        [&validate.arguments["calibration"], &validate.arguments["left_out"]],
+        [&text("26.0 µm"), &text("100 µm")]
+    );
+    let words = Words::default();
+    let said = contents(&documents.results(), &words).verdict.sentences.join(" ");
+    assert!(said.contains("26.0 µm at calibration poses, 100 µm at held-out ones"), "{said}");
+    // few parameters for the poses: the file is expected to have the errors of held-out poses
+    documents.accuracy.left_out = left_out(1.2, 0.03);
+    assert_eq!(answer(&documents), (LoadAnswer::Load, 0));
+    let all = actions(&documents);
+    let load = all.iter().find(|a| a.action == ActionKind::Load).unwrap().reason.phrase().unwrap();
+    assert_eq!([&load.arguments["expected"], &load.arguments["set"]], [&text("0.0300 mm"), &text("held-out")]);
+    let said = contents(&documents.results(), &words).verdict.sentences.join(" ");
+    assert!(said.contains("errors at other poses may be larger than at the calibration poses"), "{said}");
+    // the uncertainty of the instrument explains the residuals of few poses
+    documents.accuracy.left_out = left_out(1.2, 0.1);
+    documents.parameters.residuals.test.chi_square = Some(149.0);
+    documents.parameters.residuals.test.chi_square_rejected = false;
+    assert_eq!(answer(&documents), (LoadAnswer::Load, 0));
+    // a limit that calibration poses meet, and held-out poses do not
+    let limit = |mm| LimitVerdict::judge(LimitQuantity::PositionMaxMm, mm, 0.0442, Some(0.0038), DecisionRule::Guarded);
+    documents.accuracy.limits = vec![limit(0.2)];
+    assert_eq!(answer(&documents), (LoadAnswer::Load, 0));
+    documents.accuracy.limits = vec![limit(0.08)];
+    assert_eq!(answer(&documents), (LoadAnswer::Resolve, 1));
 }
 
 #[test]

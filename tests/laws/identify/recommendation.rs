@@ -7,7 +7,8 @@ use crate::support::scratch::{Scratch, copy_sample};
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
 use etalon::documents::{
-    AccuracyDocument, Action, ActionKind, Effect, FrameOrigin, LOADING_RATIO, LoadAnswer, LoadVerdict, Results,
+    AccuracyDocument, Action, ActionKind, Effect, ErrorStatistics, FrameOrigin, LOADING_RATIO, LoadAnswer, LoadVerdict,
+    Results,
 };
 use etalon::robots::Role;
 use etalon::run::pipeline::evaluate;
@@ -72,59 +73,112 @@ fn every_kind_of_observation_is_judged() {
     }
 }
 
-/// Error of what a run recommends at poses that it has not seen, over the smallest error of four others: nominal parameters, the run's, the
-/// parameters of all effects, and a residual field, if the campaign searches one. `set_up` changes the table of the campaign; its `validation` are the new poses.
-fn ratio_at_fresh_poses(folder: &Scratch, set_up: impl Fn(&mut toml::Table)) -> (f64, String) {
-    let path = folder.path().join("campaign.toml");
-    let mut stated: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();
-    set_up(&mut stated);
-    let run = |effects: Option<&str>, is_judged: bool| -> Results {
-        let mut table = stated.clone();
+/// A set of parameters at poses that its run has not seen.
+struct Recommended {
+    /// Error over the smallest error with nominal parameters, with the first run, with all effects and with a residual field, if the campaign
+    /// searches one; `None` if the run ends with exit code 1 and loads nothing.
+    ratio: Option<f64>,
+    what: String,
+}
+
+/// A campaign in a folder, whose `validation` are poses that its runs do not see.
+struct FreshPoses<'a> {
+    folder: &'a Scratch,
+    campaign: toml::Table,
+}
+
+impl FreshPoses<'_> {
+    /// Results of the campaign with these effects, judged at the new poses.
+    fn run(&self, effects: Option<&str>, is_judged: bool) -> Results {
+        let mut table = self.campaign.clone();
         let identify = table["identify"].as_table_mut().unwrap();
         effects.and_then(|effects| identify.insert("effects".to_owned(), effects.into()));
         if !is_judged {
             identify.remove("validation");
         }
-        std::fs::write(&path, toml::to_string(&table).unwrap()).unwrap();
-        evaluate(&Campaign::read(&folder.path()).unwrap()).unwrap().results
-    };
-    let leading = |accuracy: &AccuracyDocument| accuracy.sets.last().unwrap().leading().unwrap().clone();
-    let errors = |effects: Option<&str>| {
-        let found = leading(&run(effects, true).identified.unwrap().accuracy);
+        std::fs::write(self.folder.path().join("campaign.toml"), toml::to_string(&table).unwrap()).unwrap();
+        evaluate(&Campaign::read(&self.folder.path()).unwrap()).unwrap().results
+    }
+
+    /// Errors at the new poses before and after.
+    fn errors(&self, effects: Option<&str>) -> [f64; 2] {
+        let found = leading(&self.run(effects, true).identified.unwrap().accuracy);
         [found.before.rms, found.after.rms]
-    };
-    let answered = run(None, false);
-    let loading = answered.verdict.loading.unwrap();
-    let ([nominal, own], [_, all]) = (errors(None), errors(Some("all")));
-    let identified = answered.identified.unwrap();
+    }
+
+    /// Follows the lines that steps ask for, until a run asks for none.
+    fn followed(&mut self) -> Results {
+        let mut answered = self.run(None, false);
+        for _ in 0..MOST_LINES {
+            if answered.verdict.loading.as_ref().unwrap().answer != LoadAnswer::IdentifyFurther {
+                break;
+            }
+            self.add_effects(&answered.verdict.actions);
+            answered = self.run(None, false);
+        }
+        answered
+    }
+
+    /// Adds the lines of effects to campaign.toml and robot.toml, as the steps of a verdict ask for.
+    fn add_effects(&mut self, steps: &[Action]) {
+        let lines = |file: &str| -> Vec<&str> {
+            let of_file = steps.iter().filter(|step| step.action == ActionKind::AddEffect);
+            of_file.filter(|step| step.file.as_deref() == Some(file)).filter_map(|step| step.line.as_deref()).collect()
+        };
+        let keys: toml::Table = lines("campaign.toml").join("\n").parse().unwrap();
+        self.campaign["identify"].as_table_mut().unwrap().extend(keys);
+        // before the first table of the file
+        let path = self.folder.path().join("robot.toml");
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, format!("{}\n{text}", lines("robot.toml").join("\n"))).unwrap();
+    }
+}
+
+/// Maximum number of lines that are followed, one after the other.
+const MOST_LINES: usize = 4;
+
+fn leading(accuracy: &AccuracyDocument) -> ErrorStatistics {
+    accuracy.sets.last().unwrap().leading().unwrap().clone()
+}
+
+/// What a run recommends, at poses that it has not seen. `set_up` changes the table of the campaign; its `validation` are the new poses.
+fn recommended_at_fresh_poses(folder: &Scratch, set_up: impl Fn(&mut toml::Table)) -> Recommended {
+    let text = std::fs::read_to_string(folder.path().join("campaign.toml")).unwrap();
+    let mut campaign: toml::Table = text.parse().unwrap();
+    set_up(&mut campaign);
+    let mut fresh = FreshPoses { folder, campaign };
+    let ([nominal, own], [_, all]) = (fresh.errors(None), fresh.errors(Some("all")));
+    let answered = fresh.followed();
+    let (verdict, identified) = (answered.verdict, answered.identified.unwrap());
+    let answer = verdict.loading.unwrap().answer;
+    let [_, last] = fresh.errors(None);
     let field = identified.field.as_ref().map(|field| {
-        run(None, true);
         let judged =
             Validation { document: Some(&identified.parameters), field: Some(field), frames: FrameOrigin::Refit };
         leading(&validate(&Campaign::read(&folder.path()).unwrap(), judged).unwrap().accuracy).after.rms
     });
-    let corrects = answered.verdict.actions.iter().any(|action| action.action == ActionKind::Compensate);
-    let loaded = match (loading.answer, field.filter(|_| corrects)) {
-        (_, Some(field)) => field,
-        (LoadAnswer::KeepNominal, None) => nominal,
-        (LoadAnswer::IdentifyFurther, None) => {
-            add_effects(folder, &answered.verdict.actions);
-            errors(Some("proven"))[1]
-        }
-        (LoadAnswer::Load | LoadAnswer::Resolve, None) => own,
+    let corrects = verdict.actions.iter().any(|action| action.action == ActionKind::Compensate);
+    let loaded = match (answer, field.filter(|_| corrects)) {
+        (_, Some(field)) => Some(field),
+        (LoadAnswer::KeepNominal, None) => Some(nominal),
+        (LoadAnswer::Resolve, None) => None,
+        (LoadAnswer::Load | LoadAnswer::IdentifyFurther, None) => Some(last),
     };
-    let ratio = loaded / nominal.min(own).min(all).min(field.unwrap_or(f64::INFINITY));
-    (ratio, format!("{:?}, nominal {nominal:.4}, own {own:.4}, all {all:.4}, field {field:?}", loading.answer))
+    assert!(loaded.is_some() || verdict.exit_code == 1, "nothing is loaded, and the exit code does not say so");
+    let ratio = loaded.map(|loaded| loaded / nominal.min(own).min(all).min(field.unwrap_or(f64::INFINITY)));
+    let what = format!("{answer:?}, nominal {nominal:.4}, own {own:.4}, last {last:.4}, all {all:.4}, field {field:?}");
+    Recommended { ratio, what }
 }
 
-/// Adds the lines of effects to robot.toml, as the steps of a verdict ask for.
-fn add_effects(folder: &Scratch, steps: &[Action]) {
-    let path = folder.path().join("robot.toml");
-    let of_robot = steps.iter().filter(|step| step.file.as_deref() == Some("robot.toml"));
-    let lines: Vec<&str> = of_robot.filter_map(|step| step.line.as_deref()).collect();
-    // before the first table of the file
-    let text = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, format!("{}\n{text}", lines.join("\n"))).unwrap();
+/// Checks these runs: at most one in twenty recommends worse parameters than another set.
+fn check_recommended(all: &[Recommended]) {
+    let worse: Vec<_> = all.iter().filter(|one| one.ratio.is_some_and(|ratio| ratio > LOADING_RATIO)).collect();
+    worse.iter().for_each(|one| println!("{:.3} {}", one.ratio.unwrap(), one.what));
+    let nothing: Vec<_> = all.iter().filter(|one| one.ratio.is_none()).collect();
+    nothing.iter().for_each(|one| println!("nothing is loaded: {}", one.what));
+    assert!(worse.len() as f64 <= 0.05 * all.len() as f64, "{} of {} are worse", worse.len(), all.len());
+    // an answer is what a run is for
+    assert!(nothing.len() as f64 <= 0.2 * all.len() as f64, "{} of {} load nothing", nothing.len(), all.len());
 }
 
 /// Keys of `[identify]` of a campaign.
@@ -136,11 +190,12 @@ fn identify_keys(campaign: &mut toml::Table, keys: &[(&str, String)]) {
 }
 
 /// A drawn arm, measured at some of 60 poses; half of the arms have gains that the run does not identify by itself.
-fn arm_at_fresh_poses(seed: u64) -> (f64, String) {
+fn arm_at_fresh_poses(seed: u64) -> Recommended {
     let poses = 12 + 8 * (seed % 7);
     let keys = [("effects", "usual".into()), ("calibration", format!("1-{poses}")), ("validation", "61-90".into())];
-    let (ratio, what) = ratio_at_fresh_poses(&drawn(seed), |campaign| identify_keys(campaign, &keys));
-    (ratio, format!("{seed}: {poses} poses, {what}"))
+    let Recommended { ratio, what } =
+        recommended_at_fresh_poses(&drawn(seed), |campaign| identify_keys(campaign, &keys));
+    Recommended { ratio, what: format!("{seed}: {poses} poses, {what}") }
 }
 
 /// What a run recommends is at new poses as good as each other set of parameters (synthetic). A decision by left-out poses has a scatter: one arm in
@@ -148,10 +203,18 @@ fn arm_at_fresh_poses(seed: u64) -> (f64, String) {
 #[test]
 fn what_is_recommended_is_best_at_fresh_poses() {
     let arms = number("ETALON_CAMPAIGNS", 40);
-    let all: Vec<(f64, String)> = (0..arms).into_par_iter().map(arm_at_fresh_poses).collect();
-    let worse: Vec<_> = all.iter().filter(|(ratio, _)| *ratio > LOADING_RATIO).collect();
-    worse.iter().for_each(|(ratio, what)| println!("{ratio:.3} {what}"));
-    assert!(worse.len() as f64 <= 0.05 * arms as f64, "{worse:#?}");
+    let all: Vec<Recommended> = (0..arms).into_par_iter().map(arm_at_fresh_poses).collect();
+    check_recommended(&all);
+}
+
+/// Twelve poses have hardly more coordinates than an arm has parameters. Each of these arms has gains, without which its errors at new poses are 5 to 45
+/// times as large, and was once to be loaded without them (synthetic).
+#[test]
+fn arms_of_few_poses_are_not_loaded_without_an_effect_that_they_show() {
+    let arms: Vec<Recommended> = [0, 49, 56, 98, 105, 112].into_par_iter().map(arm_at_fresh_poses).collect();
+    let worse: Vec<&str> =
+        arms.iter().filter(|arm| arm.ratio.is_some_and(|ratio| ratio > 1.5)).map(|arm| &*arm.what).collect();
+    assert!(worse.is_empty(), "{worse:#?}");
 }
 
 /// Samples, one of each model and kind of measurement.
@@ -211,13 +274,13 @@ fn some(selection: &str, share: f64, noise: &mut Noise) -> String {
 }
 
 /// A robot of each model, measured at all calibration poses of its sample or at some of them.
-fn model_at_fresh_poses(draw: u64) -> (f64, String) {
+fn model_at_fresh_poses(draw: u64) -> Recommended {
     let mut noise = Noise::new(65, draw);
     let share = one_of(&mut noise, &[1.0, 1.0, 0.8, 0.7]);
     let sample = (draw as usize).checked_rem(MODELS.len() + 1).and_then(|i| MODELS.get(i));
     let Some(sample) = sample else {
-        let (ratio, what) = ratio_at_fresh_poses(&universal_robot(draw), |_| ());
-        return (ratio, format!("{draw}: UR10, {what}"));
+        let Recommended { ratio, what } = recommended_at_fresh_poses(&universal_robot(draw), |_| ());
+        return Recommended { ratio, what: format!("{draw}: UR10, {what}") };
     };
     let folder = drawn_of_model(sample, &mut noise);
     let text = std::fs::read_to_string(folder.path().join("campaign.toml")).unwrap();
@@ -226,8 +289,8 @@ fn model_at_fresh_poses(draw: u64) -> (f64, String) {
     let share = if sample.starts_with("prexyt") { 1.0 } else { share };
     let calibration = some(stated["identify"]["calibration"].as_str().unwrap(), share, &mut noise);
     let keys = [("calibration", calibration)];
-    let (ratio, what) = ratio_at_fresh_poses(&folder, |campaign| identify_keys(campaign, &keys));
-    (ratio, format!("{draw}: {sample}, {share} of the poses, {what}"))
+    let Recommended { ratio, what } = recommended_at_fresh_poses(&folder, |campaign| identify_keys(campaign, &keys));
+    Recommended { ratio, what: format!("{draw}: {sample}, {share} of the poses, {what}") }
 }
 
 /// Like [`what_is_recommended_is_best_at_fresh_poses`], of robots of every model (synthetic): PreXYT, five-bar, hexapod, deltas, an arm on a rail and
@@ -237,8 +300,6 @@ fn model_at_fresh_poses(draw: u64) -> (f64, String) {
 #[ignore = "a long law: make laws"]
 fn what_is_recommended_is_best_for_every_model() {
     let robots = number("ETALON_CAMPAIGNS", 0);
-    let all: Vec<(f64, String)> = (0..robots).into_par_iter().map(model_at_fresh_poses).collect();
-    let worse: Vec<_> = all.iter().filter(|(ratio, _)| *ratio > LOADING_RATIO).collect();
-    worse.iter().for_each(|(ratio, what)| println!("{ratio:.3} {what}"));
-    assert!(worse.len() as f64 <= 0.05 * robots as f64, "{worse:#?}");
+    let all: Vec<Recommended> = (0..robots).into_par_iter().map(model_at_fresh_poses).collect();
+    check_recommended(&all);
 }

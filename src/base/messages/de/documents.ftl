@@ -180,10 +180,13 @@ action-add-cycles = { $count ->
        *[other] die Posen { $poses }
     } mindestens { $required }-mal anfahren
 action-add-cycles-reason = eine Pose hat nur { $least } Anfahrten: die Intervalle von AP und RP sind daher breit
-action-add-effect = `{ $line }` in robot.toml ergänzen
+action-add-effect = `{ $line }` in robot.toml vor der ersten Tabelle ergänzen
+action-add-effect-first = noch nichts laden: `{ $line }` in robot.toml vor der ersten Tabelle ergänzen und den Lauf wiederholen
+action-add-effect-not-in-file = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert). Keine Datei dieser Kampagne für die Steuerung kann { $effect } enthalten: der Gewinn verlangt ein anderes Format oder mit `etalon compensate` korrigierte Programme
 action-add-effect-reason = Abweichung an ausgelassenen Posen: { $without } → { $with } (quadratischer Mittelwert)
 action-add-validation = Posen zur Validierung messen und unter `validation` in [identify] angeben
 action-add-validation-reason = Abweichungen an den Kalibrierposen sind kleiner als Abweichungen an neuen Posen
+action-add-validation-unknown = quadratischer Mittelwert der Positionsabweichung: { $calibration } an Kalibrierposen, { $left_out } an ausgelassenen; nur weitere Posen zeigen die Abweichungen an anderen Orten
 action-agree-rule = mit dem Kunden eine Entscheidungsregel vereinbaren: { $limit }
 action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
@@ -209,6 +212,7 @@ action-load = `{ $file }`{ $count ->
     } laden
 action-load-reason = quadratischer Mittelwert der Abweichung ({ $quantity }) an { $count } { $set ->
         [validation] Validierungsposen
+        [held-out] ausgelassenen Kalibrierposen
        *[calibration] Kalibrierposen
     }: mit Nennparametern { $nominal }, mit dieser Datei { $expected }
 action-load-synthetic = `{ $file }`{ $count ->
@@ -236,6 +240,7 @@ action-meet-limit-reason = { $value }, Grenzwert { $limit }: um { $beyond } übe
 action-use-all-parameters = die Steuerung alle identifizierten Parameter nutzen lassen, durch ein anderes Format oder `etalon compensate`: { $limit }
 action-use-all-parameters-reason = { $value } mit den Werten dieser Datei, { $whole } mit allen identifizierten Parametern; Grenzwert { $limit }
 action-prove-effects = `{ $line }` in [identify] angeben
+action-prove-effects-first = noch nichts laden: `{ $line }` in [identify] angeben und den Lauf wiederholen
 action-reduce-uncertainty = die Messunsicherheit verringern: { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; für eine Entscheidung nötig: { $required }; größter Beitrag: { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present }; für eine Entscheidung nötig: { $required }

@@ -1126,6 +1126,7 @@ reservation-drift = AP änderte sich während der Prüfung um bis zu { $change }
 reservation-few-cycles = weniger als { $required } Zyklen an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
+reservation-errors-unknown = quadratischer Mittelwert der Positionsabweichung { $calibration } an Kalibrierposen, { $left_out } an ausgelassenen: die Kalibrierposen zeigen die Abweichungen an anderen Posen nicht
     }
 reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt keine deutliche Verbesserung gegenüber den Nennparametern: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
@@ -1135,7 +1136,10 @@ reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von A
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
-reservation-model-does-not-fit = die Residuen sind { $times } × die angegebene Unsicherheit der Messwerte: das Modell passt nicht, es gelten die Abweichungen an den Validierungsposen
+reservation-model-does-not-fit = die Residuen sind { $times } × die angegebene Unsicherheit der Messwerte: das Modell passt nicht, { $set ->
+        [calibration] und Abweichungen an anderen Posen können größer sein als an den Kalibrierposen
+       *[validation] es gelten die Abweichungen an den Validierungsposen
+    }
 reservation-set-up-untested = { $count ->
         [one] ein Fehler des Aufbaus ist
        *[other] { $count } Fehler des Aufbaus sind

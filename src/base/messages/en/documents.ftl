@@ -286,10 +286,13 @@ action-add-cycles = visit pose{ $count ->
        *[other] s { $poses }
     } at least { $required } times
 action-add-cycles-reason = one pose has only { $least } visits, so the intervals of AP and RP are wide
-action-add-effect = add `{ $line }` to robot.toml
+action-add-effect = add `{ $line }` to robot.toml, before its first table
+action-add-effect-first = load nothing yet: add `{ $line }` to robot.toml, before its first table, and run again
+action-add-effect-not-in-file = root-mean-square error at held-out poses: { $without } → { $with }. No controller file of this campaign can contain { $effect }: the gain needs another format, or programs corrected with `etalon compensate`
 action-add-effect-reason = root-mean-square error at held-out poses: { $without } → { $with }
 action-add-validation = measure poses for validation, and list them in `validation` of [identify]
 action-add-validation-reason = errors at calibration poses are smaller than errors at new poses
+action-add-validation-unknown = root-mean-square position error { $calibration } at calibration poses, { $left_out } at held-out ones: only further poses show the errors at other places
 action-agree-rule = agree with the customer on a decision rule for the { $limit }
 action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, that is about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`. The field contains errors that no parameter describes
@@ -315,6 +318,7 @@ action-load = load `{ $file }`{ $count ->
     }
 action-load-reason = root-mean-square error ({ $quantity }) at { $count } { $set ->
         [validation] validation
+        [held-out] held-out calibration
        *[calibration] calibration
     } poses: nominal { $nominal }, with this file { $expected }
 action-load-synthetic = load `{ $file }`{ $count ->
@@ -342,6 +346,7 @@ action-meet-limit-reason = { $value }, limit { $limit }: exceeded by { $beyond }
 action-use-all-parameters = let the controller use all identified parameters, by another format or by `etalon compensate`: { $limit }
 action-use-all-parameters-reason = { $value } with the values of this file, { $whole } with all identified parameters; limit { $limit }
 action-prove-effects = set `{ $line }` in [identify]
+action-prove-effects-first = load nothing yet: set `{ $line }` in [identify], and run again
 action-reduce-uncertainty = reduce the uncertainty of the { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; a decision needs { $required }; largest share: { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present }; a decision needs { $required }

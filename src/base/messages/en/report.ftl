@@ -1075,6 +1075,7 @@ reservation-drift = AP changed by up to { $change } µm during the test and did 
 reservation-few-cycles = fewer than { $required } cycles at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
+reservation-errors-unknown = root-mean-square position error { $calibration } at calibration poses, { $left_out } at held-out ones: calibration poses do not show the errors at other poses
     }
 reservation-file-hardly-better = the controller file for { $formats } brings no significant improvement over the nominal parameters: RMS { $rms } mm (nominal { $nominal_rms } mm), largest error { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = at least one controller file was not written (see the messages)
@@ -1084,7 +1085,10 @@ reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of 
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
-reservation-model-does-not-fit = residuals are { $times } × the stated uncertainty of the readings: the model does not fit, and the errors at the validation poses apply
+reservation-model-does-not-fit = residuals are { $times } × the stated uncertainty of the readings: the model does not fit, and { $set ->
+        [calibration] errors at other poses may be larger than at the calibration poses
+       *[validation] the errors at the validation poses apply
+    }
 reservation-set-up-untested = { $count ->
         [one] one mistake of the set-up is
        *[other] { $count } mistakes of the set-up are

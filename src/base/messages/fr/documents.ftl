@@ -174,10 +174,13 @@ action-add-cycles = atteindre { $count ->
        *[other] les poses { $poses }
     } au moins { $required } fois
 action-add-cycles-reason = une pose n’a que { $least } positionnements : les intervalles de AP et de RP sont donc larges
-action-add-effect = ajouter `{ $line }` à robot.toml
+action-add-effect = ajouter `{ $line }` à robot.toml, avant sa première table
+action-add-effect-first = ne rien charger encore : ajouter `{ $line }` à robot.toml, avant sa première table, puis relancer
+action-add-effect-not-in-file = erreur aux poses omises : { $without } → { $with } (moyenne quadratique). Aucun fichier de contrôleur de cette campagne ne peut contenir { $effect } : ce gain demande un autre format, ou des programmes corrigés par `etalon compensate`
 action-add-effect-reason = erreur aux poses omises : { $without } → { $with } (moyenne quadratique)
 action-add-validation = mesurer des poses de validation, et les indiquer sous `validation` dans [identify]
 action-add-validation-reason = les erreurs aux poses d’étalonnage sont plus petites que les erreurs à de nouvelles poses
+action-add-validation-unknown = moyenne quadratique de l’erreur de position : { $calibration } aux poses d’étalonnage, { $left_out } aux poses omises ; seules d’autres poses montrent les erreurs ailleurs
 action-agree-rule = convenir avec le client d’une règle de décision : { $limit }
 action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de lectures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
 action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
@@ -203,6 +206,7 @@ action-load = charger `{ $file }`{ $count ->
     }
 action-load-reason = moyenne quadratique de l’erreur ({ $quantity }) aux { $count } poses { $set ->
         [validation] de validation
+        [held-out] d’étalonnage omises
        *[calibration] d’étalonnage
     } : nominale { $nominal }, avec ce fichier { $expected }
 action-load-synthetic = charger `{ $file }`{ $count ->
@@ -230,6 +234,7 @@ action-meet-limit-reason = { $value }, limite { $limit } : dépassement de { $b
 action-use-all-parameters = faire utiliser tous les paramètres identifiés par le contrôleur, par un autre format ou par `etalon compensate` : { $limit }
 action-use-all-parameters-reason = { $value } avec les valeurs de ce fichier, { $whole } avec tous les paramètres identifiés ; limite { $limit }
 action-prove-effects = indiquer `{ $line }` dans [identify]
+action-prove-effects-first = ne rien charger encore : indiquer `{ $line }` dans [identify], puis relancer
 action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
 action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut { $required }

@@ -1132,6 +1132,7 @@ reservation-drift = AP a varié de { $change } µm au plus pendant l’essai et
 reservation-few-cycles = moins de { $required } cycles { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
+reservation-errors-unknown = moyenne quadratique de l’erreur de position { $calibration } aux poses d’étalonnage, { $left_out } aux poses omises : les poses d’étalonnage ne montrent pas les erreurs à d’autres poses
     }
 reservation-file-hardly-better = le fichier pour le contrôleur ({ $formats }) n’apporte pas d’amélioration significative par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = au moins un fichier pour le contrôleur n’a pas été écrit (voir les messages)
@@ -1141,7 +1142,10 @@ reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
-reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude indiquée des lectures : le modèle ne s’ajuste pas, et les erreurs aux poses de validation font foi
+reservation-model-does-not-fit = les résidus valent { $times } × l’incertitude indiquée des lectures : le modèle ne s’ajuste pas, et { $set ->
+        [calibration] les erreurs à d’autres poses peuvent dépasser celles aux poses d’étalonnage
+       *[validation] les erreurs aux poses de validation font foi
+    }
 reservation-set-up-untested = { $count ->
         [one] une erreur du montage n’est pas contrôlée
        *[other] { $count } erreurs du montage ne sont pas contrôlées

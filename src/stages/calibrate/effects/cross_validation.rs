@@ -24,13 +24,25 @@ use etalon_robots::{Effect, Robot};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Number of parts into which the poses are divided.
+/// Minimum number of parts into which poses are divided; all poses, if they are fewer.
 const FOLDS: usize = 5;
-/// Minimum number of parts.
+/// Minimum number of poses to divide.
 const FEWEST: usize = 3;
-/// Returns the number of divisions for this number of poses: one if they are many, at most three.
+/// Maximum number of poses times parts, if the parts are more than [`FOLDS`].
+const FITTED_POSES: usize = 240;
+
+/// Returns the number of parts for this number of poses. Few poses hardly exceed the parameters:
+/// without a fifth of them, a fit says nothing about a fit to all of them, and the parts are
+/// smaller, down to one pose.
+fn parts(poses: usize) -> usize {
+    (FITTED_POSES / poses.max(1)).clamp(FOLDS.min(poses), poses)
+}
+
+/// Returns the number of divisions for this number of poses: one if the poses or the parts are
+/// many, at most three.
 fn repeats(poses: usize) -> usize {
-    (300 / poses).clamp(1, 3)
+    let parts = parts(poses);
+    if parts > FOLDS || parts == poses { 1 } else { (300 / poses).clamp(1, 3) }
 }
 
 /// Seed of the division.
@@ -83,15 +95,14 @@ impl<'a> Study<'a> {
     /// targets fails.
     pub fn new(robot: &'a dyn Robot, sets: &'a Sets, settings: Settings) -> Result<Self> {
         let names = poses(&sets.calibration, &settings.conditions);
-        let parts = FOLDS.min(names.len());
-        if parts < FEWEST {
+        if names.len() < FEWEST {
             return Err(error!("few-poses-to-leave-out", count = names.len(), least = FEWEST).into());
         }
         // the study decides which effects are identified
         let settings = Settings { effects: Effects::All, ..settings };
         let before = etalon_identify::fit_frames(robot, &sets.calibration, &settings).map_err(remedied)?;
         let effects = effects(robot, joints(&sets.calibration, &settings.conditions));
-        let (poses, folds) = (names.len(), folds(names, parts));
+        let (poses, folds) = (names.len(), folds(names));
         let blocks = temperature_blocks(robot, &sets.calibration, &settings.conditions);
         let study = Self { robot, sets, effects, before, folds, blocks, poses, settings };
         if study.squares_at(&sets.calibration, &study.settings.conditions, &study.before).is_empty() {
@@ -215,8 +226,8 @@ fn joints<'r>(observations: &'r [Observation], conditions: &'r [Condition]) -> i
 }
 
 /// The poses in random parts, for each division.
-fn folds(mut names: Vec<PoseName>, parts: usize) -> Vec<BTreeSet<PoseName>> {
-    let mut folds = Vec::new();
+fn folds(mut names: Vec<PoseName>) -> Vec<BTreeSet<PoseName>> {
+    let (parts, mut folds) = (parts(names.len()), Vec::new());
     for repeat in 0..repeats(names.len()) {
         Noise::new(SEED, repeat as u64).shuffle(&mut names);
         folds.extend((0..parts).map(|part| names.iter().copied().skip(part).step_by(parts).collect()));
@@ -482,8 +493,8 @@ fn sampled(sets: &Sets, settings: &Settings) -> Option<(Sets, Settings, Vec<BTre
     let kept: BTreeSet<PoseName> = names.iter().copied().collect();
     let calibration = sets.calibration.iter().filter(|o| kept.contains(&o.pose)).cloned().collect();
     let conditions = settings.conditions.iter().filter(|c| kept.contains(&c.pose)).cloned().collect();
-    let parts = FOLDS.min(names.len());
-    let mut folds = folds(names, parts);
+    let parts = parts(names.len());
+    let mut folds = folds(names);
     folds.truncate(parts);
     Some((Sets { calibration, ..Sets::default() }, Settings { conditions, ..settings.clone() }, folds))
 }
@@ -570,4 +581,23 @@ fn left_out_squares(
         Ok(squares_at(robot, &sets.validation, &sets.validation_conditions, &values))
     };
     Ok(mean_squares(folds.par_iter().map(of_fold).collect::<Result<Vec<_>>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_poses_are_left_out_one_by_one() {
+        let counted = |poses: usize| (parts(poses), repeats(poses));
+        // 240 poses are fitted, in at least five parts
+        assert_eq!([0, 3, 12, 16, 20, 40].map(counted), [(0, 1), (3, 1), (12, 1), (15, 1), (12, 1), (6, 1)]);
+        assert_eq!([49, 100, 200, 1000].map(counted), [(5, 3), (5, 3), (5, 1), (5, 1)]);
+        for poses in [3i64, 12, 20, 50] {
+            let all = folds((1..=poses).map(PoseName::from).collect());
+            let left_out: usize = all.iter().map(BTreeSet::len).sum();
+            let count = poses as usize;
+            assert_eq!(left_out, repeats(count) * count, "each pose once in each division");
+        }
+    }
 }
