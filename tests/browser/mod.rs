@@ -155,9 +155,9 @@ fn tables_are_sorted_and_filtered_and_space_turns(browser: &mut Browser, reports
     assert_eq!(list(&browser.evaluate(&first)), Vec::<String>::new());
     // one scale of colours for before and after, or one of each picture
     let fill = "getComputedStyle(document.querySelector('.side-after .w15')).fill";
-    let common = browser.evaluate(fill);
-    browser.evaluate("document.querySelector('.switch input[value=own]').checked = true");
-    assert_ne!(browser.evaluate(fill), common);
+    let own = browser.evaluate(fill);
+    browser.evaluate("document.querySelector('.switch input[value=common]').checked = true");
+    assert_ne!(browser.evaluate(fill), own);
     let contents = "(() => { scrollTo(0, 3000); return document.querySelector('nav').getBoundingClientRect().top })()";
     assert_eq!(browser.evaluate(contents), 0, "the contents stay in sight");
     let Some(spatial) = &reports.spatial else { return };

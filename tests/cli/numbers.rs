@@ -1,5 +1,5 @@
 //! Every number of a sentence is a number of a document of the same run, and the page, PDF, workbook, certificate and terminal print the same
-//! sentences.
+//! sentences. Each of their numbers is in a table of the page and of the certificate.
 //!
 //! A sentence without a rule here is a failure: whoever adds a sentence says where its numbers come from.
 
@@ -362,11 +362,47 @@ fn squeezed(text: &str) -> String {
 /// Text of a page.
 fn page_text(page: &str) -> String {
     let body = page.split_once("<body").unwrap().1;
-    let body = body.split_once("<script").map_or(body, |(body, _)| body);
-    let texts: String = body.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect();
+    untagged(body.split_once("<script").map_or(body, |(body, _)| body), "")
+}
+
+/// Text without its tags, in whose places is `mark`.
+fn untagged(text: &str, mark: &str) -> String {
+    let texts: Vec<&str> = text.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect();
     [("&#x2f;", "/"), ("&#x27;", "'"), ("&quot;", "\""), ("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")]
         .iter()
-        .fold(texts, |text, (escaped, plain)| text.replace(escaped, plain))
+        .fold(texts.join(mark), |text, (escaped, plain)| text.replace(escaped, plain))
+}
+
+/// Numbers of sentences that neither a table of the page nor a heading of tables has, in the unit of the sentence or of the table (mm, µm). The one of
+/// the two with fewer digits decides.
+fn without_table(sentences: &[String], page: &str) -> Vec<String> {
+    let within = |tag: &str| -> Vec<Printed> {
+        let (begin, end) = (format!("<{tag}"), format!("</{tag}>"));
+        let pieces = page.split(&begin).skip(1).filter_map(|rest| rest.split(&end).next());
+        pieces.flat_map(|piece| Sentence::parse(&untagged(&format!("{begin}{piece}"), " ")).numbers).collect()
+    };
+    let cells = [within("table"), within("h3")].concat();
+    let is_in_table = |number: &Printed| {
+        let is_length = ["mm", "µm"].contains(&number.unit.as_str());
+        cells
+            .iter()
+            .any(|cell| agree(number, cell, 1.0) || is_length && [1e3, 1e-3].iter().any(|f| agree(number, cell, *f)))
+    };
+    let numbers = |sentence: &String| {
+        let lacking = Sentence::parse(sentence).numbers.into_iter().filter(|number| !is_in_table(number));
+        lacking.map(|number| format!("no table has {} {}: {sentence}", number.text, number.unit)).collect::<Vec<_>>()
+    };
+    sentences.iter().flat_map(numbers).collect()
+}
+
+/// `true` if a number is `factor` times a cell, within the rounding of the one with fewer digits, which is at most a tenth of the number. A clause
+/// is no number.
+fn agree(number: &Printed, cell: &Printed, factor: f64) -> bool {
+    let half = |text: &str| 0.5 * 10f64.powi(-(text.split_once('.').map_or(0, |(_, digits)| digits.len()) as i32));
+    let (Ok(value), Ok(other)) = (number.text.parse::<f64>(), cell.text.parse::<f64>()) else { return false };
+    let (exact, coarse) = (half(&number.text), factor * half(&cell.text));
+    let within = if coarse < 0.1 * value.abs() { exact.max(coarse) } else { exact };
+    if number.is_bound { factor * other <= value } else { (value - factor * other).abs() <= within * (1.0 + 1e-6) }
 }
 
 /// Samples with every kind of sentence: of positions, orientations, contacts, distances, surfaces and coordinates, of a field, and of tests.
@@ -420,6 +456,11 @@ fn same_sentences(head: &[String], scratch: &Scratch, out: &Path) -> Vec<String>
     };
     check("page", &read("report.html"), head);
     check("certificate", &read("certificate.html"), &head[..steps]);
+    let html = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
+    let unlisted = [("report.html", head), ("certificate.html", &head[..steps])].map(|(name, sentences)| {
+        let lacking = without_table(sentences, &html(name));
+        lacking.into_iter().map(move |what| format!("{name}: {what}"))
+    });
     if let Some(text) = tool("pdftotext", &["-raw", "{}", "-"], &out.join("report.pdf")) {
         check("PDF", &text, &head[..steps]);
     }
@@ -430,6 +471,7 @@ fn same_sentences(head: &[String], scratch: &Scratch, out: &Path) -> Vec<String>
         texts
     });
     check("workbook", &cells.collect::<Vec<_>>().join("\n"), &head[..steps]);
+    wrong.extend(unlisted.into_iter().flatten());
     wrong
 }
 

@@ -130,7 +130,7 @@ fn largest(budget: &[BudgetSource], k: usize) -> Option<Source> {
 }
 
 /// Named figures: not those along single axes.
-fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
+pub(super) fn named(document: &AccuracyDocument) -> Vec<FigureBudget> {
     document.budget.iter().filter(|f| is_named(f)).cloned().collect()
 }
 

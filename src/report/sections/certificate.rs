@@ -3,15 +3,18 @@
 //! data cannot be certified.
 
 use super::{
-    accuracy, budget, checklist, clauses, conditions, errors, limits, messages, parameters, provenance, repeatability,
+    accuracy, budget, checklist, clauses, conditions, errors, fit, limits, messages, parameters, provenance,
+    repeatability,
 };
 use crate::model::{
-    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, with_uncertainty,
+    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, term, with_uncertainty,
 };
-use crate::words::{Words, tr};
+use crate::words::{Words, names, tr};
 use etalon_base::message::{Message, Rank};
 use etalon_base::{files, phrase};
-use etalon_documents::{AccuracyDocument, ParameterEntry, Results, WrittenFile};
+use etalon_documents::{
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, ParameterEntry, Results, WrittenFile,
+};
 
 /// Identifiers of sections of characteristics whose results the certificate has in its own tables.
 const PRINTED: [&str; 3] = ["accuracy", "repeatability", "poses"];
@@ -86,12 +89,48 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
     let mut section = errors::section_from_errors(&accuracy, &[], words);
     errors::insert_file_errors(&mut section, results, words);
     section.title = tr!(words, "results-before-and-after");
+    let judged = results.judged_file().and_then(|(_, values)| values.deciding_set.as_ref());
+    let with_uncertainty = uncertain_errors(&accuracy, judged.unwrap_or(set), words);
+    section.table(tr!(words, "results-with-uncertainty"), tr!(words, "certificate-coverage"), with_uncertainty);
+    section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
+    section.push(Block::heading(tr!(words, "residuals-title")));
+    section.push(Block::facts(fit::residuals_and_expected(&identified.parameters.residuals, words)));
     Some(section)
+}
+
+/// Error with its expanded uncertainty.
+struct UncertainError<'a> {
+    errors: &'a ErrorStatistics,
+    figure: Figure,
+    expanded_uncertainty: f64,
+}
+
+/// Errors of a set whose uncertainty is known.
+fn uncertain_errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Words) -> Table {
+    let lengths = budget::named(accuracy).into_iter().map(|b| (b.quantity, b.figure, b.standard_uncertainty_mm));
+    let angles = accuracy.orientation_budget.iter().map(|b| b.standard_uncertainty_deg);
+    let all = lengths.chain(angles.map(|u| (ErrorQuantity::Orientation, Figure::Max, u)));
+    let rows: Vec<UncertainError> = all
+        .filter_map(|(quantity, figure, u)| {
+            Some(UncertainError { errors: set.error_statistics(quantity)?, figure, expanded_uncertainty: 2.0 * u })
+        })
+        .collect();
+    let number = |value: f64, row: &UncertainError| with_uncertainty(value, Some(row.expanded_uncertainty));
+    let columns = Columns::<UncertainError>::new()
+        .page(phrase!("error"), "", |r| term(words, names::error(r.errors.quantity, r.figure)))
+        .page(phrase!("unit"), "", |r| r.errors.unit.as_str())
+        .page(phrase!("report-poses"), "", |r| set.counts(r.errors)[0])
+        .page(phrase!("errors"), "", |r| r.errors.count)
+        .page(phrase!("before"), "", move |r| number(r.figure.value_in(&r.errors.before), r))
+        .page(phrase!("after"), "", move |r| number(r.figure.value_in(&r.errors.after), r))
+        .page("U (k = 2)", "", |r| significant(r.expanded_uncertainty, 2));
+    Table::new(words, &rows, columns)
 }
 
 /// Parameters with their expanded uncertainties and status, and the checksum of their document.
 fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
-    let document = &results.identified.as_ref()?.parameters;
+    let identified = results.identified.as_ref()?;
+    let document = &identified.parameters;
     let mut section = Section::new("parameters", tr!(words, "certificate-parameters"));
     // a value and its expanded uncertainty end at the same digit
     let expanded = |p: &ParameterEntry| p.standard_uncertainty.map(|u| 2.0 * u);
@@ -104,7 +143,10 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
             .both(phrase!("status"), "", |p| parameters::status(p.status, words));
         section.table(title, "", Table::new(words, group, columns));
     }
-    section.push(Block::note(tr!(words, "certificate-coverage")));
+    // the errors say it first
+    if identified.accuracy.budget.is_empty() {
+        section.push(Block::note(tr!(words, "certificate-coverage")));
+    }
     section.push(Block::note(budget::left_out(results, words)));
     if document.parameters.iter().any(|p| p.standard_uncertainty.is_none()) {
         section.push(Block::note(tr!(words, "certificate-held")));
@@ -137,6 +179,7 @@ fn characteristics_section(results: &Results, words: &Words) -> Option<Section> 
     section.table(tr!(words, "orientation-title"), "", accuracy::orientation(&poses, words));
     let conventions = results.tested.poses.iter().flat_map(|document| &document.conventions);
     section.push(Block::note(Text::conventions(&conventions.cloned().collect::<Vec<_>>(), words)));
+    section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
     section.whole().map(|section| super::with_measurement_point(section, results, words))
 }
 
@@ -203,6 +246,7 @@ mod tests {
             file: "controller.json".to_owned(),
             is_for_controllers: false,
             sha256: Some(sha256.clone()),
+            omitted_effects: Vec::new(),
             check: None,
         }];
         let results = documents.results();
@@ -246,7 +290,6 @@ mod tests {
         let without = section(&results);
         assert!(
             without.contains("expanded_scale_uncertainty_um_per_m") && without.contains("[expansion]"),
-            omitted_effects: Vec::new(),
             "{without}"
         );
         let budget = &mut results.identified.as_mut().unwrap().parameters.budget;

@@ -214,8 +214,9 @@ pub(super) fn pictures(results: &Results, words: &Words) -> Option<Section> {
         section.push(Block::text(tr!(words, "no-error-to-draw")));
         return section.whole();
     }
-    let note = format!("{} {}", tr!(words, "picture-marks"), tr!(words, "picture-page-command"));
-    section.push(Block::note(note));
+    let selection = (drawable.len() > points::MARKS).then(|| tr!(words, "picture-selection"));
+    let notes = [Some(tr!(words, "picture-marks")), selection, Some(tr!(words, "picture-page-command"))];
+    section.push(Block::note(notes.into_iter().flatten().collect::<Vec<_>>().join(" ")));
     let undrawn = errors.len() - drawable.len();
     if undrawn > 0 {
         let note = tr!(words, "errors-not-drawn", count = undrawn);

@@ -110,6 +110,32 @@ pub(super) fn measures_coordinates(r: &ResidualSummary) -> bool {
     r.count > r.conditions.iter().map(|c| c.count).sum()
 }
 
+/// Position residuals and their expected size, and the ratio of all residuals to their stated
+/// uncertainty.
+pub(super) fn residuals_and_expected(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
+    let of_position = r.position.position_rms_mm.map(|mm| length(mm, words));
+    let [expected, over_uncertainty] = explained(r, words);
+    vec![(tr!(words, "position-residuals-rms"), of_position.into()), expected, over_uncertainty]
+}
+
+/// Expected size of the position residuals, and the ratio of all residuals to their stated
+/// uncertainty; without readings other than positions, the ratio explains the positions.
+fn explained(r: &ResidualSummary, words: &Words) -> [(String, Cell); 2] {
+    let ratio = r.times_uncertainty();
+    let of_positions = ratio.filter(|ratio| *ratio > 0.0 && r.conditions.is_empty());
+    let expected = r.position.position_rms_mm.zip(of_positions).map(|(mm, ratio)| length(mm / ratio, words));
+    let ratio = ratio.map(|ratio| words.decimal(significant(ratio, 3)));
+    [
+        (tr!(words, "position-residuals-expected-rms"), expected.into()),
+        (tr!(words, "residuals-over-uncertainty"), ratio.into()),
+    ]
+}
+
+/// Length with three significant digits.
+fn length(mm: f64, words: &Words) -> String {
+    format!("{} mm", words.decimal(significant(mm, 3)))
+}
+
 fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let three = |v: f64| significant(v, 3);
     // readings other than positions, for example distances
@@ -150,20 +176,22 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         .chi_square
         .map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
-    let length = |mm: f64| format!("{} mm", words.decimal(three(mm)));
-    let of_position = r.position.position_rms_mm.map(length);
+    let of_position = r.position.position_rms_mm.map(|mm| length(mm, words));
     let alone = r.position.position_rms_mm.is_some() && !readings;
-    let [of_both, of_max] = if alone { [None, Some(length(r.max))] } else { [Some(both), None] };
-    let before = r.position.position_rms_before_mm.map(length);
+    let [of_both, of_max] = if alone { [None, Some(length(r.max, words))] } else { [Some(both), None] };
+    let before = r.position.position_rms_before_mm.map(|mm| length(mm, words));
+    let [expected, over_uncertainty] = explained(r, words);
     vec![
         (tr!(words, "residuals"), count.into()),
         (tr!(words, "position-residuals-rms"), of_position.into()),
+        expected,
         (tr!(words, "position-residuals-before-rms"), before.into()),
         (tr!(words, "rms-and-max"), of_both.into()),
         (tr!(words, "largest-residual-of-a-coordinate"), of_max.into()),
         (tr!(words, "degrees-of-freedom"), degrees_of_freedom(r, words).into()),
         (tr!(words, "stated-uncertainty"), own.into()),
         (tr!(words, "chi-square"), chi_square.into()),
+        over_uncertainty,
         (tr!(words, "uncertainties"), format!("{from}{enlarged}").into()),
     ]
 }

@@ -125,13 +125,26 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
     Table::new(words, known, columns).without_empty_columns()
 }
 
+/// Expanded uncertainty (mm) of a position, from its ratios to the characteristics of a pose.
+fn uncertainty_mm(pose: &Iso9283Pose) -> Option<f64> {
+    let ratios = [(pose.uncertainty_over_rp, pose.rp_mm), (pose.uncertainty_over_ap, pose.ap_mm)];
+    ratios.into_iter().find_map(|(ratio, mm)| Some(ratio? * mm?))
+}
+
+/// A quarter of the smaller characteristic (mm).
+fn allowed_mm(pose: &Iso9283Pose) -> Option<f64> {
+    [pose.ap_mm, pose.rp_mm].into_iter().flatten().reduce(f64::min).map(|mm| 0.25 * mm)
+}
+
 /// Table of the 25 % rule by pose.
 fn quarter_rule(poses: &[Named], words: &Words) -> Table {
     let over = |of: Option<f64>| of.map_or_else(|| term(words, phrase!("nothing-to-verify")), |r| fixed(r, 2));
     let columns = Columns::<Named>::new()
         .page(phrase!("pose"), "", |n| n.name.clone())
+        .page(phrase!("u-of-position"), "µm", |n| um(uncertainty_mm(n.pose)))
         .page(phrase!("u-over-ap"), "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
         .page(phrase!("u-over-rp"), "", |n| over(n.pose.uncertainty_over_rp))
+        .page(phrase!("u-allowed"), "µm", |n| um(allowed_mm(n.pose)))
         .page(phrase!("quarter-rule"), "", |n| {
             n.pose.quarter_rule_met.map(|met| term(words, if met { phrase!("met") } else { phrase!("not-met") }))
         });

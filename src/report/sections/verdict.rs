@@ -39,7 +39,9 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
     sentences.extend(judged_file.and_then(|(file, values)| file_sentence(file, values, words)));
     sentences.extend(set.into_iter().flat_map(|set| errors(&limits, set, words)));
-    sentences.extend(identified.and_then(|i| unexplained(i, words)));
+    // the reservation gives the ratio of the residuals
+    let is_reserved = judgement.reasons.iter().any(|reason| matches!(reason, Reason::ModelDoesNotFit { .. }));
+    sentences.extend(identified.and_then(|i| unexplained(i, is_reserved, words)));
     sentences.extend(identified.and_then(|i| Some(series(i.parameters.residuals.between_series?, words))));
     sentences.extend(characteristics(tested, words));
     // in a test alone, the sentences on characteristics state whether a limit is met
@@ -254,8 +256,9 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
     ))
 }
 
-/// Size of the residuals relative to the measurement uncertainty.
-fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
+/// Size of the residuals, and their ratio to the measurement uncertainty unless a reservation gives
+/// it.
+fn unexplained(of: &IdentifiedDocuments, is_reserved: bool, words: &Words) -> Option<String> {
     let r = &of.parameters.residuals;
     let ratio = (r.test.chi_square? / r.degrees_of_freedom as f64).sqrt();
     let times = number::significant(ratio, 3);
@@ -269,6 +272,9 @@ fn unexplained(of: &IdentifiedDocuments, words: &Words) -> Option<String> {
         let [rms, expected] = [rms_mm, rms_mm / ratio].map(|mm| number::significant(mm * factor, 3));
         tr!(words, "position-residuals-explained", rms, expected, unit)
     });
+    if is_reserved {
+        return numbers;
+    }
     let sentence = ratio.is_finite().then(|| match r.test.chi_square_rejected {
         true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = by),
         false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),

@@ -198,6 +198,7 @@ certificate-held = Die Werte gelten gemeinsam. U setzt voraus, dass die festgeha
 certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
+certificate-without-uncertainty = Werte ohne U oder Intervall dienen der Information: ihre Unsicherheit wurde nicht ermittelt.
 change = Änderung
 change-by-u = Änderung / u
 change-over-u = Änderung / u
@@ -395,7 +396,7 @@ definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Stei
 definition-drift = dAP und dRP: Wert des letzten Satzes von Zyklen minus Wert des ersten (ISO 9283:1998, 7.6).
 definition-of-errors = Definition der Abweichungen
 definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9).
-definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten.
+definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten. U ist die erweiterte Messunsicherheit einer Position (k = 2).
 definition-rp = RP: ISO 9283:1998, 7.2.2. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei mehreren Messwerten je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
 definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband bis zu dem Zeitpunkt, ab dem der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5).
 definition-standstill-distance = Abstand des Mittels jedes Stillstands vom ersten Stillstand an derselben Pose. Ein wachsender Abstand weist auf Drift hin, ein gleichbleibender auf die Wiederholgenauigkeit.
@@ -521,7 +522,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
     }
 errors-of-each-pose = Abweichungen je Pose
-errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet: die größte Abweichung jeder Pose nach der Kalibrierung, für alle Validierungsposen, die Platz finden, und für eine gleichmäßige Auswahl der Kalibrierposen.
+errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet.
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
 errors-overlaid-title = Abweichungen vorher und nachher: { $quantity }
 errors-that-do-not-decide = Weitere Abweichungen
@@ -968,6 +969,7 @@ permissible = Fehlergrenze
 permissible-over-certificate = Fehlergrenze / Unsicherheit des Kalibrierscheins
 picture-marks = Kreise: Kalibrierposen; Rauten: Validierungsposen. Den Mauszeiger auf eine Marke setzen, um Pose, Zyklus, Zielmarke und Abweichung zu lesen; ein Klick markiert die Pose in allen Bildern. Werte: siehe die Tabellen.
 picture-page-command = `etalon view ORDNER --export view.html` schreibt eine Seite, die die Abweichungen räumlich zeigt und sich ohne das Programm öffnet.
+picture-selection = Von vielen Abweichungen zeigen die Bilder die größte jeder Pose nach der Kalibrierung: zuerst Validierungsposen, dann eine gleichmäßige Auswahl der Kalibrierposen.
 pictures = Bilder
 pictures-of-thesis = Bilder (Dissertation, Bilder 4.8 und 4.9)
 place-of-the-base = Lage der Basis
@@ -1035,6 +1037,7 @@ position-error-by-pose = Positionsabweichung je Pose, vor und nach der Kalibrier
 position-error-in = Positionsabweichung ({ $unit })
 position-max = Position, max.
 position-residuals-before-rms = Positionsresiduen vor der Identifikation, RMS
+position-residuals-expected-rms = aus den angegebenen Unsicherheiten erwartete Positionsresiduen, RMS
 position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus den angegebenen Unsicherheiten erwartet: { $expected } { $unit }.
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
@@ -1123,10 +1126,10 @@ reservation-drift = AP änderte sich während der Prüfung um bis zu { $change }
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, 7.6)
+reservation-errors-unknown = quadratischer Mittelwert der Positionsabweichung { $calibration } an Kalibrierposen, { $left_out } an ausgelassenen: die Kalibrierposen zeigen die Abweichungen an anderen Posen nicht
 reservation-few-cycles = weniger als { $required } Zyklen an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
-reservation-errors-unknown = quadratischer Mittelwert der Positionsabweichung { $calibration } an Kalibrierposen, { $left_out } an ausgelassenen: die Kalibrierposen zeigen die Abweichungen an anderen Posen nicht
     }
 reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt keine deutliche Verbesserung gegenüber den Nennparametern: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
@@ -1153,6 +1156,7 @@ residuals-against-normal = Residuen der Kalibrierposen im Vergleich mit einer No
 residuals-by-pose = Residuen je Pose nach der Kalibrierung
 residuals-by-pose-description = Eine Marke je Pose, Zyklus, Zielmarke und Achse.
 residuals-max = Residuen, max.
+residuals-over-uncertainty = Residuen / angegebene Unsicherheit, √(χ²/ν)
 residuals-pattern = Residuen mit erkennbarem Muster sind kein Rauschen: Das Modell ist unvollständig.
 residuals-rms = Residuen, RMS
 residuals-summary = { $count } Residuen, Mittel { $mean }, Standardabweichung { $deviation }; Gerade: Rauschen allein.
@@ -1160,6 +1164,7 @@ residuals-title = Residuen
 results-before-and-after = Ergebnisse: Abweichungen vorher und nachher
 results-of-external-providers = Ergebnisse externer Anbieter
 results-relate-to-item = Diese Ergebnisse beziehen sich nur auf den geprüften Gegenstand.
+results-with-uncertainty = Abweichungen nach der Kalibrierung mit ihrer Unsicherheit
 rigid-parts = starre Teile
 risk = Risiko
 rms = RMS
@@ -1466,11 +1471,13 @@ turn-left = Nach links drehen
 turn-right = Nach rechts drehen
 turn-up = Nach oben drehen
 type = Typ
+u-allowed = zulässige U
 u-bootstrap = u, Bootstrap
 u-draws = u, Ziehungen
 u-linear = u, linear
 u-of-deviation = u der Abweichung (k = 1)
 u-of-identified = u des identifizierten Werts
+u-of-position = U einer Position
 u-over-ap = U / AP
 u-over-rp = U / RP
 u-report = u, Bericht

@@ -201,6 +201,7 @@ certificate-held = Les valeurs s’appliquent ensemble. U suppose que les valeur
 certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
+certificate-without-uncertainty = Les valeurs sans U ni intervalle sont données à titre d’information : leur incertitude n’a pas été évaluée.
 change = écart
 change-by-u = écart / u
 change-over-u = écart / u
@@ -398,7 +399,7 @@ definition-compliance = Déplacement suivant la force par unité de force : pen
 definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6).
 definition-of-errors = définition des erreurs
 definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9).
-definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée.
+definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée. U est l’incertitude élargie d’une position (k = 2).
 definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
 definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5).
 definition-standstill-distance = Distance entre la moyenne de chaque arrêt et celle du premier arrêt à la même pose. Une distance croissante traduit une dérive, une distance constante la répétabilité.
@@ -524,7 +525,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
     }
 errors-of-each-pose = Erreurs par pose
-errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées : la plus grande erreur de chaque pose après étalonnage, pour toutes les poses de validation qui tiennent sur la figure et pour une sélection régulière des poses d’étalonnage.
+errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées.
 errors-overlaid-description = Proportions de { $count } points ({ $set }) ; axe logarithmique.
 errors-overlaid-title = Erreurs avant et après : { $quantity }
 errors-that-do-not-decide = Autres erreurs
@@ -974,6 +975,7 @@ permissible = erreur maximale tolérée
 permissible-over-certificate = erreur maximale tolérée / incertitude du certificat
 picture-marks = Cercles : poses d’étalonnage ; losanges : poses de validation. Pointer une marque pour lire sa pose, son cycle, sa cible et son erreur ; un clic marque la pose dans toutes les figures. Valeurs : voir les tableaux.
 picture-page-command = `etalon view DOSSIER --export view.html` écrit une page qui montre les erreurs en trois dimensions et s’ouvre sans le programme.
+picture-selection = Si les erreurs sont nombreuses, les figures montrent la plus grande de chaque pose après étalonnage : d’abord les poses de validation, puis une sélection régulière des poses d’étalonnage.
 pictures = Figures
 pictures-of-thesis = Figures (thèse, figures 4.8 et 4.9)
 place-of-the-base = Position de la base
@@ -1041,6 +1043,7 @@ position-error-by-pose = Erreur de position par pose, avant et après étalonnag
 position-error-in = erreur de position ({ $unit })
 position-max = position, max.
 position-residuals-before-rms = résidus de position avant identification, RMS
+position-residuals-expected-rms = résidus de position attendus d’après les incertitudes indiquées, RMS
 position-residuals-explained = Résidus de position : RMS { $rms } { $unit } ; attendu d’après les incertitudes indiquées : { $expected } { $unit }.
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
@@ -1129,10 +1132,10 @@ reservation-drift = AP a varié de { $change } µm au plus pendant l’essai et
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, 7.6)
+reservation-errors-unknown = moyenne quadratique de l’erreur de position { $calibration } aux poses d’étalonnage, { $left_out } aux poses omises : les poses d’étalonnage ne montrent pas les erreurs à d’autres poses
 reservation-few-cycles = moins de { $required } cycles { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
-reservation-errors-unknown = moyenne quadratique de l’erreur de position { $calibration } aux poses d’étalonnage, { $left_out } aux poses omises : les poses d’étalonnage ne montrent pas les erreurs à d’autres poses
     }
 reservation-file-hardly-better = le fichier pour le contrôleur ({ $formats }) n’apporte pas d’amélioration significative par rapport aux paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
 reservation-file-not-written = au moins un fichier pour le contrôleur n’a pas été écrit (voir les messages)
@@ -1159,6 +1162,7 @@ residuals-against-normal = Résidus des poses d’étalonnage comparés à une l
 residuals-by-pose = Résidus par pose après étalonnage
 residuals-by-pose-description = Une marque par pose, cycle, cible et axe.
 residuals-max = résidus, max.
+residuals-over-uncertainty = résidus / incertitude indiquée, √(χ²/ν)
 residuals-pattern = Des résidus structurés ne sont pas du bruit : le modèle est incomplet.
 residuals-rms = résidus, RMS
 residuals-summary = { $count } résidus, moyenne { $mean }, écart-type { $deviation } ; droite : bruit seul.
@@ -1166,6 +1170,7 @@ residuals-title = Résidus
 results-before-and-after = Résultats : erreurs avant et après
 results-of-external-providers = résultats de prestataires externes
 results-relate-to-item = Ces résultats ne se rapportent qu’à l’objet soumis à l’essai.
+results-with-uncertainty = Erreurs après étalonnage, avec leur incertitude
 rigid-parts = pièces rigides
 risk = risque
 rms = RMS
@@ -1472,11 +1477,13 @@ turn-left = Tourner à gauche
 turn-right = Tourner à droite
 turn-up = Tourner vers le haut
 type = type
+u-allowed = U admise
 u-bootstrap = u, bootstrap
 u-draws = u, tirages
 u-linear = u, linéaire
 u-of-deviation = son u (k = 1)
 u-of-identified = u de la valeur identifiée
+u-of-position = U d’une position
 u-over-ap = U / AP
 u-over-rp = U / RP
 u-report = u, rapport
