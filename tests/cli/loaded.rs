@@ -237,7 +237,8 @@ fn a_date_after_today_is_a_warning_that_no_document_contains() {
     assert!(!std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap().contains("date-in-future"));
 }
 
-/// Zeros of joints from nine poses are no better than nominal parameters. The geometry is, as held-out poses prove.
+/// A URDF contains no zeros of joints: base and targets alone are as good as nominal parameters. The geometry of nine poses is better, as held-out
+/// poses prove.
 #[test]
 fn an_effect_that_few_poses_prove_comes_before_nominal_parameters() {
     let scratch = copy_sample("column-arm");

@@ -263,6 +263,27 @@ mod tests {
     }
 
     #[test]
+    fn errors_have_their_uncertainty_and_residuals_their_expected_size() {
+        let mut documents = complete();
+        let errors = |documents: &Documents| {
+            let whole = certificate_contents(documents);
+            serde_json::to_string(whole.sections.iter().find(|s| s.id == "errors").unwrap()).unwrap()
+        };
+        assert!(!errors(&documents).contains("0.0038"));
+        documents.accuracy.budget = vec![etalon_documents::FigureBudget {
+            quantity: ErrorQuantity::Position,
+            figure: Figure::Max,
+            standard_uncertainty_mm: 0.0019,
+            contributions: Vec::new(),
+        }];
+        // 2 × 0.0019 mm, √(212.4/149) and 0.026 mm over this ratio
+        let text = errors(&documents);
+        for number in ["0.0038", "1.19", "0.0218 mm"] {
+            assert!(text.contains(number), "{number}: {text}");
+        }
+    }
+
+    #[test]
     fn sources_are_named_for_what_was_evaluated() {
         let provenance = |documents: &Documents| {
             let whole = certificate_contents(documents);
