@@ -23,4 +23,4 @@ pub use head::{Head, StatedUnit, stated_units};
 pub use marks::{Decimal, Delimiter, Thousands, two_commas};
 pub use source::{Cells, ColumnSource, Constant};
 pub use text::{Encoding, Header, Missing, NOT_MEASURED};
-pub use units::{is_grad, unit_cell, unit_word};
+pub use units::{is_grad, is_other_unit, unit_cell, unit_word};

@@ -2,9 +2,10 @@
 
 use etalon_base::error;
 use etalon_base::message::Message;
+use etalon_tables::guess::split_zone;
 
 /// Seconds since the beginning of 1970 of a date and a time of day. If both are in one cell, `date`
-/// is empty. Time zones are not read: times come from the instrument's clock.
+/// is empty. A difference from UTC (`+02:00`) is subtracted.
 pub(crate) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
     let wrong = || error!("time-invalid", text = format!("{date} {time}").trim());
     let plain = |text: &str| text.trim().trim_start_matches('\'').trim_end_matches('Z').trim().to_owned();
@@ -16,6 +17,7 @@ pub(crate) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
             (date.to_owned(), time.trim().to_owned())
         }
     };
+    let (time, zone) = split_zone(&time).map_or((time.as_str(), 0), |(time, zone)| (time, zone));
     let mut parts = time.split(':');
     let mut part = |most: f64| parts.next()?.replace(',', ".").parse::<f64>().ok().filter(|v| (0.0..most).contains(v));
     let (Some(hour), Some(minute)) = (part(24.0), part(60.0)) else { return Err(wrong()) };
@@ -23,7 +25,7 @@ pub(crate) fn seconds(date: &str, time: &str) -> Result<f64, Message> {
     if parts.next().is_some() || hour.fract() != 0.0 || minute.fract() != 0.0 {
         return Err(wrong());
     }
-    let of_day = 3600.0 * hour + 60.0 * minute + second;
+    let of_day = 3600.0 * hour + 60.0 * (minute - f64::from(zone)) + second;
     if date.is_empty() {
         return Ok(of_day);
     }
@@ -63,6 +65,8 @@ mod tests {
             ("", "'11.10.2022 15:06:48.043"),
             ("", "2022-10-11T15:06:48.043Z"),
             ("", "2022-10-11 15:06:48,043"),
+            ("", "2022-10-11T17:06:48.043+02:00"),
+            ("2022-10-11", "08:06:48.043-07:00"),
             ("11.10.2022", "15:06:48.043"),
             ("2022/10/11", "15:06:48.043"),
         ] {

@@ -137,7 +137,9 @@ fn prefer_tabs(guesses: &mut Vec<Guess>) {
     let of = |guess: &Guess, delimiter: Delimiter| guess.form.delimiter == Some(delimiter);
     let by_tabs = guesses.iter().filter(|guess| of(guess, Delimiter::Tab));
     let Some([columns, read]) = by_tabs.map(|guess| [count(guess), guess.read]).max() else { return };
-    guesses.retain(|guess| !of(guess, Delimiter::Blank) || count(guess) > columns || guess.read > read);
+    // a few rows may be typed with blanks
+    let most = read + read / 50;
+    guesses.retain(|guess| !of(guess, Delimiter::Blank) || count(guess) > columns || guess.read > most);
 }
 
 fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
@@ -315,9 +317,24 @@ pub fn names(guess: &Guess) -> Option<Vec<String>> {
     guess.head.names.clone()
 }
 
+/// Splits a time of day from the difference of its zone from UTC in minutes (ISO 8601: `+02:00`).
+pub fn split_zone(time: &str) -> Option<(&str, i32)> {
+    let (before, zone) = time.split_at(time.len().checked_sub(6).filter(|at| time.is_char_boundary(*at))?);
+    let sign = match zone.as_bytes()[0] {
+        b'+' => 1,
+        b'-' => -1,
+        _ => return None,
+    };
+    let (hours, minutes) = zone[1..].split_once(':')?;
+    let number =
+        |text: &str| text.parse::<u8>().ok().filter(|_| text.len() == 2 && text.bytes().all(|b| b.is_ascii_digit()));
+    before.contains(':').then_some((before, sign * (60 * i32::from(number(hours)?) + i32::from(number(minutes)?))))
+}
+
 /// `true` for a date or a time of day: numbers with a colon, a `T`, or two of the marks of a date
 /// between them.
 pub fn is_time(cell: &str) -> bool {
+    let cell = split_zone(cell).map_or(cell, |(time, _)| time);
     let bytes = cell.as_bytes();
     let is_digit = |at: usize| bytes.get(at).is_some_and(u8::is_ascii_digit);
     let between = |at: &usize| *at > 0 && is_digit(at - 1) && is_digit(at + 1);
@@ -361,7 +378,14 @@ mod tests {
 
     #[test]
     fn a_number_with_its_sign_behind_it_is_no_date() {
-        for time in ["2022-10-11", "11.10.2022", "02/12/25 16:52:45", "16:52:45.125", "20221011T150648Z"] {
+        for time in [
+            "2022-10-11",
+            "11.10.2022",
+            "02/12/25 16:52:45",
+            "16:52:45.125",
+            "20221011T150648Z",
+            "2026-10-03 19:36:34.73-07:00",
+        ] {
             assert!(is_time(time), "{time}");
         }
         for number in ["345.6780-", "-345.6780", "12345", "1234.5 678", "2.5.3.50294", "1.272.619"] {

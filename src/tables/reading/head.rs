@@ -3,7 +3,7 @@
 
 use crate::Form;
 use crate::lexer::{Row, row};
-use crate::units::{unit_cell, unit_word};
+use crate::units::{is_other_unit, unit_cell, unit_word, without_brackets};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -28,6 +28,9 @@ pub struct Head {
     pub names: Option<Vec<String>>,
     /// Unit of each column in a row of units.
     pub units: Vec<Option<&'static str>>,
+    /// Columns of other quantities than lengths, angles, times and temperatures, by the row of
+    /// units.
+    pub others: Vec<usize>,
     /// Name of the group of each column, in a row whose cells stand above several columns each.
     pub groups: Vec<Option<String>>,
     /// Line of the row that names the columns.
@@ -121,6 +124,7 @@ impl Head {
         if let Some(units) = units_row(last, columns)
             && let Some(named) = rows.peek().filter(|row| names_row(row, columns, blanks).is_some())
         {
+            head.others = (0..columns).filter(|at| is_other_unit(without_brackets(last.field(*at)))).collect();
             (head.units, last) = (units, named);
             rows.next();
         }
@@ -128,14 +132,20 @@ impl Head {
         let Some(mut names) = names_row(last, columns, blanks).or_else(members) else { return head };
         head.is_of_groups = last.fields.len() < columns;
         head.line = Some(last.line);
-        let mut groups: Vec<Vec<(String, bool)>> = rows
-            .filter(|row| is_worded(row) && (!blanks || row.fields.len() == columns))
-            .map(|row| spread(row, columns))
-            .collect();
-        // a column that the last row leaves empty is named by the row above it
-        for (name, (cell, _)) in names.iter_mut().zip(groups.iter().take(1).flatten()).filter(|(_, cell)| cell.1) {
-            if name.is_empty() {
-                *name = cell.clone();
+        // a column that the last row leaves empty is named by rows directly above it
+        let mut is_above = true;
+        let mut groups: Vec<Vec<(String, bool)>> = Vec::new();
+        for row in rows {
+            let is_group = is_worded(row) && (!blanks || row.fields.len() == columns);
+            is_above &= is_group;
+            if is_group {
+                let group = spread(row, columns);
+                for (name, (cell, is_filled)) in names.iter_mut().zip(&group).filter(|_| is_above) {
+                    if name.is_empty() && *is_filled {
+                        name.clone_from(cell);
+                    }
+                }
+                groups.push(group);
             }
         }
         // numbers of serial kind name a group worse than words
@@ -209,8 +219,9 @@ fn members_of_groups(row: &Row, columns: usize) -> Option<Vec<String>> {
 fn units_row(row: &Row, columns: usize) -> Option<Vec<Option<&'static str>>> {
     let units: Vec<Option<&'static str>> = (0..columns).map(|at| unit_cell(row.field(at))).collect();
     let empty = |cell: &str| cell.is_empty() || cell.chars().all(|c| !c.is_alphanumeric() && c != '"' && c != '\u{b0}');
-    let is_unit = |at: usize| units[at].is_some() || empty(row.field(at));
-    let count = units.iter().flatten().count();
+    let is_other = |at: usize| is_other_unit(without_brackets(row.field(at)));
+    let is_unit = |at: usize| units[at].is_some() || is_other(at) || empty(row.field(at));
+    let count = units.iter().flatten().count() + (0..columns).filter(|at| is_other(*at)).count();
     let others = (1..columns).all(is_unit);
     (others && (count >= 2 || count == 1 && is_unit(0)) && filled_width(row) <= columns).then_some(units)
 }
@@ -234,25 +245,19 @@ fn is_spread(group: &[(String, bool)]) -> bool {
     group.windows(2).filter(|pair| pair[0].1 && !pair[1].1).count() >= 2
 }
 
-/// Puts the names of groups before headings that are equal or empty, if they tell these apart.
+/// Puts the names of groups before headings that are equal, if they tell these apart.
 fn add_group(names: &mut [String], group: &[(String, bool)]) {
     let is_equal = |i: usize, j: usize| i != j && names[i] == names[j];
     let columns = 0..names.len();
-    let splits = |i: usize| {
-        names[i].is_empty() && group[i].1
-            || !names[i].is_empty() && columns.clone().any(|j| is_equal(i, j) && group[i].0 != group[j].0)
-    };
+    let splits = |i: usize| !names[i].is_empty() && columns.clone().any(|j| is_equal(i, j) && group[i].0 != group[j].0);
     let split: Vec<bool> = columns.clone().map(splits).collect();
     // a group names all its columns whose heading is not unique
     let again = |i: usize| !names[i].is_empty() && columns.clone().any(|j| is_equal(i, j));
-    let some = columns.clone().any(|i| split[i] && !names[i].is_empty());
+    let some = split.contains(&true);
     let named = |i: &usize| split[*i] || some && again(*i);
     let named: Vec<usize> = columns.clone().filter(named).collect();
     for at in named.into_iter().filter(|at| !group[*at].0.is_empty()) {
-        names[at] = match names[at].as_str() {
-            "" => group[at].0.clone(),
-            name => format!("{} {name}", group[at].0),
-        };
+        names[at] = format!("{} {}", group[at].0, names[at]);
     }
 }
 

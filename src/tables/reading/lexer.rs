@@ -93,13 +93,97 @@ pub fn lines<'t>(text: &'t str, form: &Form) -> impl Iterator<Item = (usize, &'t
         _ => line.trim().is_empty(),
     };
     let is_row = move |(_, line): &(usize, &str)| !is_blank(line) && !is_comment(line);
-    text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(is_row)
+    let delimiter = form.delimiter().byte().filter(|_| form.widths.is_empty());
+    Lines { rest: text, number: 0, delimiter, comment: form.comment.as_deref() }.filter(is_row)
+}
+
+/// Lines of a text with their numbers; a line break within quotation marks belongs to its cell.
+#[derive(Clone)]
+struct Lines<'t, 'f> {
+    rest: &'t str,
+    /// Number of the last line that was passed.
+    number: usize,
+    /// None: blanks, beside which a quotation mark is a part of a word.
+    delimiter: Option<u8>,
+    comment: Option<&'f str>,
+}
+
+impl<'t> Iterator for Lines<'t, '_> {
+    type Item = (usize, &'t str);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let number = self.number + 1;
+        let mut end = self.rest.find('\n').unwrap_or(self.rest.len());
+        let is_comment = || self.comment.is_some_and(|mark| self.rest.trim_start().starts_with(mark));
+        let has_quote = || self.rest.as_bytes()[..end].contains(&b'"') && !is_comment();
+        if let Some(delimiter) = self.delimiter.filter(|_| has_quote())
+            && let Some(far) = end_of_row(self.rest.as_bytes(), delimiter).filter(|far| *far > end)
+        {
+            self.number += self.rest.as_bytes()[end..far].iter().filter(|byte| **byte == b'\n').count();
+            end = far;
+        }
+        self.number += 1;
+        let (line, rest) = self.rest.split_at(end);
+        self.rest = rest.strip_prefix('\n').unwrap_or(rest);
+        // as `str::lines` does
+        let line = if rest.is_empty() { line } else { line.strip_suffix('\r').unwrap_or(line) };
+        Some((number, line))
+    }
+}
+
+/// Maximum number of lines of a cell in quotation marks.
+const MOST_LINES: usize = 50;
+
+/// Index of the end of the first row, whose quoted cells may contain line breaks; `None` if a
+/// quotation mark is not closed, or other text than a delimiter follows it.
+fn end_of_row(bytes: &[u8], delimiter: u8) -> Option<usize> {
+    let (mut at, mut breaks) = (0, 0);
+    let skip_blanks = |mut at: usize| {
+        while matches!(bytes.get(at), Some(b' ' | b'\t' | b'\r')) && bytes[at] != delimiter {
+            at += 1;
+        }
+        at
+    };
+    loop {
+        at = skip_blanks(at);
+        if bytes.get(at) == Some(&b'"') {
+            loop {
+                at += 1;
+                match *bytes.get(at)? {
+                    b'"' if bytes.get(at + 1) == Some(&b'"') => at += 1,
+                    b'"' => break,
+                    b'\n' if breaks == MOST_LINES => return None,
+                    b'\n' => breaks += 1,
+                    _ => {}
+                }
+            }
+            at = skip_blanks(at + 1);
+        } else {
+            at += bytes[at..].iter().take_while(|byte| **byte != delimiter && **byte != b'\n').count();
+        }
+        match bytes.get(at) {
+            None | Some(b'\n') => return Some(at),
+            Some(byte) if *byte == delimiter => at += 1,
+            Some(_) => return None,
+        }
+    }
 }
 
 /// The fields of a line.
 pub fn row<'t>(file: &str, number: usize, line: &'t str, form: &Form) -> std::result::Result<Row<'t>, Message> {
     let mut row = Row { line: number, number: 0, text: line, fields: Vec::new() };
-    if !form.widths.is_empty() {
+    if line.contains('\n') {
+        // a cell of several lines
+        row.text = line.lines().next().unwrap_or_default();
+        let (plain, mut cells) = (line.replace("\r\n", " ").replace('\n', " "), Vec::new());
+        if fields(&plain, form.delimiter(), &mut cells).is_err() {
+            return Err(error!("quote-unmatched", fault = "open").at(row.place(file)));
+        }
+        row.fields = cells.into_iter().map(|cell| Cow::Owned(cell.into_owned())).collect();
+    } else if !form.widths.is_empty() {
         row.fields = fixed(line, &form.widths);
     } else if let Err(stray) = fields(line, form.delimiter(), &mut row.fields) {
         let column = line[..stray.at].chars().count() + 1;
@@ -680,6 +764,31 @@ mod tests {
         assert_eq!(lines, [Some((Some(1), Some(1))), Some((Some(3), Some(5)))]);
         let fields: Vec<&str> = rows.iter().flat_map(|r| &r.fields).map(Cow::as_ref).collect();
         assert_eq!(fields, ["b \"c\"", "2", "1.5\" ball", "4"]);
+    }
+
+    #[test]
+    fn a_line_break_within_quotation_marks_belongs_to_its_cell() {
+        let form = Form { comment: Some("#".to_owned()), ..Form::default() };
+        let text = "# a \"b\nName,\"X\r\n[mm]\"\r\n\"P \"\"1\"\"\n\nleft\",1.5\nP2,2.5\n\"open,3.5\nP4,4.5\n";
+        let (rows, problems) = split("f", text, &form);
+        let found: Vec<(usize, Vec<&str>)> =
+            rows.iter().map(|row| (row.line, row.fields.iter().map(AsRef::as_ref).collect())).collect();
+        let expected = [
+            (2, vec!["Name", "X [mm]"]),
+            (4, vec!["P \"1\"  left", "1.5"]),
+            (7, vec!["P2", "2.5"]),
+            (9, vec!["P4", "4.5"]),
+        ];
+        assert_eq!(found, expected);
+        assert!(problems.0.len() == 1 && problems.0[0].is("quote-unmatched", &[("fault", &"open")]), "{problems}");
+        // words that blanks divide may contain a quotation mark
+        let blanks = Form { delimiter: Some(Delimiter::Blank), ..form };
+        assert_eq!(split("f", "\"P1 1.5\nP2 \"2.5\n", &blanks).0.len(), 2);
+        // lines without quotation marks end as those of `str::lines`
+        for text in ["", "\n", "a\r\n\nb\r", "a\nb\n", "\r\n"] {
+            let plain: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+            assert_eq!(lines(text, &Form::default()).map(|(_, line)| line).collect::<Vec<_>>(), plain, "{text:?}");
+        }
     }
 
     #[test]
