@@ -230,13 +230,23 @@ fn is_document(bytes: &[u8]) -> bool {
 }
 
 /// First bytes of kinds of files without text, and the kind.
-const KINDS: [(&[u8], &str); 6] = [
+const KINDS: [(&[u8], &str); 16] = [
     (b"MATLAB 7.3 MAT-file", "matlab-hdf5"),
     (b"\x89HDF", "hdf5"),
     (b"\x1f\x8b", "gzip"),
     (b"\xd0\xcf\x11\xe0", "xls"),
     (b"%PDF", "pdf"),
     (b"#ROSBAG V2.0", "rosbag1"),
+    (b"\x89PNG", "image"),
+    (b"\xff\xd8\xff", "image"),
+    (b"GIF8", "image"),
+    (b"\x80\x02", "pickle"),
+    (b"\x80\x03", "pickle"),
+    (b"\x80\x04", "pickle"),
+    (b"\x80\x05", "pickle"),
+    (b"7z\xbc\xaf", "archive"),
+    (b"Rar!", "archive"),
+    (b"\xfd7zXZ", "archive"),
 ];
 
 /// Rejects a kind of file without text.

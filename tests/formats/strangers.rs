@@ -5,6 +5,7 @@ use super::init::{answer, found, is_calibrated, measured};
 use super::program;
 use crate::support::root;
 use etalon::base::angle_order::AngleOrder;
+use etalon::base::phrase;
 use etalon::base::pose::Pose;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -364,6 +365,7 @@ fn files_without_rows_of_points_are_named() {
             "mark index: 1\npoint x:428.031 y:-37.130 z:431.590\n".repeat(3),
         ),
         ("gsi-feet", &["fit", "plane", "f.txt", "--format", "leica_gsi", "--unit", "m"], feet.repeat(4)),
+        ("numbers-in-cells", &["formats", "f.txt"], "0.01;512.5,-20.3,300.5,0,0,0,1\n".repeat(5)),
     ] {
         std::fs::write(at.join("f.txt"), text).unwrap();
         let (code, said) = program(at, arguments);
@@ -495,4 +497,29 @@ fn labels_with_words_for_target_and_pose_are_split_at_them() {
         code == Some(0) && said.contains("label = \"Pos{pose}:{target}\"   # all 24 labels have this form"),
         "{said}"
     );
+}
+
+/// A sheet that repeats the points of the other sheets is left out, and points of several targets in the rows of one log are told.
+#[test]
+fn a_summary_sheet_is_left_out_and_stacked_targets_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let row = |i: usize| {
+        let t = i as f64;
+        format!("{:.3}\t{:.3}\t{:.3}\n", 500.0 + 90.0 * (1.3 * t).sin(), 70.0 * (0.7 * t).cos(), 90.5 + 2.5 * t)
+    };
+    let sheet = |rows: std::ops::Range<usize>| rows.fold("X\tY\tZ\n".to_owned(), |text, i| text + &row(i));
+    let book = workbook(&[("one", sheet(0..5)), ("two", sheet(5..10)), ("all", sheet(0..10))]);
+    std::fs::write(at.join("points.xlsx"), book).unwrap();
+    let (code, said) = program(at, &["formats", "points.xlsx"]);
+    let told = phrase!("doubt-summary", sheet = "all").to_string();
+    assert!(code == Some(0) && said.contains(&told) && !said.contains("sheet = \"all\""), "{said}");
+    assert_eq!(said.matches("\n[[export]]").count(), 2, "{said}");
+    std::fs::write(at.join("points.txt"), sheet(0..36)).unwrap();
+    let log = (0..12).fold("J1\tJ2\tJ3\n".to_owned(), |text, i| text + &row(i + 3));
+    std::fs::write(at.join("log.txt"), log).unwrap();
+    let (code, said) = program(at, &["formats", "points.txt", "log.txt"]);
+    let (file, rows, count, poses) = ("points.txt", 36, 3, 12);
+    let told = phrase!("rows-of-several-targets", file, rows, count, poses).to_string();
+    assert!(code == Some(0) && said.contains(&told), "{said}");
 }

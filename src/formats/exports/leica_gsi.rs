@@ -275,8 +275,10 @@ mod tests {
         assert!(read("110001+00000001 81..01+00001234 82..01+00001 83..01+0").1.0[0].is("record-invalid", &[]));
         let feet = "110001+00000001 81..07+00001234 82..07+00001234 83..07+00001234\n";
         assert!(read(feet).1.0[0].is("gsi-feet", &[]));
-        let document = crate::propose("s.gsi", text);
+        let document = crate::propose("s.gsi", &feet.replace("..07", "..00"));
         assert_eq!(document.format.as_deref(), Some("leica_gsi"), "{}", document.toml);
         assert!(document.toml.contains("unit = \"m\""), "{}", document.toml);
+        // without a point there is nothing to read
+        assert!(!crate::propose("s.gsi", text).toml.contains("[[export]]"));
     }
 }

@@ -175,10 +175,16 @@ fn propose_corrected(
     let other = match known(&text) {
         Some(Known::Points(..)) => None,
         Some(Known::Other(kind)) => Some(kind),
-        None if structure::has_named_numbers(&text) => return Err(here(error!("numbers-behind-names")).into()),
-        None => structure::structured(&text),
+        None => match structure::structured(&text) {
+            kind if structure::has_named_numbers(&text, kind == Some("yaml")) => {
+                return Err(here(error!("numbers-behind-names")).into());
+            }
+            kind => kind,
+        },
     };
-    if other == Some("yaml") && structure::is_of_lists(&text) {
+    if (other == Some("yaml") || other.is_none() && structure::has_cells_of_lines(&text))
+        && structure::is_of_lists(&text)
+    {
         return Err(here(error!("numbers-in-brackets")).into());
     }
     if let Some(kind) = other {
@@ -189,9 +195,10 @@ fn propose_corrected(
     }
     let mut document = propose_in(&name, &text, None, correct);
     if document.readings.is_empty() && document.format.is_none() {
-        let message = match structure::has_lists(&text) {
-            true => error!("numbers-in-brackets"),
-            false => error!("no-rows-of-numbers", file = "text"),
+        let message = match () {
+            () if structure::has_lists(&text) => error!("numbers-in-brackets"),
+            () if structure::has_quoted_lists(&text) || document.rows > 0 => error!("numbers-in-cells"),
+            () => error!("no-rows-of-numbers", file = "text"),
         };
         return Err(here(message).into());
     }
@@ -298,6 +305,11 @@ fn propose_known_format(
         remarks.reasons.into_iter().for_each(|reason| document.because(reason));
         remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
     }
+    if !points.is_empty() && points.iter().all(|point| point.refused.is_some()) {
+        document.kind = "unknown".to_owned();
+        document.toml = with_remarks(&document, &format!("# `{file}`: no row has the coordinates of a point\n"));
+        return Some(document);
+    }
     let (stated, unit) = (unit, unit.or(table.columns[0].heading.unit));
     let unit_line = if stated.is_some() { lines::unit_line(unit) } else { lines::fitted_unit_line(unit) };
     let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{unit_line}", quoted(file));
@@ -361,6 +373,9 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
             let mut table = Table::read(text, guess);
             let mut found = Interpretation::new(&table);
             found.unit_of_head(&mut table, guess);
+            if let Some(fractions) = found.fractions {
+                fractions.add(&mut table);
+            }
             (table, found)
         })
         .collect();
@@ -388,8 +403,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
         document.toml = with_remarks(&document, &lines);
         return document;
     }
-    if best.is_some_and(|(_, (table, found))| found.is_within_lists(table)) {
-        // the delimiter divides lists in brackets
+    if best.is_some_and(|(_, (table, found))| divides_lists(table, found)) {
         document.readings.clear();
         return document;
     }
@@ -422,6 +436,13 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     }
     document.toml = with_remarks(&document, &lines);
     document
+}
+
+/// `true` if the delimiter divides lists: in brackets, or in the cells of a table without headings.
+fn divides_lists(table: &Table, found: &Interpretation) -> bool {
+    let nameless = table.columns.iter().all(|column| column.name.is_none());
+    let cells = || table.columns.iter().map(|column| &*column.cells);
+    found.is_within_lists(table) || nameless && structure::has_lists_in_cells(cells())
 }
 
 fn reading(guess: &Guess, found: &Interpretation) -> Reading {

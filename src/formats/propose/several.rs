@@ -158,6 +158,31 @@ pub fn has_several_tables(path: &Path) -> bool {
     sheets(path).len() > 1 && Part::all(&[path.to_owned()], None).is_ok_and(|parts| parts.len() > 1)
 }
 
+/// Leaves out a sheet whose rows of numbers are all in the other sheets of the workbook, with a
+/// doubt.
+fn without_summary(mut sheets: Vec<Part>) -> Vec<Part> {
+    let rows = |part: &Part| -> BTreeSet<Vec<u64>> {
+        let Some((table, _)) = &part.read else { return BTreeSet::new() };
+        let numbers = |row: usize| {
+            let values = table.columns.iter().filter_map(|column| column.values.get(row).copied());
+            values.filter(|value| value.is_finite()).map(f64::to_bits).collect::<Vec<u64>>()
+        };
+        (0..table.rows).map(numbers).filter(|numbers| numbers.len() > 1).collect()
+    };
+    let all: Vec<BTreeSet<Vec<u64>>> = sheets.iter().map(rows).collect();
+    let is_summary = |at: &usize| {
+        let others = || all.iter().enumerate().filter(|(other, _)| other != at).map(|(_, rows)| rows);
+        let is_largest = others().all(|rows| rows.len() < all[*at].len());
+        let is_elsewhere = |row: &Vec<u64>| others().any(|rows| rows.contains(row));
+        is_largest && others().filter(|rows| !rows.is_empty()).count() > 1 && all[*at].iter().all(is_elsewhere)
+    };
+    if let Some(at) = (0..all.len()).find(is_summary) {
+        let sheet = sheets.remove(at).sheet.unwrap_or_default();
+        sheets[0].doubt(phrase!("doubt-summary", sheet));
+    }
+    sheets
+}
+
 /// `true` for two paths to one file of a folder, whose name may be spelled in capitals.
 fn are_one(path: &Path, other: &Path) -> bool {
     let names = path.file_name().zip(other.file_name());
@@ -691,7 +716,7 @@ impl Part {
             let tables: Vec<Self> = tables.filter(|part| part.document.kind != "unknown").collect();
             match tables.len() {
                 0 | 1 => parts.push(Self::new(path, None, robot)?),
-                _ => parts.extend(tables),
+                _ => parts.extend(without_summary(tables)),
             }
         }
         Ok(parts)
@@ -1035,6 +1060,14 @@ fn join_by_keys(
         _ => {
             let text = phrase!("files-not-joined", log = &*log_file, rows = log_rows);
             let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+            for part in parts.iter().filter(|part| part.document.kind == "export") {
+                let (file, rows) = (part.document.file.clone(), part.document.rows);
+                let count = rows / log_rows.max(1);
+                if rows == count * log_rows && (2..=MOST_TARGETS).contains(&count) {
+                    let text = phrase!("rows-of-several-targets", file, rows, count, poses = log_rows);
+                    let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));
+                }
+            }
             if let Some(standstills) = standstills {
                 let text = phrase!("recording-not-joined", log = &*log_file, standstills);
                 let _ = writeln!(out, "# DOUBT: {}", printable(&text.to_string()));

@@ -180,8 +180,29 @@ fn numbers_without_headings_and_blocks_and_poses_of_a_controller_are_asked() {
     assert!(says(&document, "ask-blocks"), "{}", document.toml);
     let names: Vec<String> = (1..=6).map(|k| format!("measured_q{k}")).collect();
     let row = |i: usize| cells(&[&xyz(i)[..], &angles(6, i), &xyz(i + 3)].concat());
-    let head = format!("marker_x,marker_y,marker_z,{},measured_x,measured_y,measured_z\n", names.join(","));
+    let head = format!("cam_x,cam_y,cam_z,{},measured_x,measured_y,measured_z\n", names.join(","));
     assert!(says(&propose("r.csv", &table(&head, row)), "ask-computed-by-controller"));
+}
+
+/// Numbers that are joints or points are asked about in the lines, not only in a comment.
+#[test]
+fn many_numbers_without_headings_are_open_columns() {
+    let row = |i: usize| cells(&[&angles(6, i)[..], &xyz(i), &[0.0; 3]].concat());
+    let document = propose("r.csv", &table("", row));
+    holds(&document, "format = { delimiter = \",\", decimal = \".\", columns = \"?\" }");
+    assert!(!document.toml.contains("\"x\", \"y\", \"z\", \"-\", \"-\"]"), "{}", document.toml);
+    // behind a name, and in front of a direction, they are a point
+    let document = propose("r.csv", &table("", |i| format!("P{i},{}", cells(&[xyz(i), xyz(i + 7)].concat()))));
+    holds(&document, "columns = [\"label\", \"x\", \"y\", \"z\"");
+    // but not the joints of an arm and a point, or commanded, measured and deviation
+    let document = propose("r.csv", &table("", |i| format!("P{i},{}", cells(&[&angles(6, i)[..], &xyz(i)].concat()))));
+    holds(&document, "columns = \"?\"");
+    let near = |i: usize| xyz(i).map(|v| v + 0.05);
+    let row = |i: usize| format!("P{i},{}", cells(&[xyz(i), near(i), [0.05, 0.04, 0.06]].concat()));
+    let document = propose("r.csv", &table("", row));
+    assert!(document.toml.contains("\"x\"") && says(&document, "ask-sets-alike"), "{}", document.toml);
+    let row = |i: usize| cells(&[&xyz(i)[..], &[0.5, 2.5, 0.6, 0.0, 0.8]].concat());
+    holds(&propose("r.csv", &table("", row)), "columns = [\"x\", \"y\", \"z\"");
 }
 
 #[test]
@@ -248,6 +269,27 @@ fn distances_of_bodies_are_no_deviations_and_two_frames_are_asked() {
     let row = |i: usize| cells(&[xyz(i), xyz(3 * i + 7)].concat());
     let document = propose("r.csv", &table("cam_x,cam_y,cam_z,arm_x,arm_y,arm_z\n", row));
     assert!(!says(&document, "ask-two-frames"), "{}", document.toml);
+    // a camera with an error of millimetres; the target is a question in the lines
+    let turned = |i: usize| {
+        let [x, y, z] = xyz(i);
+        [900.0 - y + 3.0 * (7.1 * i as f64).sin(), x, 40.0 + z + 2.0 * (3.3 * i as f64).cos()]
+    };
+    let document =
+        propose("r.csv", &table("ccs_x,ccs_y,ccs_z,ac_x,ac_y,ac_z\n", |i| cells(&[xyz(i), turned(i)].concat())));
+    assert!(says(&document, "ask-two-frames"), "{}", document.toml);
+    assert_eq!(document.toml.matches("target = \"?\"").count(), 2, "{}", document.toml);
+    // names with numbers are targets
+    let document =
+        propose("r.csv", &table("k1_x,k1_y,k1_z,k2_x,k2_y,k2_z\n", |i| cells(&[xyz(i), turned(i)].concat())));
+    assert!(!says(&document, "ask-two-frames"), "{}", document.toml);
+    // two targets on a body that turns
+    let second = |i: usize| {
+        let ([x, y, z], t) = (xyz(i), 0.8 * i as f64);
+        [x + 20.0 * t.sin(), y + 20.0 * t.cos(), z]
+    };
+    let document =
+        propose("r.csv", &table("ball_x,ball_y,ball_z,nut_x,nut_y,nut_z\n", |i| cells(&[xyz(i), second(i)].concat())));
+    assert!(!says(&document, "ask-two-frames") && !document.toml.contains("target = \"?\""), "{}", document.toml);
 }
 
 #[test]
@@ -270,4 +312,211 @@ fn four_points_without_coordinates_are_joints_and_a_wide_table_is_transposed() {
         let problems = propose_file(&path).unwrap_err();
         assert!(problems.0[0].is("file-without-points", &[("kind", &kind)]), "{problems}");
     }
+}
+
+/// A pose of the robot in the rows of a measurement is what `etalon cell` reads.
+#[test]
+fn a_pose_of_the_robot_beside_a_measured_pose_names_the_command() {
+    let half = |i: usize| 0.05 * i as f64;
+    let row = |i: usize| {
+        let turn = [0.0, half(i).sin(), 0.0, half(i).cos()];
+        cells(&[&xyz(i)[..], &turn, &xyz(i + 5), &[0.1 * i as f64, 0.2, 0.3]].concat())
+    };
+    let head = "flange_x,flange_y,flange_z,flange_qx,flange_qy,flange_qz,flange_qw,measurement_x,measurement_y,measurement_z,\
+                measurement_rx,measurement_ry,measurement_rz\n";
+    let document = propose("r.csv", &table(head, row));
+    let doubt = document.doubts.iter().filter_map(|doubt| doubt.phrase()).find(|of| of.id == "doubt-pose-of-robot");
+    assert!(doubt.is_some() && document.toml.contains("--solve hand-eye"), "{}", document.toml);
+}
+
+/// The point of an instrument is measured, whatever the controller calls its own pose.
+#[test]
+fn a_marker_is_measured_and_not_the_pose_of_the_controller() {
+    let names: Vec<String> = (1..=6).map(|k| format!("measured_q{k}")).collect();
+    let angle = |i: usize| [0.1 * i as f64, 0.2, 0.3];
+    let row = |i: usize| cells(&[&xyz(i)[..], &angle(i), &angles(6, i), &xyz(i + 3), &angle(i + 1)].concat());
+    let head = format!(
+        "measured_x,measured_y,measured_z,measured_rx,measured_ry,measured_rz,{},marker_x,marker_y,marker_z,marker_rx,\
+         marker_ry,marker_rz\n",
+        names.join(",")
+    );
+    let document = propose("r.csv", &table(&head, row));
+    assert!(says(&document, "doubt-computed-by-controller"), "{}", document.toml);
+    holds(&document, "x_UNIT = \"marker_x\"");
+    holds(&document, "a_UNIT = \"marker_rx\"");
+}
+
+/// Velocities, forces and places on a screen are no points, by their words and by their units.
+#[test]
+fn quantities_with_other_units_are_no_coordinates() {
+    let rate = |i: usize, k: usize| 0.1 * (1.3 * (i + 2 * k) as f64).sin();
+    let row = |i: usize| cells(&[rate(i, 0), rate(i, 1), rate(i, 2)]);
+    for head in [
+        "X [rad/s],Y [rad/s],Z [rad/s]",
+        "X [g],Y [g],Z [g]",
+        "x (m/s),y (m/s),z (m/s)",
+        "x m/s^2,y m/s^2,z m/s^2",
+        "a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2]",
+        "gravity_x,gravity_y,gravity_z",
+        "jerk_x,jerk_y,jerk_z",
+        "twist.linear.x,twist.linear.y,twist.linear.z",
+        "Beschl_X,Beschl_Y,Beschl_Z",
+        "scale_x,scale_y,scale_z",
+        "ft_x,ft_y,ft_z",
+        "wX,wY,wZ",
+        "imu_ax,imu_ay,imu_az",
+        "x,y,z\nm/s,m/s,m/s",
+    ] {
+        let document = propose("r.csv", &table(&format!("{head}\n"), row));
+        assert!(!document.toml.contains("[[export]]"), "{head}: {}", document.toml);
+    }
+    let document = propose("r.csv", &table("J1 [Nm],J2 [Nm],J3 [Nm]\n", row));
+    assert!(!document.toml.contains("[log]"), "{}", document.toml);
+    let row = |i: usize| cells(&[rate(i, 0), rate(i, 1), rate(i, 2), rate(i, 3), rate(i, 4), rate(i, 5)]);
+    let document = propose("r.csv", &table("linear_x,linear_y,linear_z,angular_x,angular_y,angular_z\n", row));
+    assert!(!document.toml.contains("[[export]]"), "{}", document.toml);
+    // lengths keep their unit
+    let document =
+        propose("r.csv", &table("X [mm],Y [mm],Z [mm],v [mm/s]\n", |i| cells(&[&xyz(i)[..], &[1.5]].concat())));
+    holds(&document, "[\"x\", \"y\", \"z\", \"-\"]");
+}
+
+/// Coordinates of a CMM whose headings join the state and the axis, a clock with its zone, and a
+/// matrix behind numbers that are no point.
+#[test]
+fn words_of_a_machine_and_clocks_with_zones_are_known() {
+    let row = |i: usize| format!("Point{i:03},1,0.01{},{}", i % 7, cells(&xyz(i)));
+    let document = propose("r.csv", &table("Element Name,Number,Deviation,MX Coord.,MY Coord.,MZ Coord.\n", row));
+    holds(&document, "columns = [\"label\", \"-\", \"-\", \"x\", \"y\", \"z\"]");
+    let row = |i: usize| format!("2025-07-03 14:00:{:02}+02:00,{}", 2 * i, cells(&xyz(i)));
+    holds(&propose("r.csv", &table("Timestamp,X,Y,Z\n", row)), "columns = [\"timestamp\", \"x\", \"y\", \"z\"]");
+    let row = |i: usize| {
+        let (s, c) = (0.1 * i as f64).sin_cos();
+        let turn = [c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0];
+        format!("{},{}", 1_576_134_868_955_u64 + 14 * i as u64, cells(&[&angles(9, i)[..], &turn].concat()))
+    };
+    assert!(!propose("r.csv", &table("", row)).toml.contains("\"x\""));
+}
+
+/// `R` in front of a name is the right of two bodies.
+#[test]
+fn the_right_of_two_bodies_is_no_rotation() {
+    let far = |i: usize| xyz(3 * i + 7).map(|v| v + 31.0 * (3.0 * v).sin());
+    for (head, names) in [
+        ("R_Hand_x,R_Hand_y,R_Hand_z,L_Hand_x,L_Hand_y,L_Hand_z\n", ["r_hand", "l_hand"]),
+        ("R.x,R.y,R.z,L.x,L.y,L.z\n", ["right", "left"]),
+    ] {
+        let document = propose("r.csv", &table(head, |i| cells(&[xyz(i), far(i)].concat())));
+        for name in names {
+            holds(&document, &format!("target = \"{name}\""));
+        }
+    }
+    // `qz` twice is a mistake for `qw`
+    let row = |i: usize| {
+        let half = 0.05 * i as f64;
+        cells(&[&xyz(i)[..], &[0.6 * half.sin(), 0.8 * half.sin(), 0.0, half.cos()]].concat())
+    };
+    let head = "R_Hand-px,R_Hand-py,R_Hand-pz,R_Hand-qx,R_Hand-qy,R_Hand-qz,R_Hand-qz\n";
+    let document = propose("r.csv", &table(head, row));
+    holds(&document, "[\"x\", \"y\", \"z\", \"qx\", \"qy\", \"qz\", \"qw\"]");
+    assert!(says(&document, "ask-quaternion-order"), "{}", document.toml);
+}
+
+/// A code in all rows is no label; the number behind it names the rows.
+#[test]
+fn one_text_in_all_rows_is_asked_about() {
+    let document = propose("r.csv", &table("", |i| format!("SS,{},{},2P", i + 1, cells(&xyz(i)))));
+    holds(&document, "columns = [\"target\", \"pose\", \"x\", \"y\", \"z\", \"-\"]");
+    assert!(says(&document, "ask-text-in-all-rows"), "{}", document.toml);
+    // the words of the lines between blocks are no labels
+    let block = |name: usize| {
+        let head = format!("Name,M{name} (XY),,\nMax,0.0{name},,\n,X,Y,Z\n");
+        (0..4).fold(head, |text, i| text + &format!("Merkmal,{}\n", cells(&xyz(4 * name + i))))
+    };
+    let document = propose("r.csv", &(1..8).map(block).collect::<String>());
+    assert!(!document.toml.contains("\"label\""), "{}", document.toml);
+}
+
+/// Joints and matrices of several arms under the same headings: the first is proposed and asked.
+#[test]
+fn headings_of_several_arms_are_asked_about() {
+    let row = |i: usize| {
+        let (s, c) = (0.1 * i as f64).sin_cos();
+        let turn = [c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0];
+        format!(
+            "{},{}",
+            cells(&[&xyz(i)[..], &turn, &turn].concat()),
+            cells(&[angles(3, i), angles(4, i + 2)].concat())
+        )
+    };
+    let turn: Vec<String> = (0..9).map(|k| format!("o{k}")).collect();
+    let head = format!("x,y,z,{0},{0},J1,J2,J3,J1,J2,J3,J4\n", turn.join(","));
+    let document = propose("r.csv", &table(&head, row));
+    assert!(says(&document, "ask-joints-again") && !document.toml.contains("q4_"), "{}", document.toml);
+    assert!(!document.toml.contains("qw") && document.toml.contains("q3_UNIT = 24"), "{}", document.toml);
+}
+
+/// Seconds and nanoseconds in two columns are one time.
+#[test]
+fn seconds_and_their_fractions_are_one_time() {
+    for (seconds, fractions) in
+        [("sec", "nanosec"), ("secs", "nsecs"), ("header.stamp.sec", "header.stamp.nanosec"), ("stamp_s", "stamp_ns")]
+    {
+        let row = |i: usize| format!("{},{},{}", 1_723_186_330 + i / 10, i % 10 * 100_000_000, cells(&xyz(i)));
+        let document = propose("r.csv", &table(&format!("{seconds},{fractions},x,y,z\n"), row));
+        holds(&document, &format!("time_s = \"{seconds} + {fractions} / 1000000000\""));
+        assert!(!says(&document, "doubt-columns-not-read"), "{}", document.toml);
+        let row = |i: usize| format!("{},{},{}", 1_723_186_330 + i / 10, i % 10 * 100_000_000, cells(&angles(3, i)));
+        let document = propose("r.csv", &table(&format!("{seconds},{fractions},J1,J2,J3\n"), row));
+        holds(&document, &format!("columns = {{ time_s = \"{seconds} + {fractions} / 1000000000\", q1_UNIT"));
+    }
+    let document = propose("r.csv", &table("msec,x,y,z\n", |i| format!("{},{}", 10 * i, cells(&xyz(i)))));
+    holds(&document, "columns = [\"time_ms\", \"x\", \"y\", \"z\"]");
+}
+
+/// Lists in cells are refused for their reason; a line break within quotation marks ends no row.
+#[test]
+fn lists_in_cells_are_refused_and_cells_of_several_lines_are_read() {
+    let turn = |i: usize| cells(&[(0.1 * i as f64).cos(), (0.1 * i as f64).sin(), 0.25, 0.5]);
+    let line = |i: usize| format!("{:.2}\t{}\t{}", 0.01 * i as f64, turn(i), turn(i + 3));
+    refused(&table("time\ttorso\tpelvis\n", line), "numbers-in-cells");
+    let pose = |i: usize| format!("{:.2};{}", 0.01 * i as f64, cells(&xyz(i)));
+    refused(&table("t;pose\n", pose), "numbers-in-cells");
+    let pose = |i: usize| format!("{:.2},{}", 0.01 * i as f64, cells(&xyz(i)).replace(',', " "));
+    refused(&table("t,pose\n", pose), "numbers-in-cells");
+    let pose = |i: usize| format!("{:.2},\"{}\"", 0.01 * i as f64, cells(&xyz(i)));
+    refused(&table("t,pose\n", pose), "numbers-in-cells");
+    let matrix =
+        |i: usize| format!("{i},\"[[ 0.6 -0.8  0.0  {i}.5 ]\n [ 0.8  0.6  0.0  2.5 ]\n [ 0.0  0.0  1.0  7.5 ]]\",up");
+    refused(&table("frame,pose,note\n", matrix), "numbers-in-brackets");
+    let head = "\"Name\",\"X\n[mm]\",\"Y\r\n[mm]\",\"Z\n[mm]\"\n";
+    let document = propose("r.csv", &table(head, |i| format!("P{i},{}", cells(&xyz(i)))));
+    holds(&document, "header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]");
+    holds(&document, "unit = \"mm\"");
+    let document = propose("r.csv", &table("Name,Note,X,Y,Z\n", |i| format!("P{i},\"a\nb {i}\",{}", cells(&xyz(i)))));
+    holds(&document, "columns = [\"label\", \"-\", \"x\", \"y\", \"z\"]");
+    assert!(document.rows == 20 && document.doubts.is_empty(), "{}", document.toml);
+    // a label of two numbers is no list
+    let document = propose("r.csv", &table("", |i| format!("1 {i},{}", cells(&xyz(i)))));
+    holds(&document, "columns = [\"label\", \"x\", \"y\", \"z\"]");
+}
+
+/// Rows and columns that are exchanged are told by their names, and by few rows of many numbers.
+#[test]
+fn exchanged_rows_and_columns_are_told() {
+    let row = |name: &str, k: usize| format!("{name},{}", cells(&(0..40).map(|i| xyz(i)[k]).collect::<Vec<f64>>()));
+    let document =
+        propose("r.csv", &["x", "y", "z"].iter().enumerate().map(|(k, name)| row(name, k) + "\n").collect::<String>());
+    assert!(says(&document, "doubt-transposed") && !document.toml.contains("[[export]]"), "{}", document.toml);
+}
+
+/// Names behind blanks stand between tabs, although a few rows were typed with blanks.
+#[test]
+fn tabs_divide_rows_although_a_few_have_none() {
+    let row = |i: usize| match i {
+        7 => format!("EU3 N{i}  {}", cells(&xyz(i)).replace(',', " ")),
+        _ => format!("EU3 N{i}\t{}\t{}", cells(&xyz(i)).replace(',', "\t"), if i % 9 == 0 { "DATUM" } else { "" }),
+    };
+    let text = (0..200).fold(String::new(), |text, i| text + &row(i) + "\n");
+    holds(&propose("r.txt", &text), "delimiter = \"tab\"");
 }

@@ -63,7 +63,8 @@ fn count_lists(text: &str) -> [usize; 2] {
 }
 
 /// `true` if a quarter of the lines contain two and more numbers behind their names: `x:1.5 y:2.5`.
-pub(super) fn has_named_numbers(text: &str) -> bool {
+/// Two such lines are enough if the text `looks_like_yaml`: there a blank follows the colon.
+pub(super) fn has_named_numbers(text: &str, looks_like_yaml: bool) -> bool {
     let is_number = |value: &str| value.trim_end_matches([',', ';']).parse::<f64>().is_ok();
     let named = |word: &&str| {
         let pair = word.split_once([':', '=']);
@@ -71,16 +72,56 @@ pub(super) fn has_named_numbers(text: &str) -> bool {
     };
     let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).take(400).collect();
     let of_names = lines.iter().filter(|line| line.split_whitespace().filter(named).count() > 1).count();
-    4 * of_names >= lines.len() && of_names > 1
+    (looks_like_yaml || 4 * of_names >= lines.len()) && of_names > 1
 }
 
-/// `true` for a mesh as OFF or Wavefront OBJ: vertices, and faces of their numbers.
+/// `true` for a mesh as OFF, Wavefront OBJ, VRML or VTK: vertices, and faces of their numbers.
 pub(super) fn is_mesh(text: &str) -> bool {
-    if text.lines().next().is_some_and(|line| line.trim() == "OFF") {
+    // OFF with normals, colours and texture coordinates
+    const OFF: [&str; 8] = ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"];
+    let first = text.lines().next().unwrap_or_default();
+    let mut stated = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    if first.starts_with("#VRML")
+        || first.starts_with("# vtk DataFile")
+        || stated.next().is_some_and(|l| OFF.contains(&l))
+    {
         return true;
     }
-    let count = |mark: &str| text.lines().filter(|line| line.starts_with(mark)).take(3).count();
-    count("v ") > 2 && count("f ") > 0
+    let count = |mark: &str| text.lines().filter(|line| line.starts_with(mark)).take(2).count();
+    count("v ") > 1 && count("f ") > 0
+}
+
+/// `true` if cells of a column contain lists: numbers that another mark than the delimiter divides.
+pub(super) fn has_lists_in_cells<'t>(mut columns: impl Iterator<Item = &'t [Box<str>]>) -> bool {
+    let is_list = |cell: &str| {
+        [';', '\t', '|', ' ', ','].into_iter().any(|mark| {
+            let parts: Vec<&str> = cell.split(mark).map(str::trim).filter(|part| !part.is_empty()).collect();
+            let numbers = parts.iter().all(|part| part.parse::<f64>().is_ok());
+            // a comma may be a decimal mark, and a blank may divide the numbers of a label
+            let is_sure = ![',', ' '].contains(&mark) || parts.iter().all(|part| part.contains('.'));
+            numbers && parts.len() > 1 && is_sure
+        })
+    };
+    columns.any(|cells| {
+        let filled = cells.iter().filter(|cell| !cell.is_empty());
+        let lists = cells.iter().filter(|cell| is_list(cell)).count();
+        lists > 1 && 5 * lists >= 4 * filled.count()
+    })
+}
+
+/// `true` if quotation marks are opened and closed on different lines: cells of several lines.
+pub(super) fn has_cells_of_lines(text: &str) -> bool {
+    let is_open = |line: &&str| !line.matches('"').count().is_multiple_of(2);
+    text.lines().take(400).filter(is_open).take(2).count() == 2
+}
+
+/// `true` if a line contains a list of numbers in quotation marks.
+pub(super) fn has_quoted_lists(text: &str) -> bool {
+    let is_list = |cell: &str| {
+        let parts: Vec<&str> = cell.split([',', ';', ' ']).filter(|part| !part.is_empty()).collect();
+        parts.len() > 1 && parts.iter().all(|part| part.parse::<f64>().is_ok())
+    };
+    text.lines().take(400).any(|line| line.split('"').skip(1).step_by(2).any(is_list))
 }
 
 /// `true` for matrices of four lines with four numbers each, the last of which is 0 0 0 1.
@@ -117,9 +158,20 @@ mod tests {
         ] {
             assert!(is_of_lists(text), "{text}");
         }
-        assert!(has_named_numbers("mark\npoint x:428.031 y:-37.1 A:-3.12\nmark\npoint x:428.2 y:-36.1 A:-3.1\n"));
-        assert!(!has_named_numbers("P1: 10:15 1.5\nP2: 10:16 2.5\n") && !has_named_numbers("x,y\n1,2\n"));
+        let named = "mark\npoint x:428.031 y:-37.1 A:-3.12\nmark\npoint x:428.2 y:-36.1 A:-3.1\n";
+        assert!(has_named_numbers(named, false) && !has_named_numbers("x,y\n1,2\n", false));
+        assert!(!has_named_numbers("P1: 10:15 1.5\nP2: 10:16 2.5\n", true));
+        // a log of which few lines have numbers
+        let log = named.to_owned() + &"state: idle\n".repeat(40);
+        assert!(!has_named_numbers(&log, false) && has_named_numbers(&log, true));
         assert!(is_mesh("# o\nv 1 2 3\nv 2 3 4\nv 4 5 6\nf 1 2 3\n") && !is_mesh("v 1 2 3\nv 1 2 4\nv 1 2 5\n"));
+        assert!(is_mesh("# c\nNOFF\n4 1 0\n") && is_mesh("# vtk DataFile Version 3.0\n") && !is_mesh("OFF 1 2\n"));
+        let lists = |cells: &[&str]| {
+            let cells: Vec<Box<str>> = cells.iter().map(|cell| (*cell).into()).collect();
+            has_lists_in_cells(std::iter::once(&*cells))
+        };
+        assert!(lists(&["0.1;2.5", "0.2;3.5"]) && lists(&["1.5 2.5", "3.5 4.5", ""]) && lists(&["0.1,1.5", "0.2,2.5"]));
+        assert!(!lists(&["1 2", "1 3"]) && !lists(&["1,5", "2,5"]) && !lists(&["P 1.5", "P 2.5"]) && !lists(&["", ""]));
         let matrix = "1,0,0,5.5\n0,1,0,6.5\n0,0,1,7.5\n0,0,0,1\n";
         assert!(is_of_matrices(matrix) && is_of_matrices(&format!("{matrix}\n{matrix}")));
         assert!(!is_of_matrices("1,2,3,4\n5,6,7,8\n9,8,7,6\n0,0,0,2\n") && !is_of_matrices(""));

@@ -43,6 +43,9 @@ file-not-text = `{ $file }` ist { $kind ->
         [pcd] eine binäre PCD-Datei
         [c3d] eine C3D-Datei
         [e57] eine E57-Datei
+        [image] ein Bild
+        [pickle] eine Pickle-Datei von Python
+        [archive] ein Archiv
        *[pdf] ein PDF-Dokument
     }
     .expected = Text, eine Arbeitsmappe (.xlsx) oder eine Aufzeichnung (.mcap)

@@ -395,7 +395,7 @@ file-without-points = das ist { $kind ->
         [sdr33] eine Datei mit Beobachtungen einer Totalstation von Sokkia (SDR33)
         [m5] eine Datei mit Beobachtungen einer Totalstation von Zeiss oder Trimble (M5)
         [south] eine Datei mit Beobachtungen einer Totalstation von South
-        [mesh] ein Netz (OBJ oder OFF): die Ecken sind keine Messpunkte eines Roboters
+        [mesh] ein Netz (OBJ, OFF, VRML oder VTK): die Ecken sind keine Messpunkte eines Roboters
         [las] ein Scan im Format LAS
         [urscript] ein Programm einer Steuerung von Universal Robots mit Sollposen, ohne gemessene Posen
         [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
@@ -432,6 +432,10 @@ numbers-behind-names = die Zahlen stehen hinter ihren Namen, wie in `x:428.031`
 numbers-in-brackets = die Zahlen stehen in Listen mit Klammern
     .expected = eine Zahl je Spalte
     .hint = die Zahlen ohne Klammern schreiben, zum Beispiel mit `numpy.savetxt`
+
+numbers-in-cells = die Zellen enthalten Listen von Zahlen: zwei Trennzeichen teilen die Zahlen einer Zeile
+    .expected = eine Zahl je Spalte
+    .hint = eine Zahl je Spalte schreiben, mit einem Trennzeichen
 
 no-rows-of-numbers = { $file ->
         [workbook] kein Blatt der Arbeitsmappe hat
@@ -498,6 +502,7 @@ files-join = zu { $matching } von { $keys } Zeilen von `{ $file }` gibt es eine 
 
 files-not-joined = kein Schlüssel verknüpft alle Exporte mit den { $rows } Zeilen von `{ $log }`
 recording-not-joined = die Zeiten verknüpfen `{ $log }` nicht: es gibt weniger Stillstände von mindestens 1 s als Punkte ({ $standstills }), und kein Versatz der Uhren gibt jedem Punkt eine eigene Zeile
+rows-of-several-targets = `{ $file }` hat { $rows } Zeilen, { $count } für jede der { $poses } Zeilen des Protokolls: sie enthält vielleicht { $count } Zielmarken. Zielmarke und Pose jeder Zeile in Spalten schreiben
 
 doubt-numbers-and-text = Spalte { $column } enthält in { $count } von { $rows } Zeilen Zahlen, und `{ $text }`: solche Zeilen weglassen (`header`, `comment`)
 

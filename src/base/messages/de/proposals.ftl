@@ -8,18 +8,27 @@ ask-direction = per_count: -1, wenn entgegen dem Gelenk gezählt wird, wie die P
 ask-direction-of-columns = { $columns }, wie die Punkte zeigen; ohne `-1 *`, wenn robot.toml zu berichtigen ist
 ask-joint-states = zu welchem Gelenk des Roboters jede Spalte gehört; JointState enthält rad für Drehgelenke und m für Schubgelenke: für ein Schubgelenk `q1_m` schreiben
 ask-joints = zu welchem Gelenk jede Spalte gehört, und ihre Einheit
+ask-joints-again = welche Gelenke zum Roboter gehören: ihre Überschriften stehen { $count }-mal da. Angenommen sind die ersten, { $names }
 ask-joints-of-format = zu welchem Gelenk jede Spalte gehört, und ihre Einheit, wenn sie unbekannt ist
 ask-log-of-format = ob es Folgendes ist: { $what } (`[log]` mit `format = "{ $format }"`)
-ask-numbers-without-headings = welche der { $count } Zahlen einer Zeile Gelenke sind und welche der gemessene Punkt: ohne Überschriften gelten die ersten drei als x, y, z. `--robot` findet Gelenke und Punkt mit der Kinematik
+ask-numbers-without-headings = welche der { $count } Zahlen einer Zeile Gelenke sind und welche der gemessene Punkt: die Datei hat keine Überschriften. `--robot` findet Gelenke und Punkt mit der Kinematik
 ask-number-with-gaps = ob { $column } wie vorgeschlagen die Nummer der Pose ist: sie springt von { $before } auf { $after }, die Nummer der Zeile ist also eine andere
 ask-order-of-columns = ob die Spalten x, y, z in dieser Reihenfolge sind oder Winkel und Abstände
+ask-other-arrays = welches Array die Messung enthält: angenommen ist `{ $used }`. Ebenso viele Spalten haben { $others }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
 ask-points-in-row = ob die { $numbers } Zahlen einer Zeile wie vorgeschlagen { $count } Punkte zu drei Koordinaten sind: die Spalten sind nicht benannt
-ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die erste
+ask-quaternion-order = welche der Spalten { $columns } der Skalar des Quaternions ist: angenommen ist die { $used ->
+        [last] letzte
+       *[first] erste
+    }
 ask-recorded-motion = ob es eine aufgezeichnete Bewegung ist, wie vorgeschlagen, oder Punkte mit Zeitpunkten (dann [[export]])
 ask-rotation = ob die drei Zahlen ein Rotationsvektor sind oder Winkel, und in welcher Reihenfolge diese drehen
 ask-sets-alike = was die Spalten { $first } und die Spalten { $second } sind (ihre Überschriften sind gleich oder ihre Werte fast gleich): zwei Zielmarken oder Sollkoordinaten und gemessene Koordinaten
 ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorgeschlagen, oder Messwert minus Sollwert (dann `+`)
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
+ask-text-in-all-rows = ob `{ $text }`, derselbe Text in allen Zeilen, die Zielmarke ist, wie vorgeschlagen, oder ein Code
 ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
 ask-two-frames = ob `{ $first }` und `{ $second }` zwei Zielmarken sind, wie vorgeschlagen, oder ein Punkt in zwei Koordinatensystemen: die Abstände von Zeile zu Zeile stimmen überein. `etalon cell` findet die Beziehung zweier Koordinatensysteme
 ask-unit = die Einheit der Längen
@@ -65,6 +74,7 @@ doubt-columns-not-read = nicht gelesene Zahlen: Spalte { $columns }{ $more ->
         [0] {""}
        *[other] {" "}und { $more } weitere
     }
+doubt-computed-by-controller = angenommen ist `{ $used }`. Die Überschriften von `{ $body }` haben die Wörter der Gelenke, also hat die Steuerung die Werte berechnet
 doubt-controller-pose = Koordinaten von `{ $body }` hat möglicherweise die Steuerung berechnet: ein Messgerät misst eine Zielmarke
 doubt-coordinates-left = Koordinaten von { $left } werden nicht verwendet: andere haben eine passendere Überschrift
 doubt-dates = Datumsangaben mit `/` lassen offen, ob Tag oder Monat zuerst kommt: sie werden nicht gelesen
@@ -94,6 +104,7 @@ doubt-other-sheets = die Arbeitsmappe hat { $count ->
        *[other] { $count } weitere Blätter
     }: { $sheets }
 doubt-polar = ein Azimut und ein Abstand, ohne Zenitwinkel oder Höhenwinkel
+doubt-pose-of-robot = `{ $body }` ist eine Pose des Roboters in denselben Zeilen: `etalon cell --solve { $solve }` findet ihre Beziehung zur Messung
 doubt-quaternion-length = das Quaternion hat nicht in allen Zeilen den Betrag 1
 doubt-quaternion-order = ein Quaternion ohne Überschriften: Skalar zuletzt, wie ROS es schreibt, oder zuerst
 doubt-rows-not-read = { $count ->
@@ -105,6 +116,7 @@ doubt-scanned = die Zahlen hinter x, y, z werden für Intensität und Farbe geha
 doubt-second-log = auch das Topic `{ $topic }` hat Gelenkwerte
 doubt-sets-by-difference = die Spalten { $difference } sind in allen Zeilen die Differenz der Spalten { $measured } und { $commanded }: als Messwert minus Sollwert gelesen
 doubt-several-logs = { $count } Protokolle: { $first } identifiziert den Roboter, die anderen werden damit verglichen; Zeilen einer Aufzeichnung in mehreren Dateien gehören in eine Datei
+doubt-summary = das Blatt `{ $sheet }` bleibt weg: die anderen Blätter enthalten alle seine Zeilen
 doubt-sign-of-difference = das Vorzeichen der Differenz ist nicht angegeben: eine Zeile mit der Messung vergleichen
 doubt-six-without-headings = sechs Zahlen ohne Überschriften: eine Position und drei Winkel oder Gelenke, davon drei Schubgelenke
 doubt-stationary-points = ihre { $count } Punkte gelten als ruhend: ihre Namen könnten Posen sein, aber eine andere Datei hat { $poses } Posen
@@ -175,7 +187,7 @@ means-measured = Messwert von { $axis }
 means-measured-of-point = Messwert von { $axis } des Punkts { $number }
 means-motion = Geschwindigkeit, Kraft oder Strom
 means-other-joint = Sollwert eines Gelenks
-means-other-orientation = Quaternion { $component } eines anderen Körpers
+means-other-orientation = { $component } der Orientierung eines anderen Körpers
 means-pose = Name der Pose
 means-quaternion = Quaternion { $component }
 means-rotation = Rotation, Zahl { $number } von drei
@@ -231,6 +243,7 @@ why-nine-orthonormal = die neun Zahlen bilden in allen Zeilen eine orthonormale 
 why-names-of-points = die Namen von Punkten, die sich nicht mit dem Roboter bewegen
 why-nothing-known = die Bedeutung der Überschrift ist unbekannt
 why-orthonormal = in allen Zeilen orthonormal, zeilenweise gelesen
+why-other-arm = ihre Überschrift kommt noch einmal vor
 why-other-body = ihre Überschrift nennt einen anderen Körper als den gemessenen Punkt
 why-other-family = die Gelenke sind den Spalten `{ $kept }` entnommen
 why-others-measured = die Überschrift nennt einen Sollwert, und andere Spalten sind gemessen
@@ -245,6 +258,7 @@ why-row-0001 = die Zeile 0 0 0 1
 why-targets-fit = mit einer Zielmarke für jeden ihrer Werte passt der nominale Roboter
 why-text-before = ein Text vor den Zahlen
 why-text-behind = ein Text nach Zahlen
+why-text-in-all-rows = derselbe Text in allen Zeilen, vor den Zahlen
 why-texts-differ = Texte vor den Zahlen, die sich von Zeile zu Zeile unterscheiden
 why-three-of-length-one = die drei Zahlen haben in allen Zeilen den Betrag 1
 why-whole-before-decimals = ganze Zahlen vor Zahlen mit Dezimalzeichen

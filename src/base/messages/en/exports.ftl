@@ -67,6 +67,9 @@ file-not-text = `{ $file }` is { $kind ->
         [pcd] a binary PCD file
         [c3d] a C3D file
         [e57] an E57 file
+        [image] a picture
+        [pickle] a Python pickle
+        [archive] an archive
        *[pdf] a PDF document
     }
     .expected = text, a workbook (.xlsx), or a recording (.mcap)

@@ -793,7 +793,7 @@ file-without-points = this is { $kind ->
         [sdr33] a file of observations of a Sokkia total station (SDR33)
         [m5] a file of observations of a Zeiss or Trimble total station (M5)
         [south] a file of observations of a South total station
-        [mesh] a mesh (OBJ or OFF): its vertices are not measured points of a robot
+        [mesh] a mesh (OBJ, OFF, VRML or VTK): its vertices are not measured points of a robot
         [las] a scan in the LAS format
         [urscript] a program of a Universal Robots controller: it contains commanded poses, no measured ones
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
@@ -853,6 +853,15 @@ numbers-behind-names = the numbers are behind their names, such as `x:428.031`
 numbers-in-brackets = the numbers are in lists with brackets
     .expected = one number per column
     .hint = write the numbers without brackets, for example by `numpy.savetxt`
+
+# Means: A cell contains several numbers: one mark divides the cells of a row, and another mark
+# divides the numbers of a cell.
+# Matters: The file does not tell which numbers belong to one quantity.
+# Do: Write one number per column.
+# Example: `0.01;512.5,-20.3,300.5,0,0,0,1`
+numbers-in-cells = the cells contain lists of numbers: two delimiters divide the numbers of a row
+    .expected = one number per column
+    .hint = write one number per column, with one delimiter
 
 # Means: Whatever the delimiter and the decimal mark, the rows of the file contain fewer than two
 # numbers.
@@ -924,6 +933,7 @@ files-join = { $matching } of { $keys } rows of `{ $file }` match a row of `{ $l
 
 files-not-joined = no key joins all exports with the { $rows } rows of `{ $log }`
 recording-not-joined = the times do not join `{ $log }`: there are fewer standstills of at least 1 s than points ({ $standstills }), and no clock offset assigns a separate row to each point
+rows-of-several-targets = `{ $file }` has { $rows } rows, { $count } for each of the { $poses } rows of the log: it may contain { $count } targets. Write target and pose of each row into columns
 
 doubt-numbers-and-text = column { $column } contains numbers in { $count } of { $rows } rows, and `{ $text }`: exclude such rows (`header`, `comment`)
 

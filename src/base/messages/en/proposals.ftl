@@ -8,18 +8,27 @@ ask-direction = per_count: -1 if the log counts against the joint, as the points
 ask-direction-of-columns = { $columns }, as the points show; without `-1 *` if robot.toml has to be corrected
 ask-joint-states = which joint of the robot each column is; JointState contains rad for revolute joints and m for prismatic joints: write `q1_m` for a prismatic joint
 ask-joints = which joint each column is, and its unit
+ask-joints-again = which joints belong to the robot: their headings occur { $count } times. The proposal uses the first, { $names }
 ask-joints-of-format = which joint each column is, and its unit if it is unknown
 ask-log-of-format = whether it is { $what } (`[log]` with `format = "{ $format }"`)
-ask-numbers-without-headings = which of the { $count } numbers of a row are joints, and which are the measured point: without headings the proposal uses the first three as x, y, z. `--robot` finds the joints and the point by the kinematics
+ask-numbers-without-headings = which of the { $count } numbers of a row are joints, and which are the measured point: the file has no headings. `--robot` finds the joints and the point by the kinematics
 ask-number-with-gaps = whether { $column } is the number of the pose, as proposed: it increases from { $before } to { $after }, so it is not the number of the row
 ask-order-of-columns = whether the columns are x, y, z in this order, or angles and distances
+ask-other-arrays = which array contains the measurement: the proposal uses `{ $used }`. As many columns have { $others }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
 ask-points-in-row = whether the { $numbers } numbers of a row are { $count } points with three coordinates each, as proposed: the file has no names for them
-ask-quaternion-order = which of { $columns } is the scalar of the quaternion; the proposal uses the first
+ask-quaternion-order = which of { $columns } is the scalar of the quaternion; the proposal uses the { $used ->
+        [last] last
+       *[first] first
+    }
 ask-recorded-motion = whether it is a recorded motion, as proposed, or points with times (then [[export]])
 ask-rotation = whether the three numbers are a rotation vector or angles, and the order of the rotations
 ask-sets-alike = what columns { $first } and columns { $second } are: their headings or values are nearly equal. They may be two targets, or commanded and measured coordinates
 ask-sign-of-difference = whether the difference is commanded minus measured, as proposed, or measured minus commanded (then `+`)
 ask-targets-of-topics = which target each topic of poses or points is
+ask-text-in-all-rows = whether `{ $text }`, the same text in all rows, is the target, as proposed, or a code
 ask-time-unit = the unit of the times in { $column }: the step is { $step }
 ask-two-frames = whether `{ $first }` and `{ $second }` are two targets, as proposed, or one point in two frames: the distances from row to row agree. `etalon cell` finds the relation of two frames
 ask-unit = the unit of lengths
@@ -65,6 +74,7 @@ doubt-columns-not-read = numbers that are not read: columns { $columns }{ $more 
         [0] {""}
        *[other] {" "}and { $more } more
     }
+doubt-computed-by-controller = the proposal uses `{ $used }`. The headings of `{ $body }` have the words of the joints, so the controller computed it
 doubt-controller-pose = coordinates of `{ $body }` may be computed by the controller; only an instrument measures a target
 doubt-coordinates-left = coordinates of { $left } are not used: other headings are more likely
 doubt-dates = in dates with `/`, it is unknown whether day or month comes first: they are not read
@@ -94,6 +104,7 @@ doubt-other-sheets = the workbook has { $count ->
        *[other] { $count } more sheets
     }: { $sheets }
 doubt-polar = there are an azimuth and a distance, but no zenith angle or elevation
+doubt-pose-of-robot = `{ $body }` is a pose of the robot in the same rows: `etalon cell --solve { $solve }` finds its relation to the measurement
 doubt-quaternion-length = the norm of the quaternion is not 1 in all rows
 doubt-quaternion-order = a quaternion without headings: the scalar is last, as in ROS, or first
 doubt-rows-not-read = { $count ->
@@ -105,6 +116,7 @@ doubt-scanned = the proposal reads the numbers after x, y, z as intensity and co
 doubt-second-log = topic `{ $topic }` also contains joint values
 doubt-sets-by-difference = columns { $difference } are the difference between columns { $measured } and { $commanded } in all rows: the proposal reads it as measured minus commanded
 doubt-several-logs = { $count } logs: { $first } identifies the robot, and the others are compared with it. If several files are one recording, join them into one file
+doubt-summary = sheet `{ $sheet }` is left out: the other sheets contain all its rows
 doubt-sign-of-difference = the sign of the difference is not given: compare a row with the measurement
 doubt-six-without-headings = six numbers without headings: a position and three angles, or six joints of which three are prismatic
 doubt-stationary-points = the proposal treats its { $count } points as points that do not move. Their names could be poses, but another file has { $poses } poses
@@ -175,7 +187,7 @@ means-measured = measured { $axis }
 means-measured-of-point = measured { $axis } of point { $number }
 means-motion = velocity, force or current
 means-other-joint = commanded joint
-means-other-orientation = quaternion { $component } of another body
+means-other-orientation = { $component } of the orientation of another body
 means-pose = name of the pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, number { $number } of three
@@ -231,6 +243,7 @@ why-nine-orthonormal = the nine numbers form an orthonormal matrix in all rows
 why-names-of-points = the names of points that do not move with the robot
 why-nothing-known = its heading is unknown
 why-orthonormal = orthonormal in all rows, row by row
+why-other-arm = its heading occurs again
 why-other-body = its heading means another body than the measured point
 why-other-family = the proposal takes the joints from the columns `{ $kept }`
 why-others-measured = its heading means a commanded value, and there are measured ones
@@ -245,6 +258,7 @@ why-row-0001 = the row 0 0 0 1
 why-targets-fit = the nominal robot agrees if each of its values is a separate target
 why-text-before = a text before the numbers
 why-text-behind = a text after numbers
+why-text-in-all-rows = the same text in all rows, before the numbers
 why-texts-differ = texts that differ from row to row, before the numbers
 why-three-of-length-one = the three numbers have norm 1 in all rows
 why-whole-before-decimals = whole numbers before numbers with a decimal mark

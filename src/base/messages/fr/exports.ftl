@@ -43,6 +43,9 @@ file-not-text = `{ $file }` est { $kind ->
         [pcd] un fichier PCD binaire
         [c3d] un fichier C3D
         [e57] un fichier E57
+        [image] une image
+        [pickle] un fichier pickle de Python
+        [archive] une archive
        *[pdf] un document PDF
     }
     .expected = du texte, un classeur (.xlsx) ou un enregistrement (.mcap)

@@ -397,7 +397,7 @@ file-without-points = c’est { $kind ->
         [south] un fichier d’observations d’une station totale South
         [las] un relevé au format LAS
         [urscript] un programme d’une commande Universal Robots : il contient des poses commandées, sans poses mesurées
-        [mesh] un maillage (OBJ ou OFF) : ses sommets ne sont pas des points mesurés d’un robot
+        [mesh] un maillage (OBJ, OFF, VRML ou VTK) : ses sommets ne sont pas des points mesurés d’un robot
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
        *[xml] un document XML de type inconnu
     }
@@ -432,6 +432,10 @@ numbers-behind-names = les nombres sont derrière leurs noms, comme dans `x:428.
 numbers-in-brackets = les nombres sont dans des listes entre crochets
     .expected = un nombre par colonne
     .hint = écrire les nombres sans crochets, par exemple avec `numpy.savetxt`
+
+numbers-in-cells = les cellules contiennent des listes de nombres : deux séparateurs divisent les nombres d’une ligne
+    .expected = un nombre par colonne
+    .hint = écrire un nombre par colonne, avec un seul séparateur
 
 no-rows-of-numbers = { $file ->
         [workbook] aucune feuille du classeur ne contient
@@ -498,6 +502,7 @@ files-join = { $matching } des { $keys } lignes de `{ $file }` ont une ligne cor
 
 files-not-joined = aucune clé ne joint tous les exports aux { $rows } lignes de `{ $log }`
 recording-not-joined = les instants ne joignent pas `{ $log }` : les arrêts d’au moins 1 s sont moins nombreux que les points ({ $standstills }), et aucun décalage des horloges ne donne à chaque point sa propre ligne
+rows-of-several-targets = `{ $file }` a { $rows } lignes, { $count } pour chacune des { $poses } lignes du journal : il contient peut-être { $count } cibles. Écrire la cible et la pose de chaque ligne dans des colonnes
 
 doubt-numbers-and-text = la colonne { $column } contient des nombres dans { $count } des { $rows } lignes, et `{ $text }` : exclure ces lignes (`header`, `comment`)
 

@@ -8,18 +8,27 @@ ask-direction = per_count : -1 si le comptage est en sens inverse de l’articu
 ask-direction-of-columns = { $columns }, comme le montrent les points ; sans `-1 *` si robot.toml est à corriger
 ask-joint-states = à quelle articulation du robot correspond chaque colonne ; JointState est en rad pour les articulations rotoïdes, en m pour les prismatiques : écrire `q1_m` pour une articulation prismatique
 ask-joints = à quelle articulation correspond chaque colonne, et son unité
+ask-joints-again = quelles articulations appartiennent au robot : leurs en-têtes figurent { $count } fois. Les premières sont supposées, { $names }
 ask-joints-of-format = à quelle articulation correspond chaque colonne, et son unité si elle n’est pas connue
 ask-log-of-format = si le fichier est de ce type : { $what } (`[log]` avec `format = "{ $format }"`)
-ask-numbers-without-headings = lesquels des { $count } nombres d’une ligne sont des articulations, et lesquels le point mesuré : sans en-têtes, les trois premiers sont pris pour x, y, z. `--robot` trouve les articulations et le point par la cinématique
+ask-numbers-without-headings = lesquels des { $count } nombres d’une ligne sont des articulations, et lesquels le point mesuré : le fichier n’a pas d’en-têtes. `--robot` trouve les articulations et le point par la cinématique
 ask-number-with-gaps = si { $column } est le numéro de la pose, comme proposé : il passe de { $before } à { $after }, le numéro de la ligne en est donc un autre
 ask-order-of-columns = si les colonnes sont x, y, z dans cet ordre, ou des angles et des distances
+ask-other-arrays = quel tableau contient la mesure : `{ $used }` est supposé. Autant de colonnes dans { $others }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } de plus
+    }
 ask-points-in-row = si les { $numbers } nombres d’une ligne sont { $count } points de trois coordonnées, comme proposé : rien ne les nomme
-ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la première colonne est supposée l’être
+ask-quaternion-order = laquelle des colonnes { $columns } est le scalaire du quaternion : la { $used ->
+        [last] dernière
+       *[first] première
+    } colonne est supposée l’être
 ask-recorded-motion = s’il s’agit d’un mouvement enregistré, comme proposé, ou de points avec leurs instants (alors [[export]])
 ask-rotation = si les trois nombres sont un vecteur de rotation, ou des angles, et dans quel ordre ceux-ci tournent
 ask-sets-alike = ce que sont les colonnes { $first } et les colonnes { $second }, dont les en-têtes sont égaux ou les valeurs presque égales : deux cibles, ou des coordonnées commandées et mesurées
 ask-sign-of-difference = si la différence est valeur commandée moins valeur mesurée, comme proposé, ou l’inverse (alors `+`)
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
+ask-text-in-all-rows = si `{ $text }`, le même texte à toutes les lignes, est la cible, comme proposé, ou un code
 ask-time-unit = l’unité des temps dans { $column } : le pas est { $step }
 ask-two-frames = si `{ $first }` et `{ $second }` sont deux cibles, comme proposé, ou un point dans deux référentiels : les distances d’une ligne à l’autre concordent. `etalon cell` trouve la relation de deux référentiels
 ask-unit = l’unité des longueurs
@@ -66,6 +75,7 @@ doubt-columns-not-read = nombres non lus : colonne { $columns }{ $more ->
         [one] {" "}et { $more } autre
        *[other] {" "}et { $more } autres
     }
+doubt-computed-by-controller = `{ $used }` est supposé. Les en-têtes de `{ $body }` ont les mots des articulations, le contrôleur a donc calculé ces valeurs
 doubt-controller-pose = les coordonnées de `{ $body }` sont peut-être calculées par le contrôleur : un instrument mesure une cible
 doubt-coordinates-left = les coordonnées de { $left } ne sont pas utilisées : d’autres ont un en-tête plus proche
 doubt-dates = les dates avec `/` n’indiquent pas si le jour ou le mois est en premier : elles ne sont pas lues
@@ -95,6 +105,7 @@ doubt-other-sheets = le classeur a { $count ->
        *[other] { $count } autres feuilles
     } : { $sheets }
 doubt-polar = un azimut et une distance, sans angle zénithal ni angle d’élévation
+doubt-pose-of-robot = `{ $body }` est une pose du robot dans les mêmes lignes : `etalon cell --solve { $solve }` trouve sa relation avec la mesure
 doubt-quaternion-length = le quaternion n’a pas la norme 1 à toutes les lignes
 doubt-quaternion-order = un quaternion sans en-têtes : scalaire à la fin, comme l’écrit ROS, ou au début
 doubt-rows-not-read = { $count ->
@@ -106,6 +117,7 @@ doubt-scanned = les nombres après x, y, z sont pris pour l’intensité et la c
 doubt-second-log = le topic `{ $topic }` a aussi des valeurs articulaires
 doubt-sets-by-difference = les colonnes { $difference } sont, à toutes les lignes, la différence des colonnes { $measured } et { $commanded } : elles sont lues comme valeur mesurée moins valeur commandée
 doubt-several-logs = { $count } journaux : { $first } identifie le robot, les autres lui sont comparés ; les lignes d’un même enregistrement réparties sur plusieurs fichiers sont à réunir en un seul
+doubt-summary = la feuille `{ $sheet }` est omise : les autres feuilles contiennent toutes ses lignes
 doubt-sign-of-difference = le signe de la différence n’est pas indiqué : comparer une ligne avec la mesure
 doubt-six-without-headings = six nombres sans en-têtes : une position et trois angles, ou des articulations dont trois sont prismatiques
 doubt-stationary-points = ses { $count } points sont pris pour des points fixes : leurs noms pourraient être des poses, mais un autre fichier a { $poses } poses
@@ -176,7 +188,7 @@ means-measured = { $axis } mesuré
 means-measured-of-point = { $axis } mesuré du point { $number }
 means-motion = vitesse, force ou courant
 means-other-joint = valeur articulaire commandée
-means-other-orientation = quaternion { $component } d’un autre corps
+means-other-orientation = { $component } de l’orientation d’un autre corps
 means-pose = nom de la pose
 means-quaternion = quaternion { $component }
 means-rotation = rotation, nombre { $number } sur trois
@@ -232,6 +244,7 @@ why-nine-orthonormal = les neuf nombres forment une matrice orthonormée à chaq
 why-names-of-points = les noms de points qui ne bougent pas avec le robot
 why-nothing-known = son en-tête n’a pas de signification connue
 why-orthonormal = orthonormée à chaque ligne, lue ligne par ligne
+why-other-arm = son en-tête figure une nouvelle fois
 why-other-body = son en-tête nomme un autre corps que le point mesuré
 why-other-family = les articulations sont prises dans les colonnes `{ $kept }`
 why-others-measured = son en-tête indique une valeur commandée, et d’autres colonnes sont mesurées
@@ -246,6 +259,7 @@ why-row-0001 = la ligne 0 0 0 1
 why-targets-fit = avec une cible pour chacune de ses valeurs, le robot nominal concorde avec les données
 why-text-before = un texte avant les nombres
 why-text-behind = un texte après des nombres
+why-text-in-all-rows = le même texte à toutes les lignes, avant les nombres
 why-texts-differ = des textes différents d’une ligne à l’autre, avant les nombres
 why-three-of-length-one = les trois nombres ont la norme 1 à chaque ligne
 why-whole-before-decimals = des nombres entiers avant des nombres à séparateur décimal

@@ -25,15 +25,9 @@ pub(crate) fn propose_arrays(
     correct: Option<Correct>,
 ) -> Result<FormatsDocument, Message> {
     let arrays = format.arrays(contents)?;
-    // joints are the parts of the array with the most parts
-    // an array without a name is a part of an object of a class, whose form only MATLAB knows
-    let is_measured = |array: &&ArrayParts| {
-        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
-        array.count > 1 && array.parts.iter().all(|part| !part.is_empty()) && !MOTIONS.contains(&name.as_str())
+    let Some(widest) = most_likely(&arrays, contents, format) else {
+        return Err(error!("no-rows-of-numbers", file = "arrays"));
     };
-    let named = arrays.iter().filter(is_measured);
-    let widest = named.max_by_key(|array| (array.parts.len(), array.count));
-    let Some(widest) = widest else { return Err(error!("no-rows-of-numbers", file = "arrays")) };
     let about = format.about();
     let mut document = FormatsDocument {
         schema: "etalon/formats/1".to_owned(),
@@ -48,6 +42,7 @@ pub(crate) fn propose_arrays(
     let all: Vec<String> = arrays.iter().map(shown).collect();
     document.because(phrase!("because-arrays-of-numbers", arrays = all));
     let (mut table, mut found) = interpreted(&arrays, widest, contents, format)?;
+    other_arrays(&arrays, widest, &mut found);
     if let Some(correct) = correct {
         let remarks = correct(&mut table, &mut found);
         (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
@@ -83,6 +78,43 @@ pub(crate) fn propose_arrays(
 
 /// Names of arrays of accelerations, rates and forces, in lower case.
 const MOTIONS: [&str; 12] = ["a", "acc", "accel", "w", "omega", "gyro", "gyr", "f", "force", "torque", "tau", "mag"];
+
+/// Returns the array with the most parts, whose parts are joints or coordinates. Of several arrays
+/// of one size it is the first whose values show what they are.
+fn most_likely<'a>(arrays: &'a [ArrayParts], contents: &ArrayFile, format: LogKind) -> Option<&'a ArrayParts> {
+    // an array without a name is a part of an object of a class, whose form only MATLAB knows
+    let is_measured = |array: &&ArrayParts| {
+        let name = array.name.rsplit('.').next().unwrap_or_default().to_lowercase();
+        let is_other = MOTIONS.contains(&name.as_str()) || TIMES.contains(&name.as_str());
+        array.count > 1 && array.parts.iter().all(|part| !part.is_empty()) && !is_other
+    };
+    let named: Vec<&ArrayParts> = arrays.iter().filter(is_measured).collect();
+    let size = |array: &ArrayParts| (array.parts.len(), array.count);
+    let most = named.iter().map(|array| size(array)).max()?;
+    let alike: Vec<&ArrayParts> = named.into_iter().filter(|array| size(array) == most).collect();
+    let shows = |array: &&&ArrayParts| {
+        let parts: Vec<&str> = array.parts.iter().map(String::as_str).collect();
+        read_columns(contents, format, &parts).is_ok_and(|table| by_values(&table, 0).is_some())
+    };
+    let examined = if alike.len() > 1 && most.0 > 1 { MOST_ARRAYS } else { 0 };
+    alike.iter().take(examined).find(shows).or(alike.first()).copied()
+}
+
+/// Asks which of several arrays with as many columns contains the measurement.
+fn other_arrays(arrays: &[ArrayParts], used: &ArrayParts, found: &mut Interpretation) {
+    let width = used.parts.len();
+    let others = arrays.iter().filter(|array| width > 1 && array.parts.len() == width && array.name != used.name);
+    let mut others: Vec<String> = others.map(|array| format!("`{}`", array.name)).collect();
+    let more = others.len().saturating_sub(LISTED_ARRAYS);
+    others.truncate(LISTED_ARRAYS);
+    if !others.is_empty() {
+        found.ask(phrase!("ask-other-arrays", used = used.name, others, more));
+    }
+}
+
+/// Maximum number of arrays whose values are examined, and of arrays that a question lists.
+const MOST_ARRAYS: usize = 64;
+const LISTED_ARRAYS: usize = 6;
 
 /// Names of arrays of times, in lower case.
 const TIMES: [&str; 7] = ["t", "time", "times", "timestamp", "stamp", "tout", "zeit"];
@@ -239,13 +271,39 @@ mod tests {
         [crate::magic::NUMPY, b"\x01\x00", &(head.len() as u16).to_le_bytes(), head.as_bytes(), &data].concat()
     }
 
+    /// Position and quaternion of a row.
+    fn pose(row: usize) -> [f64; 7] {
+        let (t, half) = (row as f64, 0.05 * row as f64);
+        [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
+    }
+
+    /// Of several arrays of one size the first whose values show a pose is proposed, as a question;
+    /// times and rates alone are no joints.
+    #[test]
+    fn the_array_that_shows_a_pose_is_proposed_and_asked_about() {
+        use crate::logs::arrays::{Content, NewArray};
+        use std::io::{Cursor, Write};
+        let poses: Vec<f64> = (0..20).flat_map(pose).collect();
+        let joints: Vec<f64> = poses.iter().map(|v| 1.3 * v).collect();
+        let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+        for (name, values) in [("arm", &joints), ("hand", &poses), ("foot", &poses)] {
+            archive.start_file(format!("{name}.npy"), zip::write::SimpleFileOptions::default()).unwrap();
+            archive.write_all(&npy(values)).unwrap();
+        }
+        let proposed =
+            |bytes: &[u8]| propose_arrays("p.npz", &bytes.into(), LogKind::from_array_file(bytes).unwrap(), None);
+        let document = proposed(&archive.finish().unwrap().into_inner()).unwrap();
+        assert!(document.toml.contains("sheet = \"hand\""), "{}", document.toml);
+        let asked = phrase!("ask-other-arrays", used = "hand", others = vec!["`arm`", "`foot`"], more = 0);
+        assert!(document.questions.iter().any(|question| question.phrase() == Some(&asked)), "{}", document.toml);
+        let list = |name| NewArray { name, content: Content::Numbers(vec![0.1, 0.2, 0.4]) };
+        let rates = crate::logs::numpy::write(&[list("t"), list("gyro"), list("acc")]).unwrap();
+        assert!(proposed(&rates).unwrap_err().is("no-rows-of-numbers", &[("file", &"arrays")]));
+    }
+
     #[test]
     fn an_array_of_positions_and_quaternions_is_an_export() {
-        let row = |i: usize| {
-            let (t, half) = (i as f64, 0.05 * i as f64);
-            [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
-        };
-        let values: Vec<f64> = (0..20).flat_map(row).collect();
+        let values: Vec<f64> = (0..20).flat_map(pose).collect();
         let proposed = |values: &[f64]| {
             let bytes = npy(values);
             propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap(), None).unwrap()

@@ -1,6 +1,6 @@
 //! Interpretation of columns as coordinates of points, and of columns without headings.
 
-use crate::propose::headings::{Word, stands_for};
+use crate::propose::headings::{Heading, Word, stands_for};
 use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use crate::propose::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
@@ -31,13 +31,22 @@ struct Set {
 /// Minimum count of numbers without headings that are points of three numbers each: fewer numbers
 /// may be the joints and the points of a robot.
 pub(crate) const FEWEST_OF_POINTS: usize = 30;
-/// Minimum number of pairs of rows, and maximum number of rows, whose distances are compared.
-const FEWEST_COMPARED: usize = 6;
-const MOST_COMPARED: usize = 2000;
+/// Minimum and maximum number of rows whose distances are compared.
+const FEWEST_COMPARED: usize = 5;
+const MOST_COMPARED: usize = 100;
+/// Maximum difference of two distances that agree, relative to the mean distance: a camera measures
+/// with a few percent.
+const AGREES: f64 = 0.04;
+/// Number of points of a row from which on they are the targets of a body.
+const MANY_POINTS: usize = 4;
+/// Maximum number of sets of coordinates that are commanded, measured, and their difference.
+const MOST_RELATED: usize = 12;
 /// Numbers of a row that may be a row of a table whose rows and columns are exchanged.
-const WIDE: usize = 300;
+const WIDE: usize = 90;
 /// Maximum count of numbers without headings that may be a point with a number behind it.
 const MOST_OF_POINT: usize = 5;
+/// Minimum count of numbers that may be the joints of an arm and a point.
+const FEWEST_OF_ARM: usize = 9;
 /// Maximum count of numbers of a row that may be a table of one row.
 const MOST_IN_ROW: usize = 16;
 
@@ -82,6 +91,12 @@ const TURNED: [&str; 14] = [
     "姿态",
 ];
 
+/// Words of sizes, of places on a screen, and of fields and motions, which are no points.
+const NO_POINTS: [&str; 20] = [
+    "scale", "size", "extent", "width", "gaze", "screen", "cursor", "pixel", "pixels", "image", "img", "bbox",
+    "texture", "uv", "color", "gravity", "jerk", "twist", "wrench", "beschl",
+];
+
 /// Words of the robot's own bodies, whose poses its controller computes.
 const OF_CONTROLLER: [&str; 12] = [
     "flange",
@@ -98,18 +113,27 @@ const OF_CONTROLLER: [&str; 12] = [
     "フランジ",
 ];
 
+/// Words of a heading that name a body: neither words of positions nor of orientations. `r` in
+/// front of a name is the right of two.
+fn names_of_body(tag: &str) -> impl Iterator<Item = &str> {
+    let words: Vec<&str> = tag.split(' ').filter(|word| !word.is_empty()).collect();
+    let is_name = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word);
+    let first = words.iter().position(|word| !NEUTRAL.contains(word));
+    let right = first.filter(|at| words[*at] == "r" && words.iter().any(is_name));
+    let names = words.into_iter().enumerate().filter(move |(at, word)| is_name(word) || right == Some(*at));
+    names.map(|(_, word)| word)
+}
+
 /// Returns the words that name a body: neither words of positions and orientations, nor numbers of
 /// components, nor words for measured.
 fn body(tag: &str) -> Vec<&str> {
-    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word) && !stands_for(word, Word::Measured);
-    tag.split(' ').filter(|word| !word.is_empty()).filter(names).collect()
+    names_of_body(tag).filter(|word| !stands_for(word, Word::Measured)).collect()
 }
 
 /// Returns the name of the target that the headings of a point give; empty for words that name no
 /// body.
 pub(crate) fn target_name(tag: &str) -> String {
-    let names = |word: &&str| !NEUTRAL.contains(word) && !TURNED.contains(word);
-    tag.split(' ').filter(names).collect::<Vec<&str>>().join("_")
+    names_of_body(tag).collect::<Vec<&str>>().join("_")
 }
 
 /// Axis of each column of a survey, with the other words of its heading: east and north of one
@@ -137,16 +161,23 @@ fn survey_axes(table: &Table) -> Vec<Option<(usize, String)>> {
     named.iter().map(|of| of.clone().and_then(placed)).collect()
 }
 
-/// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`),
-/// and this word, if the table has the headings of all three axes.
+/// Returns the axis at the end of a word for measured, commanded or difference (`nomx`, `devy`,
+/// `MX Coord.`), and this word, if the table has the headings of all three axes.
 fn joined_axis(column: &Column, table: &Table) -> Option<(usize, String)> {
-    let [word] = &column.heading.words[..] else { return None };
+    let is_neutral = |word: &&String| word.len() > 1 && NEUTRAL.contains(&word.as_str());
+    let without_neutral = |column: &Column| {
+        column.heading.words.iter().filter(|word| !is_neutral(word)).cloned().collect::<Vec<String>>().join(" ")
+    };
+    let word = Some(without_neutral(column)).filter(|word| !word.contains(' '))?;
     let last = word.chars().last()?;
     let axis = ['x', 'y', 'z'].iter().position(|axis| *axis == last)?;
     let before = &word[..word.len() - 1];
     let known = [Word::Measured, Word::Commanded, Word::Difference];
-    let is_known = before == "d" || before.len() > 2 && known.into_iter().any(|meaning| stands_for(before, meaning));
-    let has = |axis: char| table.columns.iter().any(|other| other.heading.joined() == format!("{before}{axis}"));
+    // alone, `MX` is a moment
+    let is_measured = before == "m" && column.heading.words.iter().any(|word| is_neutral(&word));
+    let is_long = before.len() > 2 && known.into_iter().any(|meaning| stands_for(before, meaning));
+    let is_known = before == "d" || is_measured || is_long;
+    let has = |axis: char| table.columns.iter().any(|other| without_neutral(other) == format!("{before}{axis}"));
     (is_known && ['x', 'y', 'z'].into_iter().all(has)).then(|| (axis, before.to_owned()))
 }
 
@@ -157,7 +188,10 @@ fn kind_by_words(tag: &str) -> Kind {
     match () {
         () if tag.is_empty() => Kind::Plain,
         () if has(Word::Uncertainty) || has(Word::Motion) || tag == "n" || long(Word::Normal) => Kind::Other,
-        () if tag.split(' ').any(|word| TURNED.contains(&word)) => Kind::Other,
+        () if tag.split(' ').any(|word| NO_POINTS.contains(&word)) => Kind::Other,
+        () if tag.split(' ').any(|word| TURNED.contains(&word) && !names_of_body(tag).any(|name| name == word)) => {
+            Kind::Other
+        }
         () if has(Word::Difference) => Kind::Difference,
         () if ["target", "ziel"].contains(&tag) => Kind::Named,
         () if has(Word::Commanded) && !long(Word::Measured) => Kind::Commanded,
@@ -229,8 +263,22 @@ fn by_other_sets(sets: &mut [Set], table: &Table) {
             set.kind = Kind::Other;
         }
     }
+    // linear velocities stand beside angular ones
+    let is_of = |set: &Set, word: &str| set.points.tag.split(' ').any(|of| of == word);
+    if sets.iter().any(|set| is_of(set, "angular")) {
+        sets.iter_mut()
+            .filter(|set| is_of(set, "angular") || is_of(set, "linear"))
+            .for_each(|set| set.kind = Kind::Other);
+    }
+    // `R.x` beside `L.x` is the right of two bodies
+    let one = |tag: &str| sets.iter().position(|set| set.points.tag == tag);
+    if let (Some(left), Some(right)) = (one("l"), one("r")) {
+        for (at, name) in [(left, "left"), (right, "right")] {
+            (sets[at].points.tag, sets[at].kind) = (name.to_owned(), Kind::Named);
+        }
+    }
     let directed = |set: &Set| match set.points.columns {
-        [Some(x), Some(y), Some(z)] => table.rows > 2 && table.are_unit([x, y, z]),
+        [Some(x), Some(y), Some(z)] => table.rows > 1 && table.are_unit([x, y, z]),
         _ => false,
     };
     // axes of a tool beside its position
@@ -239,25 +287,115 @@ fn by_other_sets(sets: &mut [Set], table: &Table) {
     }
 }
 
-/// `true` if two points have the same distances from row to row: one point in two frames, or two
-/// points of a body that does not turn.
+/// `true` if nine of ten distances from row to row agree: one point in two frames, or two points of
+/// a body that does not turn.
 fn are_rigid(table: &Table, a: &PointSet, b: &PointSet) -> bool {
     let ([Some(a0), Some(a1), Some(a2)], [Some(b0), Some(b1), Some(b2)]) = (a.columns, b.columns) else {
         return false;
     };
-    let rows: Vec<[f64; 6]> = table.finite_rows([a0, a1, a2, b0, b1, b2]).take(MOST_COMPARED).collect();
+    let all: Vec<[f64; 6]> = table.finite_rows([a0, a1, a2, b0, b1, b2]).collect();
+    let rows: Vec<&[f64; 6]> = all.iter().step_by(all.len().div_ceil(MOST_COMPARED).max(1)).collect();
     let distance =
         |p: &[f64; 6], q: &[f64; 6], from: usize| (from..from + 3).map(|k| (p[k] - q[k]).powi(2)).sum::<f64>().sqrt();
-    let half = rows.len() / 2;
-    let pairs = || (0..half).map(|i| (&rows[i], &rows[i + half]));
+    let pairs = (0..rows.len()).flat_map(|i| (i + 1..rows.len()).map(move |j| (i, j)));
+    let both: Vec<[f64; 2]> = pairs.map(|(i, j)| [0, 3].map(|from| distance(rows[i], rows[j], from))).collect();
     // in other units as well
-    let sums = pairs().fold([0.0; 2], |[a, b], (p, q)| [a + distance(p, q, 0), b + distance(p, q, 3)]);
-    let scale = sums[0] / sums[1];
-    let agrees = |(p, q)| (distance(p, q, 0) - scale * distance(p, q, 3)).abs() <= 0.02 * sums[0] / half as f64;
-    half >= FEWEST_COMPARED && scale.is_finite() && scale > 0.0 && pairs().all(agrees)
+    let [first, second] = [0, 1].map(|k| both.iter().map(|pair| pair[k]).sum::<f64>());
+    let scale = first / second;
+    let most = AGREES * first / both.len().max(1) as f64;
+    let agreeing = both.iter().filter(|[a, b]| (a - scale * b).abs() <= most).count();
+    rows.len() >= FEWEST_COMPARED && scale.is_finite() && scale > 0.0 && 10 * agreeing >= 9 * both.len()
+}
+
+/// Returns three of the columns behind the first three that nearly agree with these: commanded and
+/// measured coordinates, or two measurements.
+fn copy_of(table: &Table, columns: &[usize]) -> Option<[usize; 3]> {
+    let set = |at: &[usize]| PointSet { tag: String::new(), columns: [0, 1, 2].map(|k| at.get(k).copied()) };
+    let point = set(columns);
+    let others = columns.get(3..)?.windows(3);
+    others.filter(|at| nearly_agree(table, &point, &set(at))).find_map(|at| at.try_into().ok())
+}
+
+/// `true` if three or four neighbouring columns have norm 1 in all rows: a direction or a
+/// quaternion.
+fn has_direction(table: &Table, columns: &[usize]) -> bool {
+    let three = columns.windows(3).any(|at| table.are_unit([at[0], at[1], at[2]]));
+    three || columns.windows(4).any(|at| table.are_unit([at[0], at[1], at[2], at[3]]))
+}
+
+/// `true` if the texts in front of the rows are headings: rows and columns are exchanged.
+fn are_names_of_columns(table: &Table) -> bool {
+    let is_heading = |cell: &str| {
+        let heading = Heading::parse(cell);
+        let is_axis = ["x", "y", "z"].contains(&heading.joined().as_str());
+        let is_numbered = heading.words.last().is_some_and(|word| word.parse::<usize>().is_ok());
+        is_axis || heading.is_only(&[Word::Time]) || is_numbered && heading.has(Word::Joint)
+    };
+    let texts = table.columns.iter().find(|column| !column.is_numeric());
+    texts.is_some_and(|column| column.cells.len() > 1 && column.cells.iter().all(|cell| is_heading(cell)))
+}
+
+/// Returns whether the distance of two points is the same in all rows, and whether the vector
+/// between the two is.
+fn steady(table: &Table, a: &PointSet, b: &PointSet) -> [bool; 2] {
+    const STEADY: f64 = 0.01;
+    let ([Some(a0), Some(a1), Some(a2)], [Some(b0), Some(b1), Some(b2)]) = (a.columns, b.columns) else {
+        return [false; 2];
+    };
+    let rows: Vec<[f64; 3]> =
+        table.finite_rows([a0, a1, a2, b0, b1, b2]).map(|[x, y, z, u, v, w]| [x - u, y - v, z - w]).collect();
+    let (low, high) = [a0, a1, a2].map(|at| table.columns[at].range()).into_iter().fold(
+        (0.0, 0.0),
+        |(low, high): (f64, f64), (from, to)| if to - from > high - low { (from, to) } else { (low, high) },
+    );
+    let count = rows.len().max(1) as f64;
+    let is_steady = |value: &dyn Fn(&[f64; 3]) -> f64| {
+        let mean = rows.iter().map(value).sum::<f64>() / count;
+        (rows.iter().map(|row| (value(row) - mean).powi(2)).sum::<f64>() / count).sqrt() <= STEADY * (high - low)
+    };
+    let norm = |row: &[f64; 3]| row.iter().map(|v| v * v).sum::<f64>().sqrt();
+    [is_steady(&norm), (0..3).all(|k| is_steady(&|row| row[k]))]
 }
 
 impl Interpretation {
+    /// Returns two points of a row that may be one point in two frames: their distances from row to
+    /// row agree, and they are not two targets on one body.
+    pub(crate) fn in_two_frames(&self, table: &Table) -> Option<[usize; 2]> {
+        let count = self.points.len();
+        let pairs = (0..count).flat_map(|i| (i + 1..count).map(move |j| [i, j]));
+        let is_pair = |[i, j]: &[usize; 2]| {
+            let (a, b) = (&self.points[*i], &self.points[*j]);
+            // names that differ in a number alone are targets: `smr 1` and `smr 2`
+            let name = |tag: &str| tag.chars().filter(|c| !c.is_ascii_digit()).collect::<String>();
+            let alike = name(&target_name(&a.tag)) == name(&target_name(&b.tag)) || nearly_agree(table, a, b);
+            // of two targets on one body the distance stays, and the direction changes
+            !alike && are_rigid(table, a, b) && steady(table, a, b) != [true, false]
+        };
+        pairs.filter(|_| count < MANY_POINTS).find(is_pair)
+    }
+
+    /// `true` for two points that may be one point in two frames which differ in their directions.
+    pub(crate) fn is_in_turned_frames(&self, table: &Table) -> bool {
+        let turned = |[i, j]: [usize; 2]| !steady(table, &self.points[i], &self.points[j])[1];
+        self.in_two_frames(table).is_some_and(turned)
+    }
+
+    /// Adds that a pose of the robot is in the same rows as the measured point: `etalon cell` finds
+    /// the relation of both.
+    pub(crate) fn poses_of_robot(&mut self, table: &Table) {
+        let of_robot = |tag: &&String| tag.split(' ').any(|word| OF_CONTROLLER.contains(&word));
+        let Some(tag) = self.bodies.iter().find(of_robot).cloned() else { return };
+        // a pose has more columns than the three of its position
+        let is_of = |column: &&Column| tag.split(' ').all(|word| column.heading.words.iter().any(|of| of == word));
+        let has_pose = table.columns.iter().filter(is_of).count() >= 6;
+        if !has_pose || self.points.iter().all(|set| set.tag == tag) {
+            return;
+        }
+        let is_turned = [self.quaternion_columns(), self.rotation_columns(), self.matrix_columns()].concat().len() > 2;
+        let solve = if is_turned { "hand-eye" } else { "tool-reflector" };
+        self.doubt(phrase!("doubt-pose-of-robot", body = tag, solve));
+    }
+
     /// Finds coordinates: sets of x, y and z whose headings differ only in the axis.
     pub(crate) fn coordinates(&mut self, table: &Table) {
         if !self.points.is_empty() {
@@ -275,7 +413,10 @@ impl Interpretation {
                 None => {
                     let mut columns = [None; 3];
                     columns[axis] = Some(i);
-                    let kind = kind_by_words(&tag);
+                    // `ft` in front is a force and a torque, behind the axis it is feet
+                    let is_force = column.heading.words.first().is_some_and(|word| word == "ft");
+                    let is_other = column.heading.other_quantity || is_force || tag == "w";
+                    let kind = if is_other { Kind::Other } else { kind_by_words(&tag) };
                     sets.push(Set { points: PointSet { tag, columns }, kind });
                 }
             }
@@ -289,6 +430,7 @@ impl Interpretation {
         by_other_sets(&mut sets, table);
         self.related_sets(&mut sets, table);
         self.bodies = sets.iter().map(|set| set.points.tag.clone()).collect();
+        self.pose_of_controller(&mut sets, table);
         let others: Vec<&Set> = sets.iter().filter(|set| set.kind == Kind::Other).collect();
         for set in &others {
             for at in set.points.columns.iter().flatten() {
@@ -345,6 +487,9 @@ impl Interpretation {
     /// Finds the sets whose difference is a third one in all rows: commanded and measured values
     /// with their deviation, if the headings do not say which is which.
     fn related_sets(&mut self, sets: &mut [Set], table: &Table) {
+        if sets.len() > MOST_RELATED {
+            return;
+        }
         let unnamed = |set: &Set| matches!(set.kind, Kind::Plain | Kind::Named);
         let triples = (0..sets.len()).flat_map(|a| (0..sets.len()).map(move |b| (a, b)));
         let triples = triples.flat_map(|(a, b)| (0..sets.len()).map(move |c| [a, b, c]));
@@ -379,11 +524,8 @@ impl Interpretation {
             target_name(&a.tag) == target_name(&b.tag) || nearly_agree(table, a, b)
         };
         let count = self.points.len();
-        let rigid = |i: usize, j: usize| are_rigid(table, &self.points[i], &self.points[j]);
-        let pairs = || (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j)));
-        if let Some((i, j)) = pairs().find(|(i, j)| count < 4 && !alike(*i, *j) && rigid(*i, *j)) {
-            let tag = |at: usize| self.points[at].tag.clone();
-            let (first, second) = (tag(i), tag(j));
+        if let Some([first, second]) = self.in_two_frames(table).map(|pair| pair.map(|at| self.points[at].tag.clone()))
+        {
             return self.ask(phrase!("ask-two-frames", first, second));
         }
         let pair = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).find(|(i, j)| alike(*i, *j));
@@ -433,6 +575,11 @@ impl Interpretation {
         for (k, at) in self.turned_points.clone().iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
             self.take(*at, Meaning::OtherOrientation(k), phrase!("why-heading-and-four"));
         }
+    }
+
+    /// `true` if the words before a component of an orientation name the measured body.
+    pub(crate) fn is_of_own_body(&self, words: &str) -> bool {
+        self.points.first().is_some_and(|point| body(words) == body(&point.tag))
     }
 
     /// `true` if the words before a component of an orientation name a body whose coordinates are
@@ -485,18 +632,39 @@ impl Interpretation {
         }
     }
 
-    /// Asks whether an instrument measured the point, if its heading has the words of the joints
-    /// (`measured_q1`, `measured_x`) and there are coordinates of another body.
-    fn ask_about_controller(&mut self, left: &[String], table: &Table) {
-        let Some(point) = self.points.first().map(|set| set.tag.clone()).filter(|tag| !tag.is_empty()) else { return };
+    /// `true` if the joints have these words in addition to their own: `measured` of `measured_q1`.
+    fn are_words_of_joints(&self, words: &str, table: &Table) -> bool {
         let joints = self.joint_columns();
         let is_same = |at: &usize| {
-            let words = table.columns[*at].heading.words.iter().map(String::as_str);
+            let of_column = table.columns[*at].heading.words.iter().map(String::as_str);
             let own: Vec<&str> =
-                words.filter(|word| !stands_for(word, Word::Joint) && word.parse::<usize>().is_err()).collect();
-            own.join(" ") == point
+                of_column.filter(|word| !stands_for(word, Word::Joint) && word.parse::<usize>().is_err()).collect();
+            own.join(" ") == words
         };
-        if !left.is_empty() && joints.len() > 1 && joints.iter().all(is_same) {
+        !words.is_empty() && joints.len() > 1 && joints.iter().all(is_same)
+    }
+
+    /// Takes the point of an instrument (`marker_x`) and not that of the controller: a set with the
+    /// words of the joints (`measured_q1`, `measured_x`).
+    fn pose_of_controller(&mut self, sets: &mut [Set], table: &Table) {
+        const INSTRUMENTS: [&str; 5] = ["tracker", "laser", "optitrack", "vicon", "mocap"];
+        let has_word = |set: &Set| {
+            let is_target = |word: &str| INSTRUMENTS.contains(&word) || stands_for(word, Word::Target);
+            matches!(set.kind, Kind::Named | Kind::Measured) && set.points.tag.split(' ').any(is_target)
+        };
+        let is_computed = |set: &Set| set.kind == Kind::Measured && self.are_words_of_joints(&set.points.tag, table);
+        let Some(computed) = sets.iter().position(is_computed) else { return };
+        let Some(used) = sets.iter().find(|set| has_word(set) && !is_computed(set)) else { return };
+        let (body, used) = (sets[computed].points.tag.clone(), used.points.tag.clone());
+        sets[computed].kind = Kind::Other;
+        self.doubt(phrase!("doubt-computed-by-controller", body, used));
+    }
+
+    /// Asks whether an instrument measured the point, if its heading has the words of the joints
+    /// and there are coordinates of another body.
+    fn ask_about_controller(&mut self, left: &[String], table: &Table) {
+        let Some(point) = self.points.first().map(|set| set.tag.clone()) else { return };
+        if !left.is_empty() && self.are_words_of_joints(&point, table) {
             self.ask(phrase!("ask-computed-by-controller", body = point, others = left.to_vec()));
         }
     }
@@ -514,8 +682,13 @@ impl Interpretation {
                 self.clock(i, column);
                 continue;
             }
+            let is_constant = table.rows > 1 && column.texts.len() == 1;
             let (meaning, why) = match () {
                 () if column.texts.is_empty() || column.texts == [""] => (Meaning::Text, phrase!("why-empty")),
+                () if i < leading && is_constant && self.first(Meaning::Target).is_none() => {
+                    self.ask(phrase!("ask-text-in-all-rows", text = column.texts[0]));
+                    (Meaning::Target, phrase!("why-text-in-all-rows"))
+                }
                 () if i < leading => (Meaning::Label, phrase!("why-text-before")),
                 () => (Meaning::Text, phrase!("why-text-behind")),
             };
@@ -533,7 +706,8 @@ impl Interpretation {
         if table.rows == 1 && rest.len() > MOST_IN_ROW {
             return self.doubt(phrase!("doubt-one-row", count = rest.len()));
         }
-        if rest.len() > WIDE && rest.len() > 10 * table.rows {
+        let are_named = rest.len() > MOST_IN_ROW && table.rows <= MOST_IN_ROW && are_names_of_columns(table);
+        if rest.len() > WIDE && rest.len() > 10 * table.rows || are_named {
             return self.doubt(phrase!("doubt-transposed", rows = table.rows, columns = rest.len()));
         }
         if self.matrices_by_position(table, &rest) {
@@ -549,8 +723,10 @@ impl Interpretation {
             let quaternion = rest.len() == 7 && table.are_unit([rest[3], rest[4], rest[5], rest[6]]);
             let cloud = self.are_scanned(table, &rest);
             if !quaternion && !cloud {
+                // behind the name of a target
+                let counted = if self.first(Meaning::Target).is_some() { Meaning::Pose } else { Meaning::Count };
                 match column.is_counter() || column.counts_mostly() {
-                    true => set(self, rest[0], Meaning::Count, phrase!("why-counts")),
+                    true => set(self, rest[0], counted, phrase!("why-counts")),
                     false => {
                         set(self, rest[0], Meaning::Time, phrase!("why-increases"));
                         self.doubt(phrase!("doubt-first-increases"));
@@ -636,25 +812,23 @@ impl Interpretation {
             [_, _] | [_, _, _] => self.point_at(rest),
             [..] if rest.len() >= FEWEST_OF_POINTS && rest.len().is_multiple_of(3) => self.points_in_row(rest),
             [x, y, z, ..] => {
-                self.point_at(&[x, y, z]);
-                self.ask_about_copies(table, &rest[3..]);
-                if rest.len() > MOST_OF_POINT {
+                let is_long = rest.len() > MOST_OF_POINT;
+                // behind a name, or in front of a direction, the first three are the point, unless
+                // the numbers are as many as those of an arm and a point
+                let copy = copy_of(table, rest);
+                let is_named = !self.has_no_text() && (rest.len() < FEWEST_OF_ARM || copy.is_some());
+                if !is_long || is_named || has_direction(table, &rest[3..]) {
+                    self.point_at(&[x, y, z]);
+                    if let Some(second) = copy {
+                        let first = [x, y, z].map(|at| at + 1).to_vec();
+                        self.ask(phrase!("ask-sets-alike", first, second = second.map(|at| at + 1).to_vec()));
+                    }
+                }
+                if is_long {
                     self.ask_until(Evidence::JointOrder, phrase!("ask-numbers-without-headings", count = rest.len()));
                 }
             }
             _ => {}
-        }
-    }
-
-    /// Asks which three numbers were measured, if further ones nearly agree with the point:
-    /// commanded and measured coordinates, or two measurements.
-    fn ask_about_copies(&mut self, table: &Table, others: &[usize]) {
-        let Some(point) = self.points.first().cloned() else { return };
-        let set = |at: &[usize]| PointSet { tag: String::new(), columns: [0, 1, 2].map(|k| at.get(k).copied()) };
-        let copy = others.windows(3).map(set).find(|set| nearly_agree(table, &point, set));
-        if let Some(copy) = copy {
-            let columns = |set: &PointSet| set.columns.iter().flatten().map(|at| at + 1).collect::<Vec<usize>>();
-            self.ask(phrase!("ask-sets-alike", first = columns(&point), second = columns(&copy)));
         }
     }
 
@@ -673,7 +847,7 @@ impl Interpretation {
     }
 
     fn has_no_text(&self) -> bool {
-        !self.taken.iter().any(|taken| taken.meaning == Meaning::Label)
+        !self.taken.iter().any(|taken| matches!(taken.meaning, Meaning::Label | Meaning::Target))
     }
 
     fn point_at(&mut self, at: &[usize]) {
@@ -697,9 +871,10 @@ impl Interpretation {
             for (k, column) in rotation.into_iter().enumerate() {
                 self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-orthonormal"));
             }
+            // perhaps behind a number of the row or a time; of more numbers none is known
             match step {
                 4 => self.point_at(&[at(from, 3), at(from, 7), at(from, 11)]),
-                _ if from >= 3 => self.point_at(&[numeric[0], numeric[1], numeric[2]]),
+                _ if from == 3 || from == 4 => self.point_at(&numeric[from - 3..from]),
                 _ => {}
             }
             if length == 16 {

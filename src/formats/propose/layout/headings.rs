@@ -1,7 +1,7 @@
 //! Words and units in headings of columns, in English, German, French, Italian, Spanish, Chinese
 //! and Japanese.
 
-use etalon_tables::{is_grad, unit_word};
+use etalon_tables::{is_grad, is_other_unit, unit_word};
 
 /// Heading split into words and unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,6 +16,8 @@ pub(crate) struct Heading {
     pub grad: bool,
     /// `true` if the kinematics of the nominal robot fit with the unit.
     pub fitted: bool,
+    /// `true` if the unit belongs to a velocity, a force or another quantity that is no coordinate.
+    pub other_quantity: bool,
 }
 
 /// Meaning of a word in a heading.
@@ -47,7 +49,8 @@ pub(crate) enum Word {
 const WORDS: [(Word, &str); 20] = [
     (
         Word::Time,
-        "時刻 時間 时间 时刻 hora heure ora tick ticks time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts sec secs seconds",
+        "時刻 時間 时间 时刻 hora heure ora tick ticks time timestamp t zeit zeitstempel temps horodatage tempo tiempo stamp clock ts sec secs seconds \
+         msec msecs milliseconds usec usecs microseconds nsec nsecs nanosec nanosecs nanoseconds",
     ),
     (Word::Date, "日付 日期 date datum data fecha"),
     (
@@ -173,12 +176,21 @@ impl Heading {
                     heading.unit = heading.unit.or(Some(unit));
                     heading.grad |= is_grad(within);
                 }
+                None if is_other_unit(within) => heading.other_quantity = true,
                 None => rest.extend([" ", within, " "]),
             }
             open = after.get(end + 1..).unwrap_or("");
         }
         rest.push_str(open);
         let rest = rest.trim();
+        // `x m/s`
+        if let Some((before, last)) = rest.rsplit_once(['_', ' ', ','])
+            && last.contains('/')
+            && is_other_unit(last)
+        {
+            (heading.other_quantity, heading.words) = (true, words(before));
+            return heading;
+        }
         // a unit behind the name, after a separator
         if let Some((before, last)) = rest.rsplit_once(['_', ' ', '/', ',', '-'])
             && heading.unit.is_none()

@@ -5,7 +5,7 @@ use crate::exports::delimited::point_rows;
 use crate::logs::LogKind;
 use crate::points::{Point, has_frame_on_points};
 use crate::propose::coordinates;
-use crate::propose::meaning::{Interpretation, Meaning, PointSet};
+use crate::propose::meaning::{Evidence, Fractions, Interpretation, Meaning, PointSet};
 use crate::propose::several::{LABEL_LINE, POSE_LABEL_LINE, POSE_LINE, TARGET_LINE};
 use crate::propose::table::Table;
 use crate::table::QUATERNION;
@@ -24,6 +24,13 @@ pub const JOINTS: &str =
 /// Remark on an open order of angles.
 const ROTATION_REMARK: &str = "   # rotation: \"zyx\", \"fixed xyz\" .. for three angles in this order, \"vector\" for a \
      rotation vector; \"-\" in place of the three columns leaves them out";
+
+/// Remark on columns that nothing tells.
+const COLUMNS_REMARK: &str = "# the columns in order, [\"x\", \"y\", \"z\", \"-\", ...]; columns of joints by \
+     their numbers in `joints = { q1_deg = 1, ... }` below";
+
+/// Line of a proposal for a point that may be in two frames.
+const FRAMES_LINE: &str = "target = \"?\"               # a target of its own, or the same point in another frame\n";
 
 /// Maximum number of problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -180,6 +187,9 @@ impl Proposal<'_> {
             },
             (true, true) => self.mixed(document, &joints),
             (false, true) => self.points(document),
+            (false, false) if found.waits_for(Evidence::JointOrder) && found.matrix_columns().is_empty() => {
+                self.open(document)
+            }
             (false, false) => self.commanded(document),
         }
     }
@@ -214,6 +224,14 @@ impl Proposal<'_> {
         (once && whole && !name.is_empty()).then_some(name)
     }
 
+    /// Returns the sum of whole seconds and their fractions, if this is the column of the seconds.
+    fn seconds(&self, at: usize) -> Option<String> {
+        let Fractions { seconds, column, per_second } = self.found.fractions.filter(|of| of.seconds == at)?;
+        let [seconds, fractions] =
+            [seconds, column].map(|at| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned));
+        Some(format!("{seconds} + {fractions} / {per_second}"))
+    }
+
     /// Returns the group of columns that a point alone is in.
     fn group(&self, set: &PointSet) -> Option<String> {
         let of = |set: &PointSet| {
@@ -244,7 +262,8 @@ impl Proposal<'_> {
     fn dialect(&self, set: usize) -> Dialect {
         let roles = roles(self.found, set);
         let several = self.found.points.len() > 1;
-        let columns = match several || roles.len() > LISTED && !self.best.commented {
+        let is_computed = self.found.fractions.is_some();
+        let columns = match several || is_computed || roles.len() > LISTED && !self.best.commented {
             // fields without a heading that only some rows have
             false => {
                 let mut all = roles.clone();
@@ -252,9 +271,10 @@ impl Proposal<'_> {
                 Columns::InOrder(all)
             }
             true => {
-                let at = |i: usize| match self.heading(i) {
-                    Some(name) => ColumnSource::Heading(name.to_owned()),
-                    None => ColumnSource::Number(i + 1),
+                let at = |i: usize| match (self.seconds(i), self.heading(i)) {
+                    (Some(computed), _) => ColumnSource::Heading(computed),
+                    (None, Some(name)) => ColumnSource::Heading(name.to_owned()),
+                    (None, None) => ColumnSource::Number(i + 1),
                 };
                 let stated = roles.iter().enumerate().filter(|(_, role)| **role != ColumnRole::Skip);
                 let mut named: Vec<(ColumnRole, ColumnSource)> = stated.map(|(i, role)| (*role, at(i))).collect();
@@ -317,6 +337,20 @@ impl Proposal<'_> {
         out
     }
 
+    /// Returns the lines of an export whose columns nothing tells.
+    fn open(&self, document: &mut FormatsDocument) -> String {
+        document.kind = "export".to_owned();
+        document.ask(phrase!("ask-unit"));
+        let columns = Columns::InOrder(vec![ColumnRole::Skip]);
+        let form = Dialect { form: self.best.form.clone(), columns, ..Dialect::default() }.to_string();
+        format!(
+            "[[export]]\nfile = {}\nformat = {}   {COLUMNS_REMARK}\n{}{TARGET_LINE}{POSE_LINE}",
+            quoted(self.file),
+            form.replace("columns = [\"-\"]", "columns = \"?\""),
+            unit_line(None)
+        )
+    }
+
     /// Returns the lines of one export.
     fn export(&self, document: &mut FormatsDocument, set: usize) -> String {
         let roles = roles(self.found, set);
@@ -366,6 +400,7 @@ impl Proposal<'_> {
             let tag = tag.filter(|tag| self.found.points.len() > 1 && !alike(tag));
             let tag = points.and_then(|points| self.group(points)).or(tag);
             match tag {
+                _ if self.found.is_in_turned_frames(self.table) => out.push_str(FRAMES_LINE),
                 Some(tag) if tag.parse::<u32>().is_ok() => {
                     let _ = writeln!(out, "target = \"marker_{tag}\"");
                 }
@@ -434,6 +469,7 @@ impl Proposal<'_> {
                 | Meaning::Elevation => has_point && roles.get(i) == Some(&ColumnRole::Skip),
                 _ => false,
             };
+            let unread = unread && self.found.fractions.is_none_or(|of| of.column != i);
             let column = &self.table.columns[i];
             let name = || column.name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
             (unread && column.is_numeric()).then(|| format!("{}{}", i + 1, name()))
@@ -708,7 +744,10 @@ impl Proposal<'_> {
                     _ => continue,
                 },
             };
-            columns.push(format!("{key} = {}", self.column(at)));
+            columns.push(match self.seconds(at).filter(|_| taken.meaning == Meaning::Time) {
+                Some(computed) => format!("{key} = {}", quoted(&computed)),
+                None => format!("{key} = {}", self.column(at)),
+            });
         }
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
             let unit =

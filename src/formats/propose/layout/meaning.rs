@@ -6,6 +6,7 @@ use crate::propose::table::{Column, Table, heading_axis};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_tables::guess::Guess;
+use etalon_tables::unit_word;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Meaning of a column.
@@ -50,7 +51,8 @@ pub(crate) enum Meaning {
     Motion,
     /// Uncertainty or scatter of a point that no coordinate has.
     Scatter,
-    /// Component of a quaternion of another body than the first measured point.
+    /// Component of a quaternion (0 to 3) or a matrix (4 to 12) of another body than the first
+    /// measured point.
     OtherOrientation(usize),
     /// Intensity or colour of a scanned point.
     Appearance,
@@ -95,7 +97,9 @@ impl Meaning {
             Self::Motion => phrase!("means-motion"),
             Self::Scatter => phrase!("means-scatter"),
             Self::OtherOrientation(at) => {
-                phrase!("means-other-orientation", component = ["qw", "qx", "qy", "qz"][at.min(3)])
+                const COMPONENTS: [&str; 13] =
+                    ["qw", "qx", "qy", "qz", "r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
+                phrase!("means-other-orientation", component = COMPONENTS[at.min(12)])
             }
             Self::Appearance => phrase!("means-appearance"),
         }
@@ -155,6 +159,8 @@ pub(crate) struct Interpretation {
     pub time_unit: Option<&'static str>,
     /// `true` if the unit of the times is not known.
     pub time_unit_open: bool,
+    /// Whole seconds and their fractions in two columns.
+    pub fractions: Option<Fractions>,
     /// Names of the joints in robot.toml; empty if no robot was given.
     pub joint_names: Vec<String>,
     /// Columns of joints that count in the opposite direction.
@@ -239,9 +245,11 @@ impl Interpretation {
             found.singles(table);
             found.rest(table);
             found.vertical_angle(table);
+            found.poses_of_robot(table);
         } else {
             found.by_position(table);
         }
+        found.whole_seconds(table);
         found.clock_unit(table);
         found.number_with_gaps(table);
         found.numbers_of_poses(table);
@@ -290,7 +298,12 @@ impl Interpretation {
             open = open.or(Some(at).filter(|_| opened > closed && is_list));
         }
         lists.extend(open.map(|from| (from, self.taken.len())));
-        let is_used = |at: usize| matches!(self.taken[at].meaning, Meaning::Point(..) | Meaning::Joint(_));
+        let is_open = self.points.is_empty() && self.joint_columns().is_empty();
+        let is_used = |at: usize| match self.taken[at].meaning {
+            Meaning::Point(..) | Meaning::Joint(_) => true,
+            Meaning::Unknown => is_open && table.columns[at].is_numeric(),
+            _ => false,
+        };
         (0..self.taken.len()).any(|at| is_used(at) && lists.iter().any(|(from, to)| (*from..*to).contains(&at)))
     }
 
@@ -385,10 +398,15 @@ impl Interpretation {
             }
         }
         let named = |meanings: &[Meaning]| self.taken.iter().any(|t| meanings.contains(&t.meaning));
+        let is_text = |column: &Column| {
+            let is_time = column.clock || column.heading.is_only(&[Word::Time, Word::Date]);
+            !column.is_numeric() && !is_time && column.texts != [""]
+        };
+        let varies = |column: &Column| column.distinct_in_rows(table) > 1.max(table.rows.min(4) / 2);
         if !named(&[Meaning::Label, Meaning::Target, Meaning::Pose])
-            && let Some(first) = table.columns.iter().position(|c| !c.is_numeric() && !c.clock && c.texts != [""])
+            && let Some(first) = table.columns.iter().position(is_text)
             && table.columns[..first].iter().all(|c| c.is_numeric() && c.is_whole())
-            && table.columns[first].texts.len() > 1.max(table.rows.min(4) / 2)
+            && varies(&table.columns[first])
         {
             self.take(first, Meaning::Label, phrase!("why-texts-differ"));
         }
@@ -404,14 +422,21 @@ impl Interpretation {
         let all: Vec<(usize, (String, usize))> =
             self.free(table).filter_map(|(i, column)| Some((i, numbered(column)?))).collect();
         let first = all.iter().filter(|(_, (_, number))| *number < 2);
-        let columns = |tag: &str, from: usize| -> Option<[usize; 9]> {
-            let at = |k: usize| all.iter().find(|(_, (of, n))| of == tag && *n == from + k).map(|(i, _)| *i);
+        // a heading that occurs several times belongs to the matrix in front of it
+        let columns = |start: usize, tag: &str, from: usize| -> Option<[usize; 9]> {
+            let is_part =
+                |(i, (of, n)): &&(usize, (String, usize)), k: usize| *i >= start && of == tag && *n == from + k;
+            let at = |k: usize| all.iter().find(|column| is_part(column, k)).map(|(i, _)| *i);
             (0..9).map(at).collect::<Option<Vec<usize>>>()?.try_into().ok()
         };
-        let found = first.filter_map(|(_, (tag, from))| columns(tag, *from));
-        let Some(rotation) = found.into_iter().find(|at| table.are_rotations(*at)) else { return };
-        for (k, column) in rotation.into_iter().enumerate() {
-            self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-nine-orthonormal"));
+        let found = first.filter_map(|(i, (tag, from))| columns(*i, tag, *from)).filter(|at| table.are_rotations(*at));
+        for (number, rotation) in found.enumerate() {
+            for (k, column) in rotation.into_iter().enumerate() {
+                match number {
+                    0 => self.take(column, Meaning::Matrix(k / 3, k % 3), phrase!("why-nine-orthonormal")),
+                    _ => self.take(column, Meaning::OtherOrientation(4 + k), phrase!("why-nine-orthonormal")),
+                }
+            }
         }
     }
 
@@ -530,27 +555,32 @@ impl Interpretation {
         let free: Vec<usize> = self.free(table).filter_map(without_unit).collect();
         let neighbours = free.windows(4).filter_map(|four| <[usize; 4]>::try_from(four).ok());
         for all in neighbours.filter(|all| all[3] - all[0] == 3) {
-            let named = components(all.map(|at| &table.columns[at]));
+            let headings = all.map(|at| &table.columns[at]);
+            let named = components(headings);
+            let repeated = named.is_none() && repeats_an_axis(headings);
             let varies = || {
                 all.iter().any(|at| !table.columns[*at].is_constant())
                     && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
             };
             // further quaternions are named
-            let unsure = named.is_none() && (!self.quaternions.is_empty() || !varies());
+            let unsure = named.is_none() && !repeated && (!self.quaternions.is_empty() || !varies());
             if table.rows < FEWEST_ROWS || !table.are_unit(all) || unsure {
                 continue;
             }
-            // without a name of the scalar it is the first, as a question
+            // without a name of the scalar it is the first, or the axis that is named twice, as a
+            // question
+            let usual = if repeated { [1, 2, 3, 0] } else { [0, 1, 2, 3] };
             let mut ordered = all;
-            for (at, k) in all.into_iter().zip(named.unwrap_or([0, 1, 2, 3])) {
+            for (at, k) in all.into_iter().zip(named.unwrap_or(usual)) {
                 self.take(at, Meaning::Quaternion(k), phrase!("why-four-of-length-one"));
                 ordered[k] = at;
             }
             let words = &table.columns[ordered[1]].heading.words;
             self.quaternions.push((words[..words.len().saturating_sub(1)].join(" "), ordered));
-            if named.is_none() {
+            if named.is_none() && self.quaternions.len() == 1 {
                 let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
-                self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns));
+                let used = if repeated { "last" } else { "first" };
+                self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns, used));
             }
             return true;
         }
@@ -605,6 +635,13 @@ fn components(columns: [&Column; 4]) -> Option<[usize; 4]> {
     Some(found.map(|k| k.unwrap_or(0)))
 }
 
+/// `true` for the headings x, y, z and one of them again: a mistake for w.
+fn repeats_an_axis(columns: [&Column; 4]) -> bool {
+    let last = columns.map(|column| column.heading.words.last().map_or("", String::as_str));
+    let axes = [["x", "y", "z"], ["qx", "qy", "qz"]];
+    axes.iter().any(|axes| last[..3] == *axes && axes.contains(&last[3]))
+}
+
 /// Words in the names of joints that have no number.
 const NAMED_JOINTS: [&str; 10] =
     ["forearm", "upperarm", "pan", "lift", "rail", "track", "swivel", "slew", "joint", "gelenk"];
@@ -648,7 +685,10 @@ const POSITIONS: [&str; 8] = ["pos", "position", "positions", "angle", "angles",
 fn joint_name(heading: &Heading) -> Option<(String, Option<usize>)> {
     const COUNTS: [&str; 6] = ["cnt", "count", "counter", "index", "state", "id"];
     let is_count = heading.words.iter().any(|word| COUNTS.contains(&word.as_str()));
-    if is_count || heading.has(Word::Motion) && !heading.has(Word::Joint) || heading.words.iter().any(|w| is_motion(w))
+    if heading.other_quantity
+        || is_count
+        || heading.has(Word::Motion) && !heading.has(Word::Joint)
+        || heading.words.iter().any(|w| is_motion(w))
     {
         return None;
     }
@@ -688,6 +728,46 @@ fn measured_parts(table: &Table) -> BTreeSet<String> {
     axes.into_iter().filter(|(tag, has)| !tag.is_empty() && *has == [true; 3]).map(|(tag, _)| tag).collect()
 }
 
+/// Whole seconds and the column of their fractions: `sec` and `nanosec`, as ROS writes them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fractions {
+    pub seconds: usize,
+    pub column: usize,
+    /// Count of the fractions in a second.
+    pub per_second: f64,
+}
+
+impl Fractions {
+    /// Finds the first two such columns, whose headings differ in the unit alone.
+    pub fn new(table: &Table) -> Option<Self> {
+        let part = |column: &Column| -> Option<(Vec<String>, &'static str)> {
+            let Heading { words, unit, .. } = &column.heading;
+            let of_word = || Some((words[..words.len().checked_sub(1)?].to_vec(), unit_word(words.last()?)?));
+            let named = unit.map(|unit| (words.clone(), unit)).or_else(of_word);
+            named.filter(|_| column.is_whole() && column.range().0 >= 0.0)
+        };
+        let parts: Vec<Option<(Vec<String>, &str)>> = table.columns.iter().map(part).collect();
+        let of = |stem: &[String], column: usize| {
+            let (words, unit) = parts[column].as_ref()?;
+            let (_, per_second) = [("ns", 1e9), ("us", 1e6), ("ms", 1e3)].into_iter().find(|(of, _)| of == unit)?;
+            (*words == stem && table.columns[column].largest() < per_second).then_some(per_second)
+        };
+        (0..parts.len()).find_map(|seconds| {
+            let (stem, _) = parts[seconds].as_ref().filter(|(_, unit)| *unit == "s")?;
+            let column = (0..parts.len()).find(|column| of(stem, *column).is_some())?;
+            Some(Self { seconds, column, per_second: of(stem, column)? })
+        })
+    }
+
+    /// Adds the fractions to the values of the seconds.
+    pub fn add(self, table: &mut Table) {
+        let fractions: Vec<f64> = table.columns[self.column].values.iter().map(|v| v / self.per_second).collect();
+        for (value, fraction) in table.columns[self.seconds].values.iter_mut().zip(fractions) {
+            *value += fraction;
+        }
+    }
+}
+
 /// `true` for words of velocities, forces and currents that are longer than a letter.
 fn is_motion(word: &str) -> bool {
     word.len() > 1 && stands_for(word, Word::Motion)
@@ -712,6 +792,7 @@ impl Interpretation {
             }
             joints.retain(|(i, ..)| self.is_free(*i));
         }
+        self.first_arm(table, &mut joints);
         self.one_family(table, &mut joints);
         if joints.len() < 2 {
             joints = self.lettered_joints(table);
@@ -752,6 +833,20 @@ impl Interpretation {
             };
             self.take(i, Meaning::Joint(k), unit);
         }
+    }
+
+    /// Keeps the joints of the first arm if their headings occur again, as a question.
+    fn first_arm(&mut self, table: &Table, joints: &mut Vec<(usize, String, Option<usize>)>) {
+        let is_again = |at: usize| joints[..at].iter().any(|(_, tag, n)| (tag, n) == (&joints[at].1, &joints[at].2));
+        let Some(end) = (1..joints.len()).find(|at| is_again(*at)) else { return };
+        let (_, tag, number) = &joints[end];
+        let count = joints.iter().filter(|(_, of, n)| (of, n) == (tag, number)).count();
+        let others = joints.split_off(end);
+        let names: Vec<String> = joints.iter().map(|(i, ..)| table.called(*i)).collect();
+        for (i, ..) in others {
+            self.take(i, Meaning::OtherJoint, phrase!("why-other-arm"));
+        }
+        self.ask(phrase!("ask-joints-again", names, count));
     }
 
     /// Adds the joint of the base beside shoulder, elbow or wrist: alone the word names no joint.
@@ -818,11 +913,16 @@ impl Interpretation {
     fn unnamed_joints(&mut self, table: &Table) -> Vec<(usize, String, Option<usize>)> {
         let parts = |column: &Column| -> Option<(String, usize)> {
             match &column.heading.words[..] {
-                [letter, number] if letter.len() <= 2 && letter.chars().all(char::is_alphabetic) => {
+                [letter, number]
+                    if (letter.len() <= 2 || POSITIONS[..6].contains(&letter.as_str()))
+                        && !column.heading.other_quantity
+                        && letter.chars().all(char::is_alphabetic) =>
+                {
                     let known = [Word::Uncertainty, Word::Motion, Word::Difference, Word::Normal];
                     // `P1` beside coordinates is a point
                     let has_axes = table.columns.iter().any(|column| heading_axis(column).is_some());
-                    let axis = ["x", "y", "z", "w", "q"].contains(&letter.as_str()) || letter == "p" && has_axes;
+                    let axis =
+                        ["x", "y", "z", "w", "q"].contains(&letter.as_str()) || letter.starts_with('p') && has_axes;
                     let number = number.parse().ok()?;
                     (!axis && !known.iter().any(|of| stands_for(letter, *of))).then(|| (letter.clone(), number))
                 }
@@ -896,7 +996,12 @@ impl Interpretation {
                 let body = words.strip_suffix(name).unwrap_or("");
                 allowed(*i) && alone && !self.is_of_another_body(body)
             };
-            self.free(table).find(fits).map(|(i, _)| i)
+            // the rotation of the measured body first
+            let own = |(_, column): &(usize, &Column)| {
+                let words = column.heading.joined();
+                self.is_of_own_body(words.strip_suffix(name).unwrap_or(&words))
+            };
+            self.free(table).filter(fits).find(own).or_else(|| self.free(table).find(fits)).map(|(i, _)| i)
         };
         let [a, b, c] = form.map(at);
         Some([a?, b?, c?])
@@ -908,8 +1013,9 @@ impl Interpretation {
         let free: Vec<usize> = self.free(table).map(|(i, _)| i).collect();
         // `az` beside `ax` and `ay` is a component
         let is_axis = |heading: &Heading| {
-            let has = |name: &str| table.columns.iter().any(|column| column.heading.joined() == name);
-            heading.joined() == "az" && has("ax") && has("ay")
+            let beside = |word: &String| if word == "az" { "ax".to_owned() } else { word.clone() };
+            let other: Vec<String> = heading.words.iter().map(beside).collect();
+            other != heading.words && table.columns.iter().any(|column| column.heading.words == other)
         };
         // `vz` beside `vx` is a velocity
         let is_velocity = |heading: &Heading| {
@@ -923,7 +1029,9 @@ impl Interpretation {
             let whole = column.is_whole();
             let last = |meaning: Word| heading.words.last().is_some_and(|word| stands_for(word, meaning));
             let first = |meaning: Word| heading.words.first().is_some_and(|word| stands_for(word, meaning));
+            let is_of_motion = heading.words.iter().any(|word| is_motion(word));
             let meaning = match () {
+                () if heading.other_quantity && !is_of_motion => continue,
                 () if heading.has(Word::Temperature) || heading.unit == Some("C") => Meaning::Temperature,
                 () if heading.has(Word::Azimuth) && !is_axis(heading) => Meaning::Azimuth,
                 () if is_velocity(heading) => Meaning::Motion,
@@ -950,7 +1058,7 @@ impl Interpretation {
                     Meaning::Distance
                 }
                 () if heading.has(Word::Uncertainty) => self.uncertainty(heading),
-                () if heading.words.iter().any(|word| is_motion(word)) => Meaning::Motion,
+                () if is_of_motion => Meaning::Motion,
                 () if whole && heading.has(Word::Count) => Meaning::Count,
                 () => continue,
             };
@@ -1020,15 +1128,27 @@ impl Interpretation {
         }
     }
 
+    /// Takes whole seconds that have their fractions in a second column for the time.
+    fn whole_seconds(&mut self, table: &Table) {
+        self.fractions = Fractions::new(table);
+        let Some(Fractions { seconds, .. }) = self.fractions else { return };
+        for taken in self.taken.iter_mut().filter(|taken| taken.meaning == Meaning::Time) {
+            *taken = Taken { meaning: Meaning::Unknown, why: None };
+        }
+        self.take(seconds, Meaning::Time, phrase!("why-heading"));
+    }
+
     /// Finds the unit of the times: in the heading, or by the size and the step of the values. A
     /// unit that neither shows is a question.
     pub(crate) fn clock_unit(&mut self, table: &Table) {
         let Some(at) = self.first(Meaning::Time) else { return };
         let column = &table.columns[at];
-        let known = column.heading.unit.filter(|unit| ["s", "ms", "us", "ns"].contains(unit));
+        let is_of_time = |unit: &&'static str| ["s", "ms", "us", "ns"].contains(unit);
+        let in_words = |word: &String| unit_word(word).filter(is_of_time).filter(|_| word.len() > 1);
+        let known = column.heading.unit.filter(is_of_time).or_else(|| column.heading.words.iter().find_map(in_words));
         self.time_unit = known.or_else(|| column.epoch_unit());
         if self.time_unit.is_some() {
-            if column.heading.unit.is_none()
+            if known.is_none()
                 && let Some(unit) = self.time_unit
                 && let Some(why) = self.taken[at].why.take()
             {

@@ -5,6 +5,7 @@ use etalon_robots::Robot;
 use etalon_tables::Form;
 use etalon_tables::guess::{Guess, is_time, names};
 use etalon_tables::lexer::{Row, each_row, marked};
+use std::collections::BTreeSet;
 
 /// Maximum number of rows that are read; the proposal shows if the file has more.
 pub(crate) const MOST_ROWS: usize = 200_000;
@@ -61,6 +62,7 @@ impl Table {
                 if unit(i).is_some() {
                     (heading.unit, heading.bare_metre) = (unit(i), false);
                 }
+                heading.other_quantity |= guess.head.others.contains(&i);
                 let group = guess.head.groups.get(i).cloned().flatten();
                 Column { name, heading, group, clock: true, ..Column::default() }
             })
@@ -210,6 +212,17 @@ impl Column {
             self.texts.push(field.to_owned());
         }
         self.cells.push(field.into());
+    }
+
+    /// Number of different texts in the rows with two and more numbers.
+    pub fn distinct_in_rows(&self, table: &Table) -> usize {
+        let numeric: Vec<&Column> = table.columns.iter().filter(|column| column.is_numeric()).collect();
+        let holds = |row: usize| {
+            let finite = |column: &&&Column| column.values.get(row).is_some_and(|value| value.is_finite());
+            numeric.iter().filter(finite).take(2).count() == 2
+        };
+        let texts = self.cells.iter().enumerate().filter(|(row, _)| holds(*row));
+        texts.map(|(_, text)| text).collect::<BTreeSet<&Box<str>>>().len()
     }
 
     /// Returns the letter at the end of the heading that is a unit or the component of a
