@@ -27,7 +27,8 @@ ElementName = Literal["line", "line2d", "plane", "circle2d", "circle3d", "sphere
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """Standard uncertainties (k = 1) of an element from its residuals; NaN without redundancy, by minimum zone, and for what the element lacks.
+    """Standard uncertainties (k = 1) of an element, from its residuals or from the stated uncertainty of the points; NaN without redundancy, by
+    minimum zone, and for what the element lacks.
 
     Attributes:
         point_mm: Of the point or centre in its most uncertain direction, mm.
@@ -35,6 +36,8 @@ class Uncertainty:
         radius_mm: Of the radius, mm.
         minor_radius_mm: Of the radius of the tube of a torus, mm.
         apex_angle_deg: Of the full angle of a cone, deg.
+        coverage_factor: Factor of the expanded uncertainties (95 %): Student's t with the degrees of freedom, 14 for one and 2.3 for ten; 2 for a
+            stated uncertainty of the points.
     """
 
     point_mm: float = float("nan")
@@ -42,6 +45,7 @@ class Uncertainty:
     radius_mm: float = float("nan")
     minor_radius_mm: float = float("nan")
     apex_angle_deg: float = float("nan")
+    coverage_factor: float = float("nan")
 
 
 class Fit(Document):
@@ -96,6 +100,13 @@ class Fit(Document):
         """Standard uncertainties (k = 1)."""
         stated = self._members.get("standard_uncertainty") or {}
         return Uncertainty(**{name: value for name, value in stated.items() if value is not None})
+
+    @property
+    def expanded_uncertainty(self) -> Uncertainty:
+        """Expanded uncertainties (95 %): standard uncertainties times ``coverage_factor``, which is large for a few points."""
+        u = self.standard_uncertainty
+        k = u.coverage_factor
+        return Uncertainty(k * u.point_mm, k * u.direction_deg, k * u.radius_mm, k * u.minor_radius_mm, k * u.apex_angle_deg, k)
 
     def plot(self, *, axes: Any = None) -> Any:
         """Draw the residuals with matplotlib, which ``pip install etalon-robot[plot]`` installs; returns the axes."""
@@ -201,6 +212,7 @@ def element(
     radius_mm: float | None = None,
     axis: ArrayLike | None = None,
     orthogonal: bool = False,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
@@ -215,6 +227,7 @@ def element(
         radius_mm: Holds the radius of a circle, sphere or cylinder.
         axis: Holds the direction ``(3,)``: normal of a plane or circle, axis of a line, cylinder or cone.
         orthogonal: Fits a circle in space by the full orthogonal distance instead of plane, projection, circle.
+        standard_uncertainty_um: Of one point (k = 1), um: of a touch, from the certificate of the machine; from the residuals if None.
         probe_radius_mm: The points are centres of a probe of this radius; the answer is what it touched.
         probe_side: ``"inside"``, ``"outside"``, or for a plane or line the direction ``(3,)`` to the probe.
         minimum_zone: Fits by minimum zone (Chebyshev): the form of ISO 1101.
@@ -237,6 +250,7 @@ def element(
         radius_mm=radius_mm,
         axis=axis,
         orthogonal=orthogonal,
+        standard_uncertainty_um=standard_uncertainty_um,
         probe_radius_mm=probe_radius_mm,
         probe_side=probe_side,
         minimum_zone=minimum_zone,
@@ -247,11 +261,14 @@ def element(
 def _fitted(kind: type[_Fitted], name: str, points: ArrayLike, **options: Any) -> _Fitted:
     """Fit an element of a class; an option that is None is not stated."""
     array = points_of(points)
-    stated: dict[str, Any] = dict.fromkeys(["weights", "radius_mm", "axis", "probe_radius_mm", "probe_side"])
+    stated: dict[str, Any] = dict.fromkeys(["weights", "radius_mm", "axis", "probe_radius_mm", "probe_side", "standard_uncertainty_mm"])
     stated |= {"minimum_zone": False, "orthogonal": False, "robust": False}
     besides = [option for option, value in options.items() if value is not None and value is not False and option != "minimum_zone"]
     if options["minimum_zone"] and besides:
         raise Error(f"`minimum_zone` takes no other option: leave {', '.join(f'`{option}`' for option in besides)} out")
+    uncertainty_um = _number(options.pop("standard_uncertainty_um", None), "standard_uncertainty_um")
+    if uncertainty_um is not None:
+        stated["standard_uncertainty_mm"] = uncertainty_um / 1000.0
     for option, value in options.items():
         if value is None or isinstance(value, bool) or (option == "probe_side" and isinstance(value, str)):
             stated[option] = value
@@ -282,13 +299,14 @@ def line(
     *,
     weights: ArrayLike | None = None,
     axis: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Line:
     """Fit a line in space."""
-    return _fitted(Line, "line", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Line, "line", points, weights=weights, axis=axis, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -297,13 +315,14 @@ def line2d(
     *,
     weights: ArrayLike | None = None,
     axis: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Line:
     """Fit a line in the plane z = 0."""
-    return _fitted(Line, "line2d", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Line, "line2d", points, weights=weights, axis=axis, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -312,13 +331,14 @@ def plane(
     *,
     weights: ArrayLike | None = None,
     axis: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Plane:
     """Fit a plane."""
-    return _fitted(Plane, "plane", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Plane, "plane", points, weights=weights, axis=axis, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -329,13 +349,14 @@ def circle(
     radius_mm: float | None = None,
     axis: ArrayLike | None = None,
     orthogonal: bool = False,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Circle:
     """Fit a circle in space."""
-    return _fitted(Circle, "circle3d", points, weights=weights, radius_mm=radius_mm, axis=axis, orthogonal=orthogonal, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Circle, "circle3d", points, weights=weights, radius_mm=radius_mm, axis=axis, orthogonal=orthogonal, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -344,13 +365,14 @@ def circle2d(
     *,
     weights: ArrayLike | None = None,
     radius_mm: float | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Circle:
     """Fit a circle in the plane z = 0."""
-    return _fitted(Circle, "circle2d", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Circle, "circle2d", points, weights=weights, radius_mm=radius_mm, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -359,13 +381,14 @@ def sphere(
     *,
     weights: ArrayLike | None = None,
     radius_mm: float | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Sphere:
     """Fit a sphere."""
-    return _fitted(Sphere, "sphere", points, weights=weights, radius_mm=radius_mm, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Sphere, "sphere", points, weights=weights, radius_mm=radius_mm, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -375,13 +398,14 @@ def cylinder(
     weights: ArrayLike | None = None,
     radius_mm: float | None = None,
     axis: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Cylinder:
     """Fit a cylinder."""
-    return _fitted(Cylinder, "cylinder", points, weights=weights, radius_mm=radius_mm, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Cylinder, "cylinder", points, weights=weights, radius_mm=radius_mm, axis=axis, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -390,13 +414,14 @@ def cone(
     *,
     weights: ArrayLike | None = None,
     axis: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Cone:
     """Fit a cone."""
-    return _fitted(Cone, "cone", points, weights=weights, axis=axis, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Cone, "cone", points, weights=weights, axis=axis, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 @_documented
@@ -404,13 +429,14 @@ def torus(
     points: ArrayLike,
     *,
     weights: ArrayLike | None = None,
+    standard_uncertainty_um: float | None = None,
     probe_radius_mm: float | None = None,
     probe_side: ProbeSide | None = None,
     minimum_zone: bool = False,
     robust: bool = False,
 ) -> Torus:
     """Fit a torus."""
-    return _fitted(Torus, "torus", points, weights=weights, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
+    return _fitted(Torus, "torus", points, weights=weights, standard_uncertainty_um=standard_uncertainty_um, probe_radius_mm=probe_radius_mm, probe_side=probe_side, minimum_zone=minimum_zone, robust=robust)
 
 
 def enclosing_circle(points: ArrayLike) -> Circle:

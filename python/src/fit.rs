@@ -21,6 +21,7 @@ const BLOCK: usize = 4096;
 pub struct Options<'py> {
     weights: Option<PyReadonlyArray1<'py, f64>>,
     radius_mm: Option<f64>,
+    standard_uncertainty_mm: Option<f64>,
     axis: Option<Vector>,
     orthogonal: bool,
     probe_radius_mm: Option<f64>,
@@ -85,7 +86,8 @@ pub fn fit(
     let probe = options.probe()?;
     let weights = options.weights.as_ref().map(|weights| weights.as_slice()).transpose()?;
     let circle = if options.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
-    let settings = FitSettings { weights, radius_mm: options.radius_mm, axis: options.axis, circle, probe };
+    let Options { radius_mm, standard_uncertainty_mm, axis, .. } = options;
+    let settings = FitSettings { weights, radius_mm, axis, circle, probe, standard_uncertainty_mm };
     let fitted = compute(py, || {
         if options.robust {
             let found = etalon_fit::robust_element(element, points, &settings)?;

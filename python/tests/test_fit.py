@@ -2,6 +2,7 @@
 
 import inspect
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -155,3 +156,58 @@ def test_a_rigid_transform_carries_points_and_a_single_point():
     found = etalon.frames.rigid(points, onto=moved)
     assert found(points) == pytest.approx(moved, abs=1e-9) and found(points[1]) == pytest.approx(moved[1], abs=1e-9)
     assert found(points[1]).shape == (3,) and "rms_mm" in repr(found) and found != 5
+
+
+def ball(count, seed, scatter=0.003):
+    """Touches of a ball of 25.4 mm."""
+    drawn = np.random.default_rng(seed)
+    direction = drawn.normal(size=(count, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    return [100.0, -50, 20] + direction * (12.7 + drawn.normal(0, scatter, (count, 1)))
+
+
+def test_a_stated_uncertainty_of_a_touch_gives_that_of_the_ball():
+    points = ball(12, 0)
+    found = fit.sphere(points, standard_uncertainty_um=4)
+    away = points - found.center_mm
+    jacobian = np.column_stack([-away / np.linalg.norm(away, axis=1, keepdims=True), -np.ones(12)])
+    covariance = 0.004**2 * np.linalg.inv(jacobian.T @ jacobian)
+    u = found.standard_uncertainty
+    assert u.radius_mm == pytest.approx(covariance[3, 3] ** 0.5, rel=1e-6)
+    assert u.point_mm == pytest.approx(np.linalg.eigvalsh(covariance[:3, :3]).max() ** 0.5, rel=1e-6)
+    assert u.coverage_factor == 2 and found.expanded_uncertainty.radius_mm == pytest.approx(2 * u.radius_mm)
+    assert np.isnan(found.expanded_uncertainty.direction_deg)
+    # as many touches as parameters
+    with pytest.warns(etalon.warning_class("element-without-redundancy")):
+        few = fit.sphere(points[:4], standard_uncertainty_um=4)
+    assert few.standard_uncertainty.radius_mm > 0
+    with pytest.warns(etalon.warning_class("residuals-exceed-points")):
+        fit.sphere(points, standard_uncertainty_um=0.1)
+    for wrong in (0, -1, "x"):
+        with pytest.raises(etalon.Error):
+            fit.sphere(points, standard_uncertainty_um=wrong)
+    with pytest.raises(etalon.Error, match="`standard_uncertainty_um`"):
+        fit.circle(points, minimum_zone=True, standard_uncertainty_um=1)
+
+
+@pytest.mark.parametrize("count", [5, 6, 8])
+def test_expanded_uncertainties_of_few_touches_cover_the_radius(count):
+    """Twice the standard uncertainty of five touches contains the radius in two of three balls only."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", etalon.MessageWarning)
+        balls = [fit.sphere(ball(count, seed)) for seed in range(600)]
+    errors = np.array([found.radius_mm - 12.7 for found in balls])
+    covered = np.mean([abs(error) < found.expanded_uncertainty.radius_mm for error, found in zip(errors, balls)])
+    twice = np.mean([abs(error) < 2 * found.standard_uncertainty.radius_mm for error, found in zip(errors, balls)])
+    assert 0.92 < covered < 0.985 and twice < 0.92, (covered, twice)
+
+
+def test_touches_that_were_copied_are_named():
+    points = ball(12, 1)
+    with pytest.warns(etalon.warning_class("points-repeated")):
+        found = fit.sphere(np.vstack([points] * 3))
+    assert next(message for message in found.messages if message.id == "points-repeated").arguments["count"] == 24
+    # a scan that is rounded to 0.01 mm
+    drawn = np.random.default_rng(2)
+    grid = np.round(drawn.uniform(-2, 2, (400, 3)) * [1, 1, 0.002], 2)
+    assert "points-repeated" not in {message.id for message in fit.plane(grid).messages}

@@ -40,17 +40,15 @@ pub struct FitCommand {
     /// Fit each label separately instead of all points together.
     #[arg(long)]
     by_label: bool,
-    /// Keep this radius of a circle, sphere or cylinder during the fit.
-    #[arg(long, value_name = "MM")]
-    radius_mm: Option<f64>,
+    #[command(flatten)]
+    least_squares: LeastSquaresOptions,
     #[command(flatten)]
     probe: ProbeOptions,
-    /// Fit a circle in space by orthogonal distances instead of plane, projection and circle.
-    #[arg(long)]
-    orthogonal: bool,
     /// Fit a line2d, plane, circle2d, circle3d, sphere, cylinder or cone by minimum zone
     /// (Chebyshev) instead of least squares: the form of ISO 1101.
-    #[arg(long, conflicts_with_all = ["radius_mm", "orthogonal", "probe_radius_mm", "probe_side"])]
+    #[arg(long, conflicts_with_all = [
+        "radius_mm", "orthogonal", "probe_radius_mm", "probe_side", "standard_uncertainty_um",
+    ])]
     minimum_zone: bool,
     /// Exclude points that are far from the element of all others, and list them (trimmed least
     /// squares).
@@ -63,13 +61,28 @@ pub struct FitCommand {
     test: TracimOptions,
 }
 
+/// Options of a fit by least squares.
+#[derive(Clone, Copy, Debug, clap::Args)]
+struct LeastSquaresOptions {
+    /// Keep this radius of a circle, sphere or cylinder during the fit.
+    #[arg(long, value_name = "MM")]
+    radius_mm: Option<f64>,
+    /// Standard uncertainty (k = 1) of one point in micrometres; by default estimated from the
+    /// residuals.
+    #[arg(long, value_name = "UM")]
+    standard_uncertainty_um: Option<f64>,
+    /// Fit a circle in space by orthogonal distances instead of plane, projection and circle.
+    #[arg(long)]
+    orthogonal: bool,
+}
+
 /// Options of a test of TraCIM.
 #[derive(Clone, Debug, clap::Args)]
 struct TracimOptions {
     /// Answer a test of TraCIM (PTB): the only file is the test data, and the answer is XML.
     #[arg(long, conflicts_with_all = [
         "files", "format", "columns", "unit", "by_label", "radius_mm", "probe_radius_mm", "probe_side", "orthogonal",
-        "minimum_zone", "robust", "json",
+        "minimum_zone", "robust", "json", "standard_uncertainty_um",
     ])]
     tracim: bool,
     /// Customer as registered with TraCIM.
@@ -155,7 +168,7 @@ impl FitCommand {
     /// Fits the measured features of QIF files; features that cannot be fitted are reported and
     /// omitted.
     fn measured_features(&self, texts: &[(String, String)], out: &Output) -> Result<Vec<FitDocument>, Problems> {
-        if self.radius_mm.is_some() || self.text.stated() {
+        if self.least_squares.radius_mm.is_some() || self.text.stated() {
             return Err(error!("qif-with-columns").into());
         }
         if self.robust {
@@ -192,8 +205,10 @@ impl FitCommand {
 
     /// Settings of the options, with a probe.
     fn settings(&self, probe: Option<Probe>) -> FitSettings<'static> {
-        let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
-        FitSettings { radius_mm: self.radius_mm, circle, probe, ..FitSettings::default() }
+        let LeastSquaresOptions { radius_mm, standard_uncertainty_um, orthogonal } = self.least_squares;
+        let circle = if orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
+        let standard_uncertainty_mm = standard_uncertainty_um.map(|u| u / 1000.0);
+        FitSettings { radius_mm, circle, probe, standard_uncertainty_mm, ..FitSettings::default() }
     }
 
     /// Given side of the probe, if any.

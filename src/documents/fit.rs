@@ -33,7 +33,8 @@ pub struct FitDocument {
     /// Numbers of the points that a robust fit excludes, from 1; absent without `--robust`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub set_aside: Option<Vec<usize>>,
-    /// Standard uncertainties from the residuals; absent without redundancy.
+    /// Standard uncertainties from the residuals or from the stated uncertainty of the points;
+    /// absent without redundancy.
     pub standard_uncertainty: Option<FitUncertainty>,
     /// Probe and fit before compensation, if the points are probe centres.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -129,6 +130,10 @@ pub struct FitUncertainty {
     pub minor_radius_mm: Option<f64>,
     /// Standard uncertainty of the full angle of a cone.
     pub apex_angle_deg: Option<f64>,
+    /// Coverage factor of the expanded uncertainties (95 %): Student's t with the degrees of
+    /// freedom (GUM G.3), 2 for a stated uncertainty of the points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coverage_factor: Option<f64>,
 }
 
 /// Contact points of a minimum zone, numbered from 1 in the order of reading.
@@ -236,6 +241,7 @@ impl FitDocument {
             radius_mm: u.radius_mm,
             minor_radius_mm: u.minor_radius_mm,
             apex_angle_deg: u.apex_angle_rad.map(f64::to_degrees),
+            coverage_factor: fit.precision.coverage_factor(),
         });
         Self {
             schema: "etalon/fit/1".to_owned(),

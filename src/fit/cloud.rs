@@ -146,13 +146,16 @@ pub(super) struct Cloud<'a> {
     pub spread: Vector,
     /// Principal directions, longest first; right-handed.
     pub axes: [Vector; 3],
+    /// Stated standard uncertainty of the distance of a point of mean weight, if any.
+    pub standard_uncertainty_mm: Option<f64>,
 }
 
 impl<'a> Cloud<'a> {
     /// Checks that `points` determine `element`.
     pub fn new(element: Element, points: Source<'a>, settings: &FitSettings<'a>) -> Result<Self> {
-        let cloud =
+        let mut cloud =
             Self::surveyed(element.name(), element.minimum_points(), points, settings.weights, element.rough())?;
+        cloud.standard_uncertainty_mm = settings.standard_uncertainty_mm;
         // a held axis or radius needs one dimension less, but at least two about an axis
         let held = usize::from(settings.axis.is_some()).min(element.span() - 1);
         cloud.spans(element.name(), element.span() - held)?;
@@ -169,6 +172,7 @@ impl<'a> Cloud<'a> {
             scale_mm: 1.0,
             spread: [0.0; 3],
             axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+            standard_uncertainty_mm: None,
         }
     }
 
@@ -285,6 +289,13 @@ impl<'a> Cloud<'a> {
             return Ok(());
         }
         Err(error!("points-degenerate", element = element::name(name), spanned).into())
+    }
+
+    /// Variance of a distance in normalised units: as stated, or of residuals with this weighted sum
+    /// of squares; `None` without redundancy.
+    pub fn variance(&self, squares: f64, degrees_of_freedom: usize) -> Option<f64> {
+        let stated = self.standard_uncertainty_mm.map(|u| (u / self.scale_mm).powi(2));
+        stated.or_else(|| (degrees_of_freedom > 0).then(|| squares / degrees_of_freedom as f64))
     }
 
     /// Number of points.

@@ -16,6 +16,7 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm, unit};
 use etalon_base::{error, phrase, warning};
 use etalon_math::{Termination, symmetric_eigen};
+use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Number of quantities in an [`ElementCovariance`].
 pub const QUANTITIES: usize = 9;
@@ -23,7 +24,8 @@ pub const QUANTITIES: usize = 9;
 /// Covariance of point (x, y, z, mm), direction (x, y, z), radius (mm), minor radius (mm) and apex
 /// angle (rad), in this order. Rows and columns of absent or held quantities are zero.
 ///
-/// First-order propagation of σ² (JᵀJ)⁻¹, where σ² is the variance of the residuals.
+/// First-order propagation of σ² (JᵀJ)⁻¹, where σ² is the stated variance of a distance, or the
+/// variance of the residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElementCovariance(pub [[f64; QUANTITIES]; QUANTITIES]);
 
@@ -190,12 +192,66 @@ pub struct Fit {
 pub struct FitPrecision {
     /// Number of equations minus number of parameters.
     pub degrees_of_freedom: usize,
-    /// Covariance of the quantities; `None` without redundancy.
+    /// Covariance of the quantities; `None` without redundancy, unless the uncertainty of the points
+    /// is stated.
     pub covariance: Option<ElementCovariance>,
+    /// Variance (mm²) of the distance of a point of mean weight, from which the covariance follows.
+    pub variance_mm2: Option<f64>,
+    /// `true` if the uncertainty of the points is stated.
+    pub is_stated: bool,
     /// Standard uncertainty (rad) of a direction that is a principal direction of the points, by
     /// [`principal_uncertainty`].
     pub(super) principal_rad: Option<f64>,
 }
+
+impl FitPrecision {
+    /// Redundancy of a fit to the points of `cloud`, with the variance of a distance in normalised
+    /// units.
+    pub(super) fn new(cloud: &Cloud, degrees_of_freedom: usize, variance: Option<f64>) -> Self {
+        Self {
+            degrees_of_freedom,
+            variance_mm2: variance.map(|v| v * cloud.scale_mm * cloud.scale_mm),
+            is_stated: cloud.standard_uncertainty_mm.is_some(),
+            ..Self::default()
+        }
+    }
+
+    /// Coverage factor of an expanded uncertainty with a probability of 95.45 %: Student's t with
+    /// the degrees of freedom (GUM G.3), 2 for a stated uncertainty; `None` without uncertainty.
+    pub fn coverage_factor(&self) -> Option<f64> {
+        self.covariance?;
+        if self.is_stated {
+            return Some(STATED_FACTOR);
+        }
+        let (degrees, z) = (self.degrees_of_freedom as f64, STATED_FACTOR);
+        if self.degrees_of_freedom > MANY {
+            // Abramowitz & Stegun 26.7.5
+            return Some(z + (z.powi(3) + z) / (4.0 * degrees));
+        }
+        let student = StudentsT::new(0.0, 1.0, degrees).ok()?;
+        Some(student.inverse_cdf(0.5 * (1.0 + COVERAGE)))
+    }
+
+    /// Ratio of the residuals to the stated uncertainty of the points, if it is significant.
+    /// `squares` is the weighted sum of squares (mm²). By the cube root of chi-square over its
+    /// degrees of freedom, which is nearly normal (Wilson & Hilferty 1931).
+    fn excess(&self, squares: f64) -> Option<f64> {
+        let degrees = Some(self.degrees_of_freedom as f64).filter(|nu| self.is_stated && *nu > 0.0)?;
+        let ratio = squares / (degrees * self.variance_mm2?);
+        let spread = 2.0 / (9.0 * degrees);
+        (ratio.cbrt() > 1.0 - spread + SIGNIFICANT * spread.sqrt()).then(|| ratio.sqrt())
+    }
+}
+
+/// Probability of the interval of value ± expanded uncertainty; of a normal distribution, two
+/// standard deviations.
+const COVERAGE: f64 = 0.954_499_736_103_642;
+/// Coverage factor for a stated uncertainty.
+const STATED_FACTOR: f64 = 2.0;
+/// Number of degrees of freedom beyond which a series gives Student's quantile to 1e-6.
+const MANY: usize = 2000;
+/// Normal quantile of a probability of 0.1 % that residuals exceed the stated uncertainty by chance.
+const SIGNIFICANT: f64 = 3.0902;
 
 /// Method of a fit, and how it ended.
 #[derive(Clone, Debug, PartialEq)]
@@ -222,8 +278,8 @@ pub(super) fn principal_uncertainty(larger: f64, smaller: f64, degrees_of_freedo
 /// Standard uncertainty (rad) of a principal direction from which the ratio of both spreads is not
 /// distinguishable from one (k = 2).
 const ALIKE: f64 = 0.25;
-/// Maximum expanded uncertainty (k = 2) of a radius, relative to the radius, and of a direction
-/// (rad) without a warning.
+/// Maximum expanded uncertainty (95 %) of a radius, relative to the radius, and of a direction (rad)
+/// without a warning.
 const UNRELIABLE: f64 = 0.1;
 
 impl Fit {
@@ -345,22 +401,26 @@ impl Fit {
         if self.precision.degrees_of_freedom == 0 {
             self.warnings.push(warning!("element-without-redundancy", element));
         }
+        if let Some(times) = self.precision.excess(self.residuals.squares) {
+            self.warnings.push(warning!("residuals-exceed-points", element, times));
+        }
         let uncertainty = self.standard_uncertainty();
+        let k = self.precision.coverage_factor().unwrap_or(STATED_FACTOR);
         let direction = self.precision.principal_rad.or_else(|| uncertainty.as_ref().and_then(|u| u.direction_rad));
-        let expanded_deg = 2.0 * direction.unwrap_or_default().to_degrees();
+        let expanded_deg = k * direction.unwrap_or_default().to_degrees();
         if self.precision.principal_rad.is_some_and(|u| u >= ALIKE) {
             self.warnings.push(warning!("element-ambiguous", element));
         } else if expanded_deg.to_radians() > UNRELIABLE {
             self.warnings.push(warning!("element-direction-uncertain", element, expanded_deg));
         }
         let uncertain = uncertainty.and_then(|u| Some((u.radius_mm?, self.geometry.radius_mm?)));
-        if let Some((u, radius)) = uncertain.filter(|(u, radius)| 2.0 * u > UNRELIABLE * radius) {
+        if let Some((u, radius)) = uncertain.filter(|(u, radius)| k * u > UNRELIABLE * radius) {
             let covered_deg = self.coverage_deg().map_or("none".argument(), |d| d.round().argument());
             self.warnings.push(warning!(
                 "radius-uncertain",
                 element,
                 radius_mm = radius,
-                expanded_mm = 2.0 * u,
+                expanded_mm = k * u,
                 covered_deg,
             ));
         }
@@ -505,4 +565,76 @@ fn transposed(a: &Matrix) -> Matrix {
 
 fn product(a: &Matrix, b: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..QUANTITIES).map(|k| a[i][k] * b[k][j]).sum()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{circle2d, line, plane};
+    use etalon_base::noise::Noise;
+
+    fn with(standard_uncertainty_mm: f64) -> FitSettings<'static> {
+        FitSettings { standard_uncertainty_mm: Some(standard_uncertainty_mm), ..FitSettings::default() }
+    }
+
+    /// GUM, table G.2, p = 95.45 %.
+    #[test]
+    fn coverage_factors_of_few_degrees_of_freedom_are_those_of_the_gum() {
+        let factor = |degrees_of_freedom: usize, is_stated: bool| {
+            let covariance = Some(ElementCovariance([[0.0; QUANTITIES]; QUANTITIES]));
+            let precision = FitPrecision { degrees_of_freedom, covariance, is_stated, ..FitPrecision::default() };
+            precision.coverage_factor().unwrap()
+        };
+        for (degrees, expected) in [(1, 13.97), (2, 4.53), (3, 3.31), (5, 2.65), (10, 2.28), (20, 2.13), (50, 2.05)] {
+            assert!((factor(degrees, false) - expected).abs() < 0.0051, "{degrees}: {}", factor(degrees, false));
+        }
+        assert!((factor(1_000_000, false) - 2.0).abs() < 1e-5);
+        // the series follows the quantile
+        assert!((factor(MANY, false) - factor(MANY + 1, false)).abs() < 1e-5);
+        assert_eq!(factor(1, true), 2.0);
+        assert_eq!(FitPrecision::default().coverage_factor(), None);
+    }
+
+    #[test]
+    fn a_stated_uncertainty_replaces_the_residuals() {
+        // normal matrix diag(2, 2, 4) of centre and radius, by hand
+        let circle = circle2d(&[[10.0, 0.0], [0.0, 10.0], [-10.0, 0.0], [0.0, -10.0]], &with(0.02)).unwrap();
+        let u = circle.standard_uncertainty().unwrap();
+        assert!((u.point_largest_mm - 0.02 / 2f64.sqrt()).abs() < 1e-12, "{u:?}");
+        assert!((u.radius_mm.unwrap() - 0.01).abs() < 1e-12, "{u:?}");
+        assert_eq!((circle.precision.degrees_of_freedom, circle.precision.coverage_factor()), (1, Some(2.0)));
+        // no redundancy: two ends of 100 mm, each off by σ across
+        let edge = line(&[[0.0, 0.0, 0.0], [100.0, 0.0, 0.0]], &with(0.02)).unwrap();
+        let u = edge.standard_uncertainty().unwrap();
+        assert!((u.direction_rad.unwrap() - 2f64.sqrt() * 0.02 / 100.0).abs() < 1e-12, "{u:?}");
+        assert!(line(&[[0.0; 3], [100.0, 0.0, 0.0]], &FitSettings::default()).unwrap().precision.covariance.is_none());
+        // three points: the height of their centroid is known to σ / √3
+        let face = plane(&[[0.0, 0.0, 0.0], [100.0, 0.0, 0.0], [0.0, 100.0, 0.0]], &with(0.03)).unwrap();
+        let u = face.standard_uncertainty().unwrap();
+        assert!((u.point_largest_mm - 0.03 / 3f64.sqrt()).abs() < 1e-12, "{u:?}");
+        for wrong in [0.0, -1.0, f64::NAN] {
+            let refused = circle2d(&[[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]], &with(wrong)).unwrap_err();
+            assert!(refused.0[0].is("point-uncertainty-not-positive", &[]), "{refused:?}");
+        }
+    }
+
+    #[test]
+    fn residuals_beyond_the_stated_uncertainty_are_named() {
+        let mut noise = Noise::new(4, 0);
+        let mut point = |i: usize| {
+            let (s, c) = (0.3 * i as f64).sin_cos();
+            let radius = 20.0 + noise.gaussian(0.01);
+            [radius * c, radius * s]
+        };
+        let points: Vec<[f64; 2]> = (0..20).map(&mut point).collect();
+        let warned = |u_mm: f64| {
+            let fit = circle2d(&points, &with(u_mm)).unwrap();
+            fit.warnings.iter().any(|message| message.is("residuals-exceed-points", &[]))
+        };
+        assert_eq!([0.003, 0.01, 0.1].map(warned), [true, false, false]);
+        // the uncertainty is the stated one
+        let u = |fit: Fit| fit.standard_uncertainty().unwrap().point_largest_mm;
+        let [small, large] = [0.003, 0.03].map(|u_mm| u(circle2d(&points, &with(u_mm)).unwrap()));
+        assert!((large / small - 10.0).abs() < 1e-9);
+    }
 }

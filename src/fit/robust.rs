@@ -9,6 +9,7 @@ use super::{CircleMethod, Element, Fit, FitSettings, Source, element};
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::{Vector, cross, dot, minus, norm};
 use etalon_base::{error, warning};
+use etalon_math::statistics::repeated_rows;
 
 /// Fewest points by minimum number of points of the element among which outliers can be told.
 const FEWEST: usize = 3;
@@ -58,13 +59,21 @@ fn listed(indices: &[usize]) -> String {
 const MOST_LISTED: usize = 20;
 
 /// All warnings about an element and its points, whichever fit is asked for: of the least-squares
-/// fit `fit`, and about outliers among up to 20,000.
+/// fit `fit`, and about outliers and repeated points among up to 20,000.
 pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
     let foreign = foreign_points(fit, points, settings).map(|foreign| {
         let (count, points) = (foreign.points.len(), listed(&foreign.points));
         warning!("foreign-points", count, points, shift = foreign.shift)
     });
-    fit.warnings.iter().cloned().chain(foreign).collect()
+    let few = points.len() <= CHECKED;
+    let repeated = few.then(|| repeated(&(0..points.len()).map(|i| points.at(i)).collect::<Vec<_>>())).flatten();
+    fit.warnings.iter().cloned().chain(foreign).chain(repeated).collect()
+}
+
+/// Warning of points that repeat an earlier point digit for digit: copies are no measurements.
+fn repeated(points: &[Vector]) -> Option<Message> {
+    let found: Vec<usize> = repeated_rows(points).into_iter().map(|[i, _]| i).collect();
+    (!found.is_empty()).then(|| warning!("points-repeated", count = found.len(), points = listed(&found)))
 }
 
 /// Fits an element without the points that are far from all others.
@@ -81,19 +90,31 @@ pub fn robust_element(kind: Element, points: &[Vector], settings: &FitSettings) 
     let all = element(kind, points, settings)?;
     let search = Search::new(kind, points, searching(settings));
     let Some(used) = search.explained().filter(|used| used.len() < points.len()) else {
-        return Ok(RobustElement { fit: all, set_aside: Vec::new() });
+        return Ok(RobustElement { fit: with_repeats(all, points), set_aside: Vec::new() });
     };
     let kept: Vec<Vector> = used.iter().map(|i| points[*i]).collect();
     let weights: Option<Vec<f64>> = settings.weights.map(|w| used.iter().map(|i| w[*i]).collect());
     let fit = element(kind, &kept, &FitSettings { weights: weights.as_deref(), ..*settings })?;
     let set_aside = (0..points.len()).filter(|i| used.binary_search(i).is_err()).collect();
-    Ok(RobustElement { fit, set_aside })
+    Ok(RobustElement { fit: with_repeats(fit, points), set_aside })
+}
+
+/// Fit with the warning of repeated points.
+fn with_repeats(mut fit: Fit, points: &[Vector]) -> Fit {
+    fit.warnings.extend(repeated(points));
+    fit
 }
 
 /// Settings of the search: the centres of a probe are fitted as measured, circles in space by
 /// orthogonal distances.
 fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
-    FitSettings { radius_mm: settings.held_radius_mm(), probe: None, circle: CircleMethod::Orthogonal, ..*settings }
+    FitSettings {
+        radius_mm: settings.held_radius_mm(),
+        probe: None,
+        circle: CircleMethod::Orthogonal,
+        standard_uncertainty_mm: None,
+        ..*settings
+    }
 }
 
 /// Outliers that shift a fit of all points beyond its uncertainty; `None` without such points, and
@@ -244,5 +265,32 @@ mod tests {
         }
         eprintln!("{draws} clean draws: {lost} points set aside, {warned} warnings");
         assert!(draws > 50 && warned == 0 && lost < 4);
+    }
+
+    #[test]
+    fn points_that_were_copied_are_named() {
+        let mut noise = Noise::new(21, 0);
+        let points = drawn(Element::Sphere, 12, &mut noise);
+        let named = |points: &[Vector], robust: bool| {
+            let settings = FitSettings::default();
+            let messages = match robust {
+                true => robust_element(Element::Sphere, points, &settings).unwrap().fit.warnings,
+                false => {
+                    let fit = element(Element::Sphere, points, &settings).unwrap();
+                    warnings(&fit, &points.into(), &settings)
+                }
+            };
+            let found = messages.into_iter().find(|message| message.is("points-repeated", &[]));
+            found.map(|message| {
+                message.is(
+                    "points-repeated",
+                    &[("count", &12), ("points", &"13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24")],
+                )
+            })
+        };
+        let twice = [points.clone(), points.clone()].concat();
+        for robust in [false, true] {
+            assert_eq!((named(&points, robust), named(&twice, robust)), (None, Some(true)));
+        }
     }
 }

@@ -201,10 +201,9 @@ impl<S, const N: usize> Refined<S, N> {
         self.factor.as_ref().map_or(f64::INFINITY, |f| svd(f).condition())
     }
 
-    /// Covariance of x, with zeros for held parameters; `None` without redundancy.
-    pub fn covariance(&self, degrees_of_freedom: usize) -> Option<[[f64; N]; N]> {
-        let inverse = self.factor.as_ref().filter(|_| degrees_of_freedom > 0)?.inverse_normal()?;
-        let variance = self.cost / degrees_of_freedom as f64;
+    /// Covariance of x from the variance of a distance, with zeros for held parameters.
+    pub fn covariance(&self, variance: f64) -> Option<[[f64; N]; N]> {
+        let inverse = self.factor.as_ref()?.inverse_normal()?;
         let mut covariance = [[0.0; N]; N];
         let rows = inverse.chunks_exact(self.free.len().max(1));
         for ((&i, row), a) in self.free.iter().zip(rows).zip(&self.scale) {
@@ -247,12 +246,12 @@ impl<S, const N: usize> Refined<S, N> {
         if !(residuals.squares * cloud.scale_mm).is_finite() {
             cloud.numbers(element.name())?;
         }
-        let covariance = self.covariance(degrees_of_freedom);
+        let variance = cloud.variance(self.cost, degrees_of_freedom);
+        let covariance = variance.and_then(|variance| self.covariance(variance));
         Ok(Fit {
             precision: FitPrecision {
-                degrees_of_freedom,
                 covariance: covariance.map(|c| propagate(&c, &by_parameter, cloud.scale_mm)),
-                principal_rad: None,
+                ..FitPrecision::new(cloud, degrees_of_freedom, variance)
             },
             coverage_rad: Some(C::angle_rad(covered)),
             condition,

@@ -1,5 +1,7 @@
 //! Statistics of samples: mean, root mean square, standard deviation, quantiles.
 
+use std::collections::BTreeMap;
+
 /// Mean; zero without values.
 pub fn mean(values: impl IntoIterator<Item = f64>) -> f64 {
     let mut count = 0usize;
@@ -193,9 +195,50 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     middle_pair(values).map(|[_, upper]| upper)
 }
 
+/// Smallest numbers of repeated and of different rows, and of coordinates that vary, among which
+/// repeats are told from rounding.
+const REPEATS: usize = 3;
+const DIFFERENT: usize = 4;
+const VARYING: usize = 2;
+/// Maximum number of pairs of rows that are equal in one coordinate only, as a share of the pairs
+/// that are equal in all.
+const ROUNDED: f64 = 0.1;
+
+/// Rows that repeat an earlier row digit for digit: index of the row, and of the first such row.
+///
+/// Empty if rounding explains repeats. Coordinates of few digits are often equal in other pairs of
+/// rows as well.
+pub fn repeated_rows<const N: usize>(rows: &[[f64; N]]) -> Vec<[usize; 2]> {
+    let pairs = |count: usize| 0.5 * count as f64 * (count as f64 - 1.0);
+    // the sum makes −0 equal to 0
+    let bits = |v: f64| (v + 0.0).to_bits();
+    let mut groups: BTreeMap<[u64; N], (usize, usize)> = BTreeMap::new();
+    let mut repeats = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let (first, count) = groups.entry(row.map(bits)).or_insert((i, 0));
+        *count += 1;
+        if *count > 1 {
+            repeats.push([i, *first]);
+        }
+    }
+    if repeats.len() < REPEATS || groups.len() < DIFFERENT {
+        return Vec::new();
+    }
+    let equal: f64 = groups.values().map(|(_, count)| pairs(*count)).sum();
+    let equal_in = |k: usize| {
+        let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
+        rows.iter().for_each(|row| *counts.entry(bits(row[k])).or_default() += 1);
+        (counts.len() > 1).then(|| counts.into_values().map(pairs).sum::<f64>())
+    };
+    let varying: Vec<f64> = (0..N).filter_map(equal_in).collect();
+    let is_fine = |of_one: &f64| of_one - equal <= ROUNDED * equal;
+    if varying.len() >= VARYING && varying.iter().all(is_fine) { repeats } else { Vec::new() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::noise::Noise;
 
     #[test]
     fn sizes_have_the_quantile_of_their_absolute_values() {
@@ -277,5 +320,33 @@ mod tests {
         // 0 to 100 in another order
         let mut values: Vec<f64> = (0..101).map(|i| f64::from(i * 37 % 101)).collect();
         assert_eq!([0.3, 0.625, 0.95].map(|share| quantile(&mut values, share)), [Some(30.0), Some(62.5), Some(95.0)]);
+    }
+
+    #[test]
+    fn repeated_rows_are_told_from_rounded_ones() {
+        let mut noise = Noise::new(5, 0);
+        let points: Vec<[f64; 3]> = (0..40).map(|_| [0; 3].map(|_| noise.gaussian(1.0))).collect();
+        assert!(repeated_rows(&points).is_empty());
+        let mut some = points.clone();
+        some.extend([7, 3, 7].map(|i| points[i]));
+        assert_eq!(repeated_rows(&some), [[40, 7], [41, 3], [42, 7]]);
+        let twice = [points.clone(), points.clone()].concat();
+        assert_eq!(repeated_rows(&twice).len(), 40);
+        // rounded: points are equal by chance, also if they scatter along a line
+        let rounded = |p: [f64; 3]| p.map(|v| (10.0 * v).round() / 10.0);
+        let coarse: Vec<[f64; 3]> = (0..400).map(|_| rounded([0; 3].map(|_| noise.gaussian(1.0)))).collect();
+        assert!(repeated_rows(&coarse).is_empty());
+        let mut along = || {
+            let t = noise.gaussian(1.0);
+            rounded([t, 0.9 * t + 0.03, -0.7 * t])
+        };
+        let line: Vec<[f64; 3]> = (0..60).map(|_| along()).collect();
+        assert!(repeated_rows(&line).is_empty());
+        // points without scatter, two places by turns, and one coordinate alone, which tells nothing
+        assert!(repeated_rows(&[[1.0, 2.0, 3.0]; 30]).is_empty());
+        let turns: Vec<[f64; 2]> = (0..30).map(|i| [f64::from(i % 2), -f64::from(i % 2)]).collect();
+        assert!(repeated_rows(&turns).is_empty());
+        assert!(repeated_rows(&twice.iter().map(|p| [p[0]]).collect::<Vec<_>>()).is_empty());
+        assert!(repeated_rows::<3>(&[]).is_empty());
     }
 }

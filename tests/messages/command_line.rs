@@ -3,6 +3,8 @@
 use super::{Case, hold};
 
 const POSES: &str = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,0,0,0,0,0,0\n";
+/// Touches of a ball of 20 mm, about a micrometre off.
+const TOUCHES: &str = "9.01 3.02 3.11\n-8.03 4.05 4.37\n1.02 -9.06 4.1\n2.5 1.7 -9.53\n-3.3 -4.4 -8.35\n5.1 7.2 -4.7\n";
 const POINTS: &str = "1 0 0\n0 1 0\n-1 0 0\n0 -1 0.1\n";
 /// A plate of 40 mm with noise of 0.01 mm.
 const PLATE: &str = "-20 -20 0.001\n-20 -10 0.013\n-20 0 -0.009\n-20 10 0.010\n-20 20 -0.003\n-10 -20 -0.003\n-10 -10 0.019\n-10 0 0.002\n-10 10 -0.000\n-10 20 0.007\n0 -20 0.011\n0 -10 -0.000\n0 0 0.006\n0 10 -0.010\n0 20 -0.004\n10 -20 -0.004\n10 -10 -0.013\n10 0 -0.015\n10 10 -0.016\n10 20 -0.002\n20 -20 -0.002\n20 -10 -0.003\n20 0 0.001\n20 10 -0.013\n20 20 -0.001\n";
@@ -519,6 +521,19 @@ const FITS: &[Case] = &[
     ("too-few-points", "", &[("p.txt", "", "0 0 0\n1 0 0\n")], "fit plane @/p.txt --unit mm"),
     ("points-degenerate", "", &[("p.txt", "", "0 0 0\n1 0 0\n2 0 0\n3 0 0\n")], "fit plane @/p.txt --unit mm"),
     ("point-not-finite", "", &[("p.txt", "", "0 0 0\n1 0 0\n0 1 0\n1e300 0 0\n")], "fit plane @/p.txt --unit mm"),
+    (
+        "point-uncertainty-not-positive",
+        "",
+        &[("p.txt", "", POINTS)],
+        "fit sphere @/p.txt --unit mm --standard-uncertainty-um 0",
+    ),
+    (
+        "residuals-exceed-points",
+        "",
+        &[("p.txt", "", TOUCHES)],
+        "fit sphere @/p.txt --unit mm --standard-uncertainty-um 0.1",
+    ),
+    ("points-repeated count=6", "", &[("p.txt", "", TOUCHES), ("p.txt", "+", TOUCHES)], "fit sphere @/p.txt --unit mm"),
     ("held-radius-not-positive", "", &[("p.txt", "", POINTS)], "fit sphere @/p.txt --unit mm --radius-mm 0"),
     ("held-radius-unsupported", "", &[("p.txt", "", POINTS)], "fit plane @/p.txt --unit mm --radius-mm 10"),
     (

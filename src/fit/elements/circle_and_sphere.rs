@@ -99,7 +99,8 @@ pub(crate) fn fit_circle3d(points: Source, settings: &FitSettings) -> Result<Fit
     }
     let centre = chart.point(a, b, 0.0);
     let mut fit = circle.to_fit(Element::Circle3d, &cloud, centre, Arc::about(&chart, centre))?;
-    let local = circle.covariance(fit.precision.degrees_of_freedom);
+    let variance = cloud.variance(circle.cost, fit.precision.degrees_of_freedom);
+    let local = variance.and_then(|variance| circle.covariance(variance));
     fit.precision.covariance =
         variances.zip(local).map(|(plane, circle)| both(&chart, plane, circle, [a, b], cloud.scale_mm));
     fit.out_of_plane_rms_mm = Some(heights.rms * cloud.scale_mm);

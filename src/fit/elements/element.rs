@@ -197,12 +197,18 @@ pub struct FitSettings<'a> {
     /// Probe whose centres are the points. The result, and a held radius, apply to the contact
     /// surface.
     pub probe: Option<Probe>,
+    /// Standard uncertainty (k = 1) of the distance of a point of mean weight from the element; by
+    /// default estimated from the residuals.
+    pub standard_uncertainty_mm: Option<f64>,
 }
 
 impl FitSettings<'_> {
     /// Rejects options that do not apply to `element`; returns the held axis as a unit vector.
     pub(crate) fn check(&self, element: Element) -> Result<Option<Vector>> {
         self.probe.map_or(Ok(()), |probe| probe.check(element))?;
+        if let Some(uncertainty_mm) = self.standard_uncertainty_mm.filter(|u| !(u.is_finite() && *u > 0.0)) {
+            return Err(error!("point-uncertainty-not-positive", uncertainty_mm).into());
+        }
         if let Some(radius) = self.radius_mm {
             if !element.has_radius() {
                 return Err(error!("held-radius-unsupported", element).into());

@@ -5,7 +5,7 @@ use crate::chart::Chart;
 use crate::cloud::{Cloud, Source};
 use crate::element::{Element, FitSettings};
 use crate::f64x8::along;
-use crate::result::{Fit, Residuals, largest_component_positive, principal_uncertainty, propagate};
+use crate::result::{Fit, FitPrecision, Residuals, largest_component_positive, principal_uncertainty, propagate};
 use etalon_base::message::Result;
 use etalon_base::pose::{Vector, cross, dot, minus};
 
@@ -45,16 +45,16 @@ pub(crate) fn fit(element: Element, points: Source, settings: &FitSettings) -> R
     let [longest, across, _] = cloud.spread;
     let mut fit = Fit::new(element, &cloud, [0.0; 3], residuals);
     fit.geometry.direction = Some(direction);
-    fit.precision.degrees_of_freedom = degrees_of_freedom;
-    if degrees_of_freedom > 0 {
-        let variance = squares / degrees_of_freedom as f64;
+    let variance = cloud.variance(squares, degrees_of_freedom);
+    fit.precision = FitPrecision::new(&cloud, degrees_of_freedom, variance);
+    fit.precision.principal_rad = principal_uncertainty(longest, across, n - 2).filter(|_| held.is_none());
+    if let Some(variance) = variance {
         let place = variance / n as f64;
         let tilt = if held.is_some() { 0.0 } else { variance / (longest * longest) };
         // in the plane nothing moves along e1 = z
         let diagonal = if flat { [0.0, place, 0.0, 0.0, tilt] } else { [place, place, 0.0, tilt, tilt] };
         fit.precision.covariance =
             Some(propagate(&diagonal_matrix(diagonal), &chart.quantities::<5>(), cloud.scale_mm));
-        fit.precision.principal_rad = principal_uncertainty(longest, across, n - 2).filter(|_| held.is_none());
     }
     fit.finished(settings)
 }
@@ -105,7 +105,8 @@ pub(crate) fn fit_plane(points: Source, settings: &FitSettings) -> Result<Fit> {
     let degrees_of_freedom = cloud.len() - if held.is_some() { 1 } else { 3 };
     let mut fit = Fit::new(Element::Plane, &cloud, [0.0; 3], residuals);
     fit.geometry.direction = Some(normal);
-    fit.precision.degrees_of_freedom = degrees_of_freedom;
+    let variance = cloud.variance(residuals.squares, degrees_of_freedom);
+    fit.precision = FitPrecision::new(&cloud, degrees_of_freedom, variance);
     fit.condition = if held.is_some() { 1.0 } else { cloud.spread[0] / cloud.spread[1] };
     fit.precision.principal_rad = normal_uncertainty(&cloud).filter(|_| held.is_none());
     fit.precision.covariance = variances.map(|diagonal| {
@@ -124,7 +125,7 @@ pub(crate) fn normal_uncertainty(cloud: &Cloud) -> Option<f64> {
 
 /// Variances of (a, b, h, u, v) of a plane in a chart along the principal axes of the points. As
 /// the columns (1, x, y) are uncorrelated, they are σ²/n, σ²/Σx² and σ²/Σy². `None` without
-/// redundancy. `squares` is the weighted sum of squared distances.
+/// redundancy, unless the variance is stated. `squares` is the weighted sum of squared distances.
 pub(crate) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool, squares: f64) -> (Chart, Option<[f64; 5]>) {
     let free = if held { 1 } else { 3 };
     let n = cloud.len();
@@ -133,8 +134,7 @@ pub(crate) fn plane_variances(cloud: &Cloud, normal: Vector, held: bool, squares
     } else {
         Chart { d0: normal, e1: cloud.axes[0], e2: cross(normal, cloud.axes[0]) }
     };
-    let variances = (n > free).then(|| {
-        let variance = squares / (n - free) as f64;
+    let variances = cloud.variance(squares, n.saturating_sub(free)).map(|variance| {
         let tilt = |spread: f64| if held { 0.0 } else { variance / (spread * spread) };
         [0.0, 0.0, variance / n as f64, tilt(cloud.spread[0]), tilt(cloud.spread[1])]
     });

@@ -265,11 +265,8 @@ fn parameters(element: Element, settings: &FitSettings) -> usize {
 /// controls it.
 pub(crate) fn studentised(fit: &Fit, point: Vector, weight: f64) -> f64 {
     let offsets = fit.offsets(point);
-    let factor = if fit.residuals.squares > 0.0 {
-        weight * fit.precision.degrees_of_freedom as f64 / fit.residuals.squares
-    } else {
-        0.0
-    };
+    let variance = fit.precision.variance_mm2.filter(|variance| *variance > 0.0);
+    let factor = variance.map_or(0.0, |variance| weight / variance);
     normalised(&offsets, shares(&offsets, fit, factor), -1.0).map_or(0.0, |square| (square * weight).sqrt())
 }
 

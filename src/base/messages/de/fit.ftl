@@ -18,6 +18,10 @@ element = { $name ->
 
 element-unknown = unbekanntes Element `{ $name }`
 
+point-uncertainty-not-positive = die Standardunsicherheit eines Punkts ist { $uncertainty_mm } mm
+    .expected = eine positive Zahl
+    .hint = die Standardunsicherheit eines Punkts angeben oder weglassen: dann folgt die Unsicherheit aus den Residuen
+
 probe-radius-not-positive = der Tasterradius ist { $radius } mm
     .expected = eine positive Zahl
     .hint = den eingemessenen Radius des Tasters angeben, nicht den Durchmesser; bei Kontaktpunkten weglassen
@@ -126,13 +130,22 @@ weights-unusable = die { $weights } Gewichte des Elements { $element } passen ni
 element-without-redundancy = das Element { $element } hat keinen überzähligen Punkt: die Residuen sind null und die Unsicherheit ist unbekannt
     .hint = mehr Punkte als die Mindestzahl messen
 
-radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Messunsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+residuals-exceed-points = die Residuen ({ $element }) sind { FIXED($times, 1) } × die angegebene Unsicherheit der Punkte
+    .hint = Form und Ausreißer prüfen; wenn die Form zählt, `--standard-uncertainty-um` weglassen: dann folgt die Unsicherheit aus den Residuen
+
+points-repeated = { $count ->
+        [one] 1 Punkt wiederholt
+       *[other] { $count } Punkte wiederholen
+    } einen früheren Punkt Ziffer für Ziffer, daher ist die Unsicherheit zu klein: { $points }
+    .hint = die kopierten Punkte entfernen: sie sind keine weiteren Messungen
+
+radius-uncertain = der Radius { FIXED($radius_mm, 6) } mm des Elements { $element } hat eine erweiterte Messunsicherheit von { SCIENTIFIC($expanded_mm, 2) } mm (95 %){ $covered_deg ->
         [none] {""}
        *[other] {" "}über { $covered_deg } deg
     }
     .hint = einen längeren Bogen messen oder den Radius auf dem Nennwert festhalten
 
-element-direction-uncertain = die Richtung des Elements { $element } hat eine erweiterte Messunsicherheit von { FIXED($expanded_deg, 1) } deg (k = 2)
+element-direction-uncertain = die Richtung des Elements { $element } hat eine erweiterte Messunsicherheit von { FIXED($expanded_deg, 1) } deg (95 %)
     .hint = weiter auseinanderliegende Punkte messen, bei einer Ebene in beiden Richtungen, oder die Richtung festhalten
 
 cone-is-cylinder = der Kegelwinkel ist nicht signifikant von null verschieden (k = 2)

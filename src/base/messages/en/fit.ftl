@@ -13,6 +13,15 @@ element = { $name ->
 # Example: `etalon fit cylindre points.txt`
 element-unknown = unknown element `{ $name }`
 
+# Means: The stated standard uncertainty of a point is zero, negative or not a number.
+# Matters: The uncertainty of the element is proportional to this value.
+# Do: Give the standard uncertainty of a touch in micrometres, for example from the certificate of the
+# machine. Without it, the residuals give the uncertainty.
+# Example: `--standard-uncertainty-um 0`
+point-uncertainty-not-positive = the standard uncertainty of a point is { $uncertainty_mm } mm
+    .expected = a positive number
+    .hint = give the standard uncertainty of one point, or omit it: the residuals then give the uncertainty
+
 # Means: The given radius of the probe is zero, negative or not a number.
 # Matters: The probe radius moves the measured centres to the surface.
 # Do: Give the qualified radius of the probe in mm. If the points are contact points, omit it.
@@ -225,11 +234,29 @@ weights-unusable = the { $weights } weights of the { $element } cannot be used f
 element-without-redundancy = the { $element } has no redundant point: residuals are zero and its uncertainty is unknown
     .hint = measure more points than the minimum
 
+# Means: The residuals are larger than the stated uncertainty of the points explains.
+# Matters: The surface has a form deviation, some points are outliers, or the stated uncertainty is too
+# small. The uncertainty of the element does not contain this.
+# Do: Look at the residuals. Omit the stated uncertainty, so that the residuals give the uncertainty.
+# Example: a ball with a form deviation of 5 µm and a stated uncertainty of 1 µm
+residuals-exceed-points = residuals of the { $element } are { FIXED($times, 1) } × the stated uncertainty of the points
+    .hint = check form and outliers; if the form counts, omit `--standard-uncertainty-um`: the residuals then give the uncertainty
+
+# Means: Some points equal an earlier point in every digit: rows of the table were copied.
+# Matters: Copies are no further measurements, so the uncertainty of the element is too small.
+# Do: Remove the copied rows.
+# Example: the touches of a ball twice in one file
+points-repeated = { $count ->
+        [one] 1 point repeats
+       *[other] { $count } points repeat
+    } an earlier point digit for digit, so the uncertainty is too small: { $points }
+    .hint = remove the copied points: they are no further measurements
+
 # Means: The expanded uncertainty of the radius exceeds a tenth of the radius.
 # Matters: The points determine the size and the centre of the element poorly.
 # Do: Measure a longer arc, or fix the radius at its nominal value.
 # Example: a circle of 100 mm radius measured over 10 deg
-radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } has an expanded uncertainty of { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } has an expanded uncertainty of { SCIENTIFIC($expanded_mm, 2) } mm (95 %){ $covered_deg ->
         [none] {""}
        *[other] {" "}over { $covered_deg } deg
     }
@@ -241,7 +268,7 @@ radius-uncertain = the radius { FIXED($radius_mm, 6) } mm of the { $element } ha
 # Do: For a line, measure points farther apart. For a plane, measure along both of its directions.
 # Otherwise fix the direction.
 # Example: a plane through a strip 0.1 mm wide with noise of 0.02 mm
-element-direction-uncertain = the direction of the { $element } has an expanded uncertainty of { FIXED($expanded_deg, 1) } deg (k = 2)
+element-direction-uncertain = the direction of the { $element } has an expanded uncertainty of { FIXED($expanded_deg, 1) } deg (95 %)
     .hint = measure points farther apart, along both directions of a plane, or fix the direction
 
 # Means: The apex angle of the cone is smaller than its expanded uncertainty.

@@ -18,6 +18,10 @@ element = { $name ->
 
 element-unknown = élément inconnu `{ $name }`
 
+point-uncertainty-not-positive = l’incertitude-type d’un point est { $uncertainty_mm } mm
+    .expected = un nombre positif
+    .hint = indiquer l’incertitude-type d’un point, ou l’omettre : l’incertitude vient alors des résidus
+
 probe-radius-not-positive = le rayon du palpeur est { $radius } mm
     .expected = un nombre positif
     .hint = indiquer le rayon qualifié du palpeur, pas son diamètre ; l’omettre pour des points de contact
@@ -126,13 +130,22 @@ weights-unusable = les { $weights } poids de l’élément { $element } ne convi
 element-without-redundancy = l’élément { $element } n’a pas de point redondant : les résidus sont nuls et son incertitude est inconnue
     .hint = mesurer plus de points que le minimum
 
-radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (k = 2){ $covered_deg ->
+residuals-exceed-points = les résidus ({ $element }) sont { FIXED($times, 1) } × l’incertitude indiquée des points
+    .hint = vérifier la forme et les points aberrants ; si la forme compte, omettre `--standard-uncertainty-um` : l’incertitude vient alors des résidus
+
+points-repeated = { $count ->
+        [one] 1 point répète
+       *[other] { $count } points répètent
+    } un point antérieur chiffre pour chiffre, donc l’incertitude est trop petite : { $points }
+    .hint = supprimer les points copiés : ce ne sont pas d’autres mesures
+
+radius-uncertain = le rayon { FIXED($radius_mm, 6) } mm de l’élément { $element } a une incertitude élargie de { SCIENTIFIC($expanded_mm, 2) } mm (95 %){ $covered_deg ->
         [none] {""}
        *[other] {" "}sur { $covered_deg } deg
     }
     .hint = mesurer un arc plus long, ou fixer le rayon à sa valeur nominale
 
-element-direction-uncertain = la direction de l’élément { $element } a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (k = 2)
+element-direction-uncertain = la direction de l’élément { $element } a une incertitude élargie de { FIXED($expanded_deg, 1) } deg (95 %)
     .hint = mesurer des points plus éloignés, dans les deux directions d’un plan, ou fixer la direction
 
 cone-is-cylinder = l’angle au sommet du cône n’est pas significativement différent de zéro (k = 2)
