@@ -95,6 +95,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "AxisDocument": {
         "axis": ("AxisPositioning", None),
+        "messages": ("Message", []),
         "positions": ("AxisPosition", []),
         "schema": ("", ""),
     },
@@ -193,6 +194,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "schema": ("", ""),
     },
     "BudgetSource": {
+        "nominal": ("NominalUncertainties", None),
         "source": ("", None),
         "standard_uncertainties": ("", []),
     },
@@ -707,6 +709,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "FitUncertainty": {
         "apex_angle_deg": ("", None),
+        "coverage_factor": ("", None),
         "direction_deg": ("", None),
         "minor_radius_mm": ("", None),
         "point_mm": ("", None),
@@ -1200,7 +1203,9 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "before": ("DisplayedPose", None),
         "joint_values": ("", []),
         "joints": ("", []),
+        "mastered_joint_values": ("", []),
         "pose": ("", None),
+        "tolerance_mm": ("", None),
     },
     "LockedPackage": {
         "name": ("", ""),
@@ -1278,6 +1283,10 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "standard_uncertainty": ("", None),
         "unit": ("", ""),
         "value": ("", None),
+    },
+    "NominalUncertainties": {
+        "standard_uncertainties": ("", []),
+        "tolerance_factor": ("", None),
     },
     "ObservabilitySummary": {
         "condition": ("", None),

@@ -330,6 +330,8 @@ class BatchEntry(Record):
 
 class BudgetSource(Record):
     """Contribution of one source to the standard uncertainties."""
+    nominal: NominalUncertainties | None
+    """Basis of the contributions, for the source `nominal_values`."""
     source: str
     """Source."""
     standard_uncertainties: NDArray[np.float64]
@@ -1112,6 +1114,10 @@ class FitUncertainty(Record):
     """Standard uncertainties (k = 1) of the quantities of a fit."""
     apex_angle_deg: float | None
     """Standard uncertainty of the full angle of a cone."""
+    coverage_factor: float | None
+    """Coverage factor of the expanded uncertainties (95 %): Student's t with the degrees of freedom (GUM G.3), 2 for
+    a stated uncertainty of the points.
+    """
     direction_deg: float | None
     """Standard uncertainty of the normal or axis about its most uncertain direction."""
     minor_radius_mm: float | None
@@ -1893,8 +1899,16 @@ class LoadingCheck(Record):
     """Joint values (mm or deg) before loading."""
     joints: list[str]
     """Joints, named as columns: `q1_deg`; the assembly mode of a five-bar."""
+    mastered_joint_values: NDArray[np.float64]
+    """Joint values (mm or deg) on the display after loading the file as mastering values, without motion. Empty if
+    the file changes more than joint zeros.
+    """
     pose: int | str
     """Measured pose at which the file changes the displayed position most."""
+    tolerance_mm: float | None
+    """Largest difference (mm) between a displayed and an announced position that rounding explains; absent in output
+    folders of earlier versions.
+    """
 
 class LockedPackage(Record):
     """A package in Cargo.lock."""
@@ -2036,6 +2050,16 @@ class MovementValue(Record):
     """`mm` or `deg`."""
     value: float
     """Value of the component."""
+
+class NominalUncertainties(Record):
+    """Standard uncertainties of nominal values before the measurements."""
+    standard_uncertainties: list[float | None]
+    """Standard uncertainty of the nominal value of each parameter: its tolerance / √3 (rectangular distribution, GUM
+    4.3.7), with a default tolerance multiplied by `tolerance_factor`. `null` for parameters without a nominal
+    value.
+    """
+    tolerance_factor: float
+    """Factor of default tolerances, at most 1: the data may show a more accurately built robot."""
 
 class ObservabilitySummary(Record):
     """Observability of the parameters from the poses."""
@@ -3100,7 +3124,9 @@ class WorldFrame(Record):
     reference_mm: NDArray[np.float64]
     """Best-fit positions of the targets in the world, in the order of the definition."""
     rms_mm: float | None
-    """Root mean square distance of the targets from their best-fit positions; absent for 3-2-1 frames."""
+    """Root mean square distance of the targets from their best-fit positions; absent for 3-2-1 frames, and for
+    targets that were measured once.
+    """
 
 class WrittenController(Record):
     """One controller file."""
@@ -3243,6 +3269,8 @@ class AxisDocument(Document):
     """Positioning of a linear axis (ISO 230-2:2014)."""
     axis: AxisPositioning
     """Positioning of the axis."""
+    messages: Records[Message]
+    """Warnings."""
     positions: Records[AxisPosition]
     """Positions of the axis, ascending."""
     schema: str
@@ -3514,7 +3542,9 @@ class FitDocument(Document):
     solver: FitSolver
     """Solver and its termination."""
     standard_uncertainty: FitUncertainty | None
-    """Standard uncertainties from the residuals; absent without redundancy."""
+    """Standard uncertainties from the residuals or from the stated uncertainty of the points; absent without
+    redundancy.
+    """
     stated: FitStated | None
     """Values that the file contains for the feature."""
 

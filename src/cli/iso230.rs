@@ -51,6 +51,7 @@ impl Iso230 {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         let file = self.format.read_other(Table::File(&self.table))?;
         let (document, deviations) = evaluate_axis(&file)?;
+        out.remark(&document.messages);
         let header = |units: &str| axis_tables::header([], units, "the measured positions", file.text().as_bytes());
         match self.compensation {
             Some(Controller::Linuxcnc) => out.print(axis_tables::linuxcnc(&deviations)?)?,

@@ -1,7 +1,10 @@
 //! Answer of `etalon iso230`.
 
 use crate::mirror::mirror;
-use etalon_standards::iso230;
+use etalon_base::catalogue::Phrase;
+use etalon_base::message::Message;
+use etalon_base::{phrase, warning};
+use etalon_standards::iso230::{self, OutlyingRun, RUNS, Runs, outlying_runs, repeated_runs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +18,9 @@ pub struct AxisDocument {
     pub axis: AxisPositioning,
     /// Positions of the axis, ascending.
     pub positions: Vec<AxisPosition>,
+    /// Warnings.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub messages: Vec<Message>,
 }
 
 mirror! {
@@ -87,12 +93,46 @@ mirror! {
 }
 
 impl AxisDocument {
-    /// Evaluates an axis that was measured at `positions`, ascending.
-    pub fn new(positions: &[iso230::AxisPosition]) -> Self {
+    /// Evaluates an axis that was measured at `positions`, ascending; `runs` are the deviations.
+    pub fn new(positions: &[iso230::AxisPosition], runs: &[Runs]) -> Self {
         Self {
             schema: "etalon/iso230/1".to_owned(),
             axis: iso230::AxisPositioning::new(positions).into(),
             positions: positions.iter().map(|&position| position.into()).collect(),
+            messages: [repeated(runs), outlying(runs), few(positions)].into_iter().flatten().collect(),
         }
     }
+}
+
+/// Maximum number of runs that a warning names.
+const NAMED: usize = 5;
+
+/// Sign of a direction, as in the table.
+fn sign(is_forward: bool) -> &'static str {
+    if is_forward { "+1" } else { "-1" }
+}
+
+/// Warning of runs that are far from all others of their position and direction.
+fn outlying(runs: &[Runs]) -> Option<Message> {
+    let found = outlying_runs(runs);
+    let named = |v: &OutlyingRun| {
+        let OutlyingRun { position_mm, run, distance_mm, median_mm, .. } = v;
+        phrase!("outlying-run", position_mm, direction = sign(v.is_forward), run, distance_mm, median_mm)
+    };
+    let shown: Vec<Phrase> = found.iter().take(NAMED).map(named).collect();
+    let more = found.len() - shown.len();
+    (!found.is_empty()).then(|| warning!("runs-outlying", count = found.len(), runs = shown, more).to_decide())
+}
+
+/// Warning of runs that a table contains more than once.
+fn repeated(runs: &[Runs]) -> Option<Message> {
+    let times = repeated_runs(runs)?;
+    Some(warning!("runs-repeated", times).to_decide())
+}
+
+/// Warning of fewer runs or positions than a test of an axis has.
+fn few(positions: &[iso230::AxisPosition]) -> Option<Message> {
+    let runs = positions.iter().flat_map(|p| [p.forward.runs, p.backward.runs]).min()?;
+    let count = positions.len();
+    (runs < RUNS || count < RUNS).then(|| warning!("axis-test-short", least = RUNS, runs, positions = count))
 }

@@ -2,7 +2,69 @@
 //! clause 3): deviations of measured from programmed positions, approached n times from either
 //! direction.
 
+use crate::outlying::{FarReading, Readings, far_readings};
 use etalon_math::statistics::{mean, standard_deviation};
+
+/// Number of runs in each direction, and of positions, of a test of an axis (read in published
+/// reports, not in the standard).
+pub const RUNS: usize = 5;
+
+/// Deviations of the runs to one position from one direction, in their order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Runs {
+    /// Programmed position of the axis.
+    pub position_mm: f64,
+    /// `true` for positive direction (↑).
+    pub is_forward: bool,
+    /// Measured minus programmed position.
+    pub deviations_mm: Vec<f64>,
+}
+
+/// Run that is far from all other runs of its position and direction, and from the runs before and
+/// after it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutlyingRun {
+    /// Programmed position of the axis.
+    pub position_mm: f64,
+    /// `true` for positive direction (↑).
+    pub is_forward: bool,
+    /// Number of the run, from 1.
+    pub run: usize,
+    /// Distance from the median deviation.
+    pub distance_mm: f64,
+    /// Median distance of the runs from the median deviation.
+    pub median_mm: f64,
+}
+
+/// Returns the runs that are far from the others, the farthest first. The standard excludes no run.
+pub fn outlying_runs(runs: &[Runs]) -> Vec<OutlyingRun> {
+    let group = |r: &Runs| {
+        let readings = Readings::new(r.deviations_mm.iter().map(|d| [*d, 0.0, 0.0]).collect())?;
+        Some(((r.position_mm, r.is_forward), readings))
+    };
+    let (places, groups): (Vec<(f64, bool)>, Vec<Readings>) = runs.iter().filter_map(group).unzip();
+    let outlying = |FarReading { group, reading, distance_mm, median_mm }: FarReading| {
+        let (position_mm, is_forward) = places[group];
+        OutlyingRun { position_mm, is_forward, run: reading + 1, distance_mm, median_mm }
+    };
+    let mut found: Vec<OutlyingRun> = far_readings(&groups, 1).into_iter().map(outlying).collect();
+    found.sort_by(|a, b| b.distance_mm.total_cmp(&a.distance_mm));
+    found
+}
+
+/// Number of times that a table contains the same runs digit for digit; `None` if the runs differ,
+/// or do not scatter.
+pub fn repeated_runs(runs: &[Runs]) -> Option<usize> {
+    let count = runs.first()?.deviations_mm.len();
+    let repeat = |times: &usize| {
+        let own = count / times;
+        let is_repeated = |r: &Runs| (own..count).all(|i| r.deviations_mm[i] == r.deviations_mm[i - own]);
+        count % times == 0 && own > 1 && runs.iter().all(is_repeated)
+    };
+    let scatters = |r: &Runs| r.deviations_mm.iter().any(|d| *d != r.deviations_mm[0]);
+    let alike = runs.iter().all(|r| r.deviations_mm.len() == count);
+    (alike && runs.iter().any(scatters)).then(|| (2..=count).rev().find(repeat))?
+}
 
 /// Runs to one position from one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,6 +212,7 @@ impl AxisPositioning {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use etalon_base::noise::Noise;
 
     /// Deviations (nm) of a stage measured at the Paul Scherrer Institute, and the quantities that
     /// its own program gives (ecmccfg, examples/test/fat_sat/report.md), rounded to 0.1 nm and
@@ -217,5 +280,50 @@ mod tests {
     #[test]
     fn one_run_has_no_repeatability() {
         assert_eq!((Approach::new(&[1.0]), Approach::new(&[])), (None, None));
+    }
+
+    /// Five runs in both directions to five positions, which scatter by 1 µm.
+    fn runs(change: impl Fn(f64, bool, usize) -> f64) -> Vec<Runs> {
+        let mut noise = Noise::new(9, 0);
+        let sides = (0..5).flat_map(|i| [true, false].map(|is_forward| (100.0 * f64::from(i), is_forward)));
+        let approach = |(position_mm, is_forward): (f64, bool)| {
+            let deviation = |run| noise.gaussian(0.001) + change(position_mm, is_forward, run);
+            Runs { position_mm, is_forward, deviations_mm: (0..5).map(deviation).collect() }
+        };
+        sides.map(approach).collect()
+    }
+
+    #[test]
+    fn a_run_far_from_the_others_is_named() {
+        let wrong =
+            |at: f64, is_forward: bool, run: usize| if (at, is_forward, run) == (200.0, false, 3) { 0.2 } else { 0.0 };
+        let found = outlying_runs(&runs(wrong));
+        let [OutlyingRun { position_mm, is_forward, run, distance_mm, median_mm }] = found[..] else {
+            panic!("{found:?}")
+        };
+        assert_eq!((position_mm, is_forward, run), (200.0, false, 4));
+        assert!((distance_mm - 0.2).abs() < 0.005 && median_mm < 0.003, "{distance_mm} {median_mm}");
+        // scatter, an axis that expands from run to run, and too few runs to tell
+        assert_eq!(outlying_runs(&runs(|_, _, _| 0.0)), []);
+        assert_eq!(outlying_runs(&runs(|at, _, run| 1e-4 * at * run as f64)), []);
+        let two = runs(wrong).into_iter().map(|r| Runs { deviations_mm: r.deviations_mm[2..4].to_vec(), ..r });
+        assert_eq!(outlying_runs(&two.collect::<Vec<_>>()), []);
+    }
+
+    #[test]
+    fn runs_that_a_table_contains_twice_are_told_from_equal_runs() {
+        let once = runs(|_, _, _| 0.0);
+        assert_eq!(repeated_runs(&once), None);
+        let times = |count: usize| -> Vec<Runs> {
+            once.iter().map(|r| Runs { deviations_mm: r.deviations_mm.repeat(count), ..r.clone() }).collect()
+        };
+        assert_eq!((repeated_runs(&times(2)), repeated_runs(&times(3))), (Some(2), Some(3)));
+        // one run more
+        let mut more = times(2);
+        more[0].deviations_mm.push(0.0);
+        assert_eq!(repeated_runs(&more), None);
+        // an axis without scatter, as in a simulation
+        let still: Vec<Runs> = once.iter().map(|r| Runs { deviations_mm: vec![0.01; 6], ..r.clone() }).collect();
+        assert_eq!((repeated_runs(&still), repeated_runs(&[])), (None, None));
     }
 }

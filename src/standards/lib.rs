@@ -4,3 +4,4 @@
 pub mod decision;
 pub mod iso230;
 pub mod iso9283;
+mod outlying;

@@ -3,7 +3,7 @@
 use super::checks::{check_beside, check_expanded, check_positive};
 use super::inputs::Table;
 use super::text_format::TableFormat;
-use crate::stages::iso9283::limits;
+use crate::stages::iso9283::assessed_limits;
 use crate::stages::iso9283::pose::{PoseTables, parse_order};
 use etalon_base::message::Result;
 use etalon_base::{error, warning};
@@ -78,8 +78,7 @@ pub fn iso9283(tables: &TestTables, format: &TableFormat, options: &PoseOptions,
         decision_rule: Some(options.decision_rule),
         ..Limits::default()
     };
-    // a pose without such a value is undecided
-    document.limits = limits(&stated, &document.poses).unwrap_or_default();
+    document.limits = assessed_limits(&stated, &document.poses);
     if tables.commanded.is_none() {
         document.messages.push(warning!("commanded-missing"));
     }
@@ -97,5 +96,49 @@ impl PoseOptions {
             return Err(error!("drift-set-too-small", option = "--drift-set").into());
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_documents::{Acceptance, Conformity, LimitQuantity};
+
+    const COMMANDED: Table = Table::Text {
+        name: "commanded",
+        text: "pose,x_mm,y_mm,z_mm\n1,400,100,350\n2,500,200,450\n3,300,250,250\n4,350,-80,300\n",
+    };
+
+    fn evaluated(attained: Table, options: &PoseOptions) -> Result<Iso9283Document> {
+        let tables = TestTables { attained, commanded: Some(COMMANDED), reference: None };
+        iso9283(&tables, &TableFormat::default(), options, 1)
+    }
+
+    #[test]
+    fn headings_of_one_table_do_not_apply_to_the_other() {
+        let text = "pose,cycle,x_mm,y_mm,z_mm\n1,1,0.4001,0.1,0.35\n2,1,0.5001,0.2,0.45\n3,1,0.3001,0.25,0.25\n4,1,0.3501,-0.08,0.3\n";
+        let table = Table::Text { name: "attained", text };
+        let refused = evaluated(table, &PoseOptions::default()).unwrap_err();
+        assert!(refused.0[0].is("positions-in-other-unit", &[("table", &"attained"), ("unit", &"m")]), "{refused}");
+        let columns = ["x_m=x_mm", "y_m=y_mm", "z_m=z_mm"].map(str::to_owned);
+        let headed = Table::Headed { table: &table, columns: &columns };
+        let found = evaluated(headed, &PoseOptions::default()).unwrap();
+        assert!(found.poses.iter().all(|p| (p.ap_mm.unwrap() - 0.1).abs() < 1e-9), "{:?}", found.poses);
+        assert_eq!(headed.name(), "attained");
+    }
+
+    #[test]
+    fn a_limit_without_a_value_is_undecided() {
+        let text =
+            "pose,cycle,x_mm,y_mm,z_mm\n1,1,400.1,100,350\n2,1,500.1,200,450\n3,1,300.1,250,250\n4,1,350.1,-80,300\n";
+        let options = PoseOptions { ap_limit_mm: Some(0.5), rp_limit_mm: Some(0.01), ..PoseOptions::default() };
+        let found = evaluated(Table::Text { name: "attained", text }, &options).unwrap();
+        let by_name = |name| found.limits.iter().find(|limit| limit.name == name).unwrap();
+        let (ap, rp) = (by_name(LimitQuantity::AccuracyMaxMm), by_name(LimitQuantity::RepeatabilityMaxMm));
+        assert_eq!((rp.conformity, rp.value), (Conformity::NotAssessable, None));
+        // one cycle has no interval
+        assert_eq!((ap.conformity, ap.acceptance), (Conformity::Neither, Acceptance::Undecided));
+        let warned = |message: &etalon_base::message::Message| message.is("limits-without-instrument", &[]);
+        assert!(found.messages.iter().any(warned));
     }
 }

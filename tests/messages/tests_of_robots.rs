@@ -72,6 +72,19 @@ const CASES: &[Case] = &[
         MOTION,
     ),
     (
+        "path-velocity-far",
+        "",
+        &[
+            (
+                "t.csv",
+                "",
+                "time_s,x_mm,y_mm,z_mm\n0,-1,0,0\n0.1,20,0,0\n0.2,40,0,0\n0.3,60,0,0\n0.4,80,0,0\n0.5,101,0,0\n",
+            ),
+            PATH,
+        ],
+        "iso9283 path @/t.csv --path @/path.csv --near-mm 5 --velocity-mm-s 0.2",
+    ),
+    (
         "weave-velocity-not-compared",
         "",
         &[
@@ -156,6 +169,67 @@ const CASES: &[Case] = &[
         "",
         &[("t.csv", "", "pose,cycle,x_mm,y_mm\n1,1,0,0\n")],
         "iso9283 pose @/t.csv --expanded-uncertainty-um 0.015",
+    ),
+    (
+        "coordinates-exchanged change=swapped",
+        "",
+        &[
+            ("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,100,400,350\n2,1,200,500,450\n3,1,250,300,250\n"),
+            ("c.csv", "", "pose,x_mm,y_mm,z_mm\n1,400,100,350\n2,500,200,450\n3,300,250,250\n"),
+        ],
+        "iso9283 pose @/t.csv --commanded @/c.csv",
+    ),
+    (
+        "limits-without-instrument",
+        "",
+        &[("t.csv", "", "pose,cycle,x_mm,y_mm,z_mm\n1,1,0,0,0\n1,2,0,0,0.1\n1,3,0,0,0.05\n")],
+        "iso9283 pose @/t.csv --rp-limit-mm 0.5",
+    ),
+    (
+        "readings-repeated count=4",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "pose,cycle,x_mm,y_mm,z_mm\n1,1,0.011,0.02,0.5\n1,2,-0.013,0.017,0.51\n1,3,0.003,-0.021,0.493\n1,4,0.022,0.004,0.507\n1,5,0.011,0.02,0.5\n1,6,-0.013,0.017,0.51\n1,7,0.003,-0.021,0.493\n1,8,0.022,0.004,0.507\n",
+        )],
+        POSES,
+    ),
+    (
+        "runs-outlying count=1",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "position_mm,measured_mm,direction\n0,0.0011,1\n0,-0.0004,1\n0,0.0002,1\n0,0.0007,1\n0,-0.0009,1\n0,-0.0004,-1\n0,0.0002,-1\n0,0.0007,-1\n0,-0.0009,-1\n0,0.0011,-1\n100,100.0002,1\n100,100.0007,1\n100,99.9991,1\n100,100.0011,1\n100,99.9996,1\n100,100.0007,-1\n100,99.9991,-1\n100,100.0011,-1\n100,100.1996,-1\n100,100.0002,-1\n",
+        )],
+        "iso230 @/t.csv",
+    ),
+    (
+        "runs-repeated times=2",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "position_mm,measured_mm,direction\n0,0.0011,1\n0,0.0017,1\n0,0.0011,1\n0,0.0017,1\n0,-0.0011,-1\n0,-0.0017,-1\n0,-0.0011,-1\n0,-0.0017,-1\n10,10.0011,1\n10,10.0017,1\n10,10.0011,1\n10,10.0017,1\n10,9.9989,-1\n10,9.9983,-1\n10,9.9989,-1\n10,9.9983,-1\n",
+        )],
+        "iso230 @/t.csv",
+    ),
+    (
+        "axis-test-short runs=2 positions=1",
+        "",
+        &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n0,0.002,1\n0,0.001,-1\n0,0.002,-1\n")],
+        "iso230 @/t.csv",
+    ),
+    (
+        "iso230-columns-exchanged",
+        "",
+        &[(
+            "t.csv",
+            "",
+            "position_mm,measured_mm,direction\n0.001,0,1\n0.002,0,1\n0.003,0,-1\n0.004,0,-1\n10.005,10,1\n10.006,10,1\n10.007,10,-1\n10.008,10,-1\n",
+        )],
+        "iso230 @/t.csv",
     ),
     ("data-rows-missing", "", &[("t.csv", "", "position_mm,measured_mm,direction\n")], "iso230 @/t.csv"),
     ("iso230-few-runs", "", &[("t.csv", "", "position_mm,measured_mm,direction\n0,0.001,1\n")], "iso230 @/t.csv"),

@@ -9,10 +9,11 @@ use etalon_base::message::{Message, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
-use etalon_standards::iso9283::misplacement::misplaced_motion;
+use etalon_standards::iso9283::misplacement::{misplaced_motion, misplaced_path};
 use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, courses, moves, settling};
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
+use etalon_standards::iso9283::path::velocity::PathVelocity;
 use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PassError, PathSettings};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -196,6 +197,10 @@ impl Iso9283StreamDocument {
                     let found = driven.characteristics(settings.band_mm, settings.seed)?;
                     let place = phrase!("angles-of-path");
                     document.messages.extend(found.inseparable.map(|angles| not_separable(angles, false, place)));
+                    document.messages.extend(found.velocity.and_then(|v| far_velocity(&v)));
+                    if let Some(shifted) = misplaced_path(&driven.points, &found.at.position.means_mm) {
+                        document.messages.push(misplacement(&shifted)?);
+                    }
                     document.path = Some(found.into());
                 }
             }
@@ -203,6 +208,17 @@ impl Iso9283StreamDocument {
         }
         Ok(document)
     }
+}
+
+/// Ratio of mean and commanded velocity that no robot has: one is in another unit.
+const OTHER_VELOCITY: f64 = 5.0;
+
+/// Warning of a velocity in another unit than mm/s, or of times in another unit than s.
+fn far_velocity(v: &PathVelocity) -> Option<Message> {
+    let ratio = v.mean_mm_s / v.commanded_mm_s;
+    let is_far = ratio > OTHER_VELOCITY || ratio < 1.0 / OTHER_VELOCITY;
+    let (mean_mm_s, commanded_mm_s) = (v.mean_mm_s, v.commanded_mm_s);
+    is_far.then(|| warning!("path-velocity-far", mean_mm_s, commanded_mm_s).to_decide())
 }
 
 /// Error of a motion without a pass of its path.

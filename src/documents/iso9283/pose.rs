@@ -11,14 +11,18 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_base::{error, phrase, warning};
 use etalon_standards::decision::DecisionRule;
-use etalon_standards::iso9283::misplacement::{Misplacement, TestTable, misplaced_angles, misplaced_poses};
+use etalon_standards::iso9283::misplacement::{
+    ColumnChange, Misplacement, TestTable, misplaced_angles, misplaced_poses,
+};
 use etalon_standards::iso9283::pose::coplanarity::flatness;
 use etalon_standards::iso9283::pose::directions::{Approach, PoseVariation, variations};
 use etalon_standards::iso9283::pose::distance::{PairDistance, distances};
 use etalon_standards::iso9283::pose::drift::{Drift, drifts, largest_trend};
 use etalon_standards::iso9283::pose::ellipsoid::Ellipsoid;
 use etalon_standards::iso9283::pose::exchangeability::exchanged;
-use etalon_standards::iso9283::pose::outlying::{OutlyingReading, outlying_readings};
+use etalon_standards::iso9283::pose::outlying::{
+    OutlyingReading, RepeatedReading, outlying_readings, repeated_readings,
+};
 use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
 use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
@@ -112,7 +116,9 @@ impl Iso9283Document {
                 .into_iter()
                 .flatten()
                 .chain(outlying(robots))
+                .chain(repeated(robots))
                 .chain(unstated_drift(test, settings))
+                .chain(without_instrument(settings))
                 .collect(),
             poses,
         })
@@ -451,6 +457,13 @@ fn unstated_drift(test: &PoseTest, settings: &PoseTestSettings) -> Option<Messag
     Some(warning!("positions-drift", pose, change_mm).to_decide())
 }
 
+/// Returns a warning if limits are decided by the scatter of the cycles alone.
+fn without_instrument(settings: &PoseTestSettings) -> Option<Message> {
+    let limited = settings.ap_limit_mm.or(settings.rp_limit_mm).is_some();
+    let decided = limited && settings.decision_rule != DecisionRule::SimpleAcceptance;
+    (decided && settings.expanded_uncertainty_mm.is_none()).then(|| warning!("limits-without-instrument").to_decide())
+}
+
 /// Maximum number of readings that a warning names.
 const NAMED: usize = 5;
 
@@ -469,6 +482,15 @@ fn outlying(test: &PoseTest) -> Option<Message> {
     (!found.is_empty()).then(|| warning!("readings-outlying", count = found.len(), readings, more).to_decide())
 }
 
+/// Warning of readings that repeat an earlier reading of their pose.
+fn repeated(test: &PoseTest) -> Option<Message> {
+    let found = repeated_readings(test);
+    let named = |v: &RepeatedReading| phrase!("repeated-reading", pose = v.pose, cycle = v.cycle, first = v.first);
+    let readings: Vec<Phrase> = found.iter().take(NAMED).map(named).collect();
+    let more = found.len() - readings.len();
+    (!found.is_empty()).then(|| warning!("readings-repeated", count = found.len(), readings, more).to_decide())
+}
+
 /// Warnings of a test of poses.
 fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
     let mut messages = test.warnings.clone();
@@ -479,7 +501,12 @@ fn messages(test: &PoseTest, poses: &[Iso9283Pose]) -> Vec<Message> {
         (!names.is_empty()).then_some(names)
     };
     if let Some(short) = named(|p| p.cycles < CYCLES) {
-        messages.push(warning!("few-cycles", least = CYCLES, count = short.len(), poses = short));
+        // one or two cycles have no interval
+        let hint = match poses.iter().all(|p| p.cycles > 2) {
+            true => phrase!("decide-by-intervals"),
+            false => phrase!("measure-cycles"),
+        };
+        messages.push(warning!("few-cycles", least = CYCLES, count = short.len(), poses = short).hint(hint));
     }
     if let Some(coarse) = named(|p| p.quarter_rule_met == Some(false)) {
         messages.push(warning!("instrument-too-coarse", count = coarse.len(), poses = coarse));
@@ -499,14 +526,14 @@ fn inseparable(test: &PoseTest) -> Vec<Message> {
     named.into_iter().map(|((angles, stated), poses)| not_separable(angles, stated, place(poses))).collect()
 }
 
-/// Warning of a deviation as large as the test.
+/// Warning of positions or angles that do not belong to the commanded ones.
 ///
 /// # Errors
 /// A table in another unit is an error: no characteristic of it is true.
 pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
     match found {
         Misplacement::Unit { table, axes, unit, length_mm } => {
-            let axes: Vec<&str> = axes.iter().map(|&k| ["x", "y", "z"][k]).collect();
+            let axes: Vec<&str> = axes.iter().map(|&k| AXES[k]).collect();
             let (table, robot) = match table {
                 TestTable::Attained(robot) if robot.is_empty() => ("attained", String::new()),
                 TestTable::Attained(robot) => ("robot", one_line(robot)),
@@ -523,6 +550,15 @@ pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
             let (angles, deviation_deg) = (letters(angles), largest_rad.to_degrees());
             Ok(warning!("angles-far-from-commanded", angles, deviation_deg, poses).to_decide())
         }
+        Misplacement::Columns { deviation_mm, change, left_mm } => {
+            let (change, columns) = match change {
+                ColumnChange::Swapped(columns) => ("swapped", &columns[..]),
+                ColumnChange::Order(columns) => ("order", &columns[..]),
+                ColumnChange::Sign(column) => ("sign", std::slice::from_ref(column)),
+            };
+            let columns: Vec<&str> = columns.iter().map(|&k| AXES[k]).collect();
+            Ok(warning!("coordinates-exchanged", deviation_mm, change, columns, left_mm).to_decide())
+        }
         Misplacement::Frame { deviation_mm, shift_mm, turn_rad, left_mm } => {
             let turn_deg = turn_rad.unwrap_or(0.0).to_degrees();
             let (turned, [x_mm, y_mm, z_mm]) = (if turn_rad.is_some() { "turned" } else { "shifted" }, *shift_mm);
@@ -534,6 +570,8 @@ pub(super) fn misplacement(found: &Misplacement) -> Result<Message> {
     }
 }
 
+/// Names of the coordinates.
+const AXES: [&str; 3] = ["x", "y", "z"];
 /// Names of the angles.
 const LETTERS: [&str; 3] = ["a", "b", "c"];
 

@@ -176,26 +176,42 @@ fn judged(campaign: &Campaign, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict
 }
 
 /// Limits of the largest values: the decision of the rule on every pose.
-pub fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
+///
+/// # Errors
+/// Fails if a pose has no value of a limited characteristic.
+fn limits(limits: &Limits, poses: &[Iso9283Pose]) -> Result<Vec<LimitVerdict>> {
+    PoseCharacteristic::ALL.iter().filter_map(|of| verdict(of, limits, poses)).collect()
+}
+
+/// Limits of the largest values; a limit without a value at some pose is not assessable.
+pub fn assessed_limits(limits: &Limits, poses: &[Iso9283Pose]) -> Vec<LimitVerdict> {
     let rule = limits.decision_rule.unwrap_or_default();
-    let mut all = Vec::new();
-    for of in PoseCharacteristic::ALL {
-        let name = of.limit;
-        let Some(limit) = limits.limit(name) else { continue };
-        if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
-            return Err(error!("limit-without-value", limit = name.to_string(), pose = without.pose).into());
-        }
-        let largest = |p: &&Iso9283Pose| (of.value)(p).unwrap_or(0.0);
-        let Some(worst) = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b))) else { continue };
-        let value = largest(&worst);
-        let interval = (of.interval)(worst);
-        let expanded = interval.map(|i| i.high_mm - value);
-        let conformity = Conformity::combine(poses.iter().filter_map(of.conformity));
-        let judged = LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity);
-        all.push(match interval {
-            Some(interval) => judged.within_interval(interval.low_mm, interval.high_mm),
-            None => judged,
-        });
+    let assessed = |of: &PoseCharacteristic| {
+        let found = verdict(of, limits, poses)?;
+        Some(found.unwrap_or_else(|_| {
+            LimitVerdict::not_assessable(of.limit, limits.limit(of.limit).unwrap_or(f64::NAN), rule)
+        }))
+    };
+    PoseCharacteristic::ALL.iter().filter_map(assessed).collect()
+}
+
+/// Verdict on the limit of a characteristic, if it has one and a pose was measured.
+fn verdict(of: &PoseCharacteristic, limits: &Limits, poses: &[Iso9283Pose]) -> Option<Result<LimitVerdict>> {
+    let (name, rule) = (of.limit, limits.decision_rule.unwrap_or_default());
+    let limit = limits.limit(name)?;
+    if let Some(without) = poses.iter().find(|p| (of.value)(p).is_none()) {
+        let message = error!("limit-without-value", limit = name.to_string(), pose = without.pose);
+        return Some(Err(message.into()));
     }
-    Ok(all)
+    let largest = |p: &&Iso9283Pose| (of.value)(p).unwrap_or(0.0);
+    let worst = poses.iter().max_by(|a, b| largest(a).total_cmp(&largest(b)))?;
+    let value = largest(&worst);
+    let interval = (of.interval)(worst);
+    let expanded = interval.map(|i| i.high_mm - value);
+    let conformity = Conformity::combine(poses.iter().filter_map(of.conformity));
+    let judged = LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity);
+    Some(Ok(match interval {
+        Some(interval) => judged.within_interval(interval.low_mm, interval.high_mm),
+        None => judged,
+    }))
 }

@@ -1,15 +1,18 @@
-//! Attained positions that do not belong to the commanded ones: another unit, or another frame (not
-//! in the standard). Errors of a robot are a small share of the extent of its test; a deviation as
-//! large as the extent is an error of the tables.
+//! Attained positions that do not belong to the commanded ones: another unit, exchanged columns, or
+//! another frame (not in the standard). Errors of a robot are a small share of the extent of its
+//! test; a deviation as large as the extent is an error of the tables, and so is a deviation of
+//! which one motion of all positions explains nearly all.
 
 use crate::iso9283::motion::MotionSettings;
 use crate::iso9283::motion::stream::Recording;
+use crate::iso9283::path::commanded::CommandPoint;
 use crate::iso9283::pose::test::PoseTest;
 use crate::iso9283::statistics::sample::{mean_position, spread, unwrapped, wrapped};
-use etalon_base::pose::{Vector, centroid, minus, norm};
+use etalon_base::pose::{Vector, centroid, dot, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_fit::rigid;
 use etalon_math::statistics::rms;
+use etalon_math::symmetric_eigen;
 
 /// Units that are taken for millimetres, with their length in mm.
 const UNITS: [(&str, f64); 3] = [("m", 1000.0), ("cm", 10.0), ("inch", 25.4)];
@@ -20,8 +23,16 @@ const IN_UNIT: f64 = 0.05;
 const LARGE: f64 = 0.1;
 /// Deviation as a share of the extent that no robot has.
 const AS_LARGE: f64 = 0.5;
-/// Maximum deviation after a motion of the frame, as a share of the deviation before.
+/// Maximum deviation after a motion of the frame, as a share of the deviation before, if that is as
+/// large as the extent.
 const BY_FRAME: f64 = 0.1;
+/// The same share for a smaller deviation. Independent errors of five poses are reduced by this
+/// factor once in 10¹⁰ tests; errors of a robot vary over the poses more than this.
+const BY_FRAME_ALONE: f64 = 0.02;
+/// Smallest deviation as a share of the extent that is compared with another frame.
+const LEAST_BY_FRAME: f64 = 0.01;
+/// Maximum ratio of a deviation and the largest one at poses that are named.
+const NEAR_LARGEST: f64 = 0.1;
 
 /// A table of a test.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,7 +73,16 @@ pub enum Misplacement {
         /// The poses with the largest deviations, largest first.
         poses: Vec<PoseName>,
     },
-    /// One motion brings the attained positions to the commanded ones.
+    /// The positions agree if the columns of one table are exchanged.
+    Columns {
+        /// Root mean square deviation (mm).
+        deviation_mm: f64,
+        /// Change of one table.
+        change: ColumnChange,
+        /// Root mean square deviation (mm) after the change.
+        left_mm: f64,
+    },
+    /// One motion brings the commanded positions to the attained ones.
     Frame {
         /// Root mean square deviation (mm).
         deviation_mm: f64,
@@ -83,6 +103,42 @@ pub enum Misplacement {
         /// The poses with the largest deviations, largest first.
         poses: Vec<PoseName>,
     },
+}
+
+/// Mistake in the columns of a table: 0, 1, 2 for x, y, z.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColumnChange {
+    /// Two columns are swapped.
+    Swapped([usize; 2]),
+    /// x, y and z are in these columns of the attained positions.
+    Order([usize; 3]),
+    /// A column has the other sign.
+    Sign(usize),
+}
+
+impl ColumnChange {
+    /// All changes. Two other signs, or a swap with another sign, are rotations of the frame.
+    const ALL: [Self; 8] = [
+        Self::Swapped([0, 1]),
+        Self::Swapped([0, 2]),
+        Self::Swapped([1, 2]),
+        Self::Order([1, 2, 0]),
+        Self::Order([2, 0, 1]),
+        Self::Sign(0),
+        Self::Sign(1),
+        Self::Sign(2),
+    ];
+
+    /// Attained position after the change.
+    fn apply(self, p: Vector) -> Vector {
+        let mut changed = p;
+        match self {
+            Self::Swapped([i, j]) => changed.swap(i, j),
+            Self::Order(order) => changed = order.map(|k| p[k]),
+            Self::Sign(k) => changed[k] = -p[k],
+        }
+        changed
+    }
 }
 
 /// Angles of one pose, and their commanded values (rad).
@@ -231,31 +287,99 @@ fn extent(points: &[Vector]) -> f64 {
     rms(points.iter().map(|p| norm(minus(*p, middle))))
 }
 
-/// Returns a deviation as large as the extent, and the motion of the frame that explains this
-/// deviation.
+/// Returns the change of the columns or the motion of the frame that explains the deviation, or a
+/// deviation as large as the extent.
 fn elsewhere(pairs: &[(PoseName, Pair)]) -> Option<Misplacement> {
     let off: Vec<Vector> = pairs.iter().map(|(_, p)| minus(p.attained_mm, p.commanded_mm)).collect();
     let (from, to): (Vec<Vector>, Vec<Vector>) = pairs.iter().map(|(_, p)| (p.attained_mm, p.commanded_mm)).unzip();
     let deviation_mm = rms(off.iter().map(|d| norm(*d)));
     let extent_mm = if to.len() > 1 { extent(&to) } else { norm(*to.first()?) };
-    if extent_mm == 0.0 || deviation_mm < AS_LARGE * extent_mm {
-        return None;
+    let size = Size { deviation_mm, extent_mm };
+    if let Some(found) = exchanged_columns(pairs, size) {
+        return Some(found);
     }
     let shift_mm = centroid(&off)?;
     let frame = |turn_rad, left_mm| Misplacement::Frame { deviation_mm, shift_mm, turn_rad, left_mm };
-    let most = BY_FRAME * deviation_mm;
     let left_mm = rms(off.iter().map(|d| norm(minus(*d, shift_mm))));
-    if to.len() > 1 && left_mm <= most {
+    if to.len() > 1 && size.is_explained(left_mm) {
         return Some(frame(None, left_mm));
     }
     // a rotation fits three positions of one distance each: it takes a fourth to show it
-    if let Some(fit) = rigid(&to, &from).ok().filter(|fit| to.len() > 3 && fit.rms_mm() <= most) {
+    if let Some(fit) = rigid(&to, &from).ok().filter(|fit| to.len() > 3 && size.is_explained(fit.rms_mm())) {
         return Some(frame(Some(fit.to_T_from.angle_rad()), fit.rms_mm()));
+    }
+    if !size.is_large() {
+        return None;
     }
     let mut largest: Vec<usize> = (0..off.len()).collect();
     largest.sort_by(|&i, &j| norm(off[j]).total_cmp(&norm(off[i])));
-    let poses = largest.into_iter().take(3).map(|i| pairs[i].0).collect();
-    Some(Misplacement::Large { deviation_mm, extent_mm, poses })
+    let least_mm = NEAR_LARGEST * norm(off[largest[0]]);
+    let named = largest.into_iter().take(3).filter(|&i| norm(off[i]) >= least_mm);
+    Some(Misplacement::Large { deviation_mm, extent_mm, poses: named.map(|i| pairs[i].0).collect() })
+}
+
+/// Root mean square deviation of a test, and root mean square distance of its commanded positions
+/// from their centre (mm).
+#[derive(Clone, Copy)]
+struct Size {
+    deviation_mm: f64,
+    extent_mm: f64,
+}
+
+impl Size {
+    /// `true` if the deviation is as large as the extent.
+    fn is_large(self) -> bool {
+        self.extent_mm > 0.0 && self.deviation_mm >= AS_LARGE * self.extent_mm
+    }
+
+    /// `true` if a change of all positions after which this deviation remains is the cause. What
+    /// remains must be an error that a robot can have.
+    fn is_explained(self, left_mm: f64) -> bool {
+        let share = if self.is_large() { BY_FRAME } else { BY_FRAME_ALONE };
+        self.extent_mm > 0.0
+            && self.deviation_mm >= LEAST_BY_FRAME * self.extent_mm
+            && left_mm <= share * self.deviation_mm
+            && left_mm <= IN_UNIT * self.extent_mm
+    }
+}
+
+/// Returns the change of the columns of one table with which the positions agree, if there is one.
+/// Unlike a motion of the frame, the change has no fitted parameter.
+fn exchanged_columns(pairs: &[(PoseName, Pair)], size: Size) -> Option<Misplacement> {
+    let left =
+        |change: ColumnChange| rms(pairs.iter().map(|(_, p)| norm(minus(change.apply(p.attained_mm), p.commanded_mm))));
+    let changes = ColumnChange::ALL.into_iter().map(|change| (change, left(change)));
+    let (change, left_mm) = changes.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let deviation_mm = size.deviation_mm;
+    size.is_explained(left_mm).then_some(Misplacement::Columns { deviation_mm, change, left_mm })
+}
+
+/// Smallest eigenvalue, relative to the largest, of a direction in which points of a path show a
+/// shift: a straight path shows none along itself.
+const SHOWN: f64 = 1e-3;
+
+/// Returns the common shift of the mean attained path, in the normal planes of its command points,
+/// if this shift explains the deviation of the path.
+pub fn misplaced_path(points: &[CommandPoint], means_mm: &[Vector]) -> Option<Misplacement> {
+    let across = |v: Vector, tangent: Vector| {
+        let along = dot(v, tangent);
+        [0, 1, 2].map(|k| v[k] - along * tangent[k])
+    };
+    let commanded: Vec<Vector> = points.iter().map(|p| p.position_mm).collect();
+    let off: Vec<Vector> = points.iter().zip(means_mm).map(|(p, m)| minus(*m, p.position_mm)).collect();
+    let projected =
+        |i: usize, j: usize| points.iter().map(move |p| f64::from(i == j) - p.tangent[i] * p.tangent[j]).sum::<f64>();
+    let normal: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| projected(i, j)));
+    let right: Vector = std::array::from_fn(|i| points.iter().zip(&off).map(|(p, d)| across(*d, p.tangent)[i]).sum());
+    let (values, vectors) = symmetric_eigen(normal);
+    let most = values.iter().fold(0.0, |most: f64, v| most.max(*v));
+    let shown = || values.iter().zip(&vectors).filter(|(value, _)| **value > SHOWN * most);
+    let shift_mm: Vector = std::array::from_fn(|k| shown().map(|(value, v)| dot(*v, right) / value * v[k]).sum());
+    let deviation_mm = rms(off.iter().map(|d| norm(*d)));
+    let left = |(p, d): (&CommandPoint, &Vector)| norm(minus(*d, across(shift_mm, p.tangent)));
+    let left_mm = rms(points.iter().zip(&off).map(left));
+    let size = Size { deviation_mm, extent_mm: extent(&commanded) };
+    size.is_explained(left_mm).then_some(Misplacement::Frame { deviation_mm, shift_mm, turn_rad: None, left_mm })
 }
 
 /// Returns the unit in which a recording passes the commanded poses or the commanded path, if it
@@ -300,6 +424,7 @@ const SAMPLES: usize = 2000;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::iso9283::path::commanded::CommandedPath;
     use crate::iso9283::pose::test::{AttainedPose, TestedPose};
 
     const CUBE: [Vector; 5] = [
@@ -395,8 +520,19 @@ mod tests {
     fn a_frame_is_named_and_sound_tests_are_not() {
         let same = |p: Vector| p;
         assert_eq!(misplaced_poses(&cube_test(same, same)), None);
-        // a robot with an error of 5 mm, and one whose frame is a little off
-        assert_eq!(misplaced_poses(&cube_test(|p| [p[0] + 5.0, p[1], p[2]], same)), None);
+        // a robot whose lengths are 2 % too large, and one whose errors of 5 mm differ
+        assert_eq!(misplaced_poses(&cube_test(|p| p.map(|v| 1.02 * v), same)), None);
+        assert_eq!(misplaced_poses(&cube_test(|p| [p[0] + 0.0005 * p[1] * p[2] / 9.0, p[1] + 5.0, p[2]], same)), None);
+        // a frame that is 5 mm off, a thirtieth of the extent
+        let near = misplaced_poses(&cube_test(|p| [p[0] + 5.0, p[1], p[2]], same)).unwrap();
+        assert!(
+            matches!(near, Misplacement::Frame { turn_rad: None, shift_mm, .. } if (shift_mm[0] - 5.1).abs() < 1e-9)
+        );
+        let (sin, cos) = 2.0_f64.to_radians().sin_cos();
+        let turned = |p: Vector| [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1], p[2]];
+        let near = misplaced_poses(&cube_test(turned, same)).unwrap();
+        let Misplacement::Frame { turn_rad: Some(turn), .. } = near else { panic!("{near:?}") };
+        assert!((turn.to_degrees() - 2.0).abs() < 0.05, "{turn}");
         let shifted = misplaced_poses(&cube_test(|p| [p[0] + 600.0, p[1], p[2] - 200.0], same)).unwrap();
         assert!(
             matches!(shifted, Misplacement::Frame { turn_rad: None, shift_mm, .. } if (shift_mm[0] - 600.1).abs() < 1e-9)
@@ -421,5 +557,93 @@ mod tests {
         let mut alone = cube_test(same, same);
         alone.poses.iter_mut().for_each(|p| p.commanded_mm = None);
         assert_eq!(misplaced_poses(&alone), None);
+    }
+
+    /// Poses in no plane, as a robot is tested.
+    const GENERAL: [Vector; 5] = [
+        [500.0, 0.0, 405.0],
+        [337.0, -200.0, 280.0],
+        [639.0, -200.0, 160.0],
+        [810.0, 200.0, 611.0],
+        [280.0, 200.0, 600.0],
+    ];
+
+    fn general_test(attained: impl Fn(Vector) -> Vector) -> PoseTest {
+        let mut test = cube_test(|p| p, |p| p);
+        for (pose, commanded) in test.poses.iter_mut().zip(GENERAL) {
+            pose.commanded_mm = Some(commanded);
+            for visit in &mut pose.attained {
+                let p = attained([commanded[0] + 0.1, commanded[1], commanded[2] - 0.01 * visit.cycle as f64]);
+                (visit.position_mm, visit.readings_mm) = (p, vec![p]);
+            }
+        }
+        test
+    }
+
+    /// Change that is found if the attained positions are written with the opposite change.
+    fn change(attained: impl Fn(Vector) -> Vector) -> Option<ColumnChange> {
+        match misplaced_poses(&general_test(attained)) {
+            Some(Misplacement::Columns { change, left_mm, deviation_mm }) => {
+                assert!(left_mm < 0.11 && deviation_mm > 100.0, "{left_mm} {deviation_mm}");
+                Some(change)
+            }
+            _ => None,
+        }
+    }
+
+    #[test]
+    fn exchanged_columns_are_named_and_no_frame() {
+        assert_eq!(misplaced_poses(&general_test(|p| p)), None);
+        assert_eq!(change(|[x, y, z]| [y, x, z]), Some(ColumnChange::Swapped([0, 1])));
+        assert_eq!(change(|[x, y, z]| [x, z, y]), Some(ColumnChange::Swapped([1, 2])));
+        assert_eq!(change(|[x, y, z]| [-x, y, z]), Some(ColumnChange::Sign(0)));
+        assert_eq!(change(|[x, y, z]| [x, y, -z]), Some(ColumnChange::Sign(2)));
+        // x is in the third column
+        assert_eq!(change(|[x, y, z]| [y, z, x]), Some(ColumnChange::Order([2, 0, 1])));
+        assert_eq!(change(|[x, y, z]| [z, x, y]), Some(ColumnChange::Order([1, 2, 0])));
+        // rotations by half a turn and by a quarter
+        for turned in [|[x, y, z]: Vector| [-x, -y, z], |[x, y, z]: Vector| [y, -x, z]] {
+            let found = misplaced_poses(&general_test(turned));
+            assert!(matches!(found, Some(Misplacement::Frame { turn_rad: Some(_), .. })), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn a_motion_that_leaves_what_no_robot_leaves_is_no_cause() {
+        // mirrored and moved: a rotation brings the positions near, and 50 mm remain
+        let found = misplaced_poses(&general_test(|[x, y, z]| [y + 30.0, x - 40.0, z + 25.0]));
+        let Some(Misplacement::Large { poses, .. }) = found else { panic!("{found:?}") };
+        assert!(!poses.is_empty());
+        // one pose under the name of another: the others are not named
+        let found =
+            misplaced_poses(&general_test(|p| if p[0] > 800.0 { [p[0] - 1000.0, p[1] - 300.0, p[2]] } else { p }));
+        let Some(Misplacement::Large { poses, .. }) = found else { panic!("{found:?}") };
+        assert_eq!(poses, [PoseName::from(4)]);
+    }
+
+    #[test]
+    fn a_shift_of_a_path_is_seen_in_its_normal_planes() {
+        let path = |corners: &[Vector]| CommandedPath::new(corners.to_vec(), &[]).unwrap().command_points(40);
+        let attained = |points: &[CommandPoint], shift_mm: Vector, error_mm: f64| -> Vec<Vector> {
+            let mean = |(i, p): (usize, &CommandPoint)| {
+                let along = dot(shift_mm, p.tangent);
+                let waves = error_mm * (i as f64).sin();
+                [0, 1, 2]
+                    .map(|k| p.position_mm[k] + shift_mm[k] - along * p.tangent[k] + if k == 2 { waves } else { 0.0 })
+            };
+            points.iter().enumerate().map(mean).collect()
+        };
+        let bent = path(&[[0.0, 0.0, 0.0], [300.0, 0.0, 0.0], [300.0, 200.0, 0.0]]);
+        let found = misplaced_path(&bent, &attained(&bent, [8.0, -3.0, 2.0], 0.05));
+        let Some(Misplacement::Frame { shift_mm, left_mm, .. }) = found else { panic!("{found:?}") };
+        assert!(norm(minus(shift_mm, [8.0, -3.0, 2.0])) < 0.05 && left_mm < 0.05, "{shift_mm:?} {left_mm}");
+        // a straight path shows no shift along itself
+        let straight = path(&[[0.0, 0.0, 0.0], [300.0, 0.0, 0.0]]);
+        let found = misplaced_path(&straight, &attained(&straight, [8.0, -3.0, 2.0], 0.05));
+        let Some(Misplacement::Frame { shift_mm, .. }) = found else { panic!("{found:?}") };
+        assert!(norm(minus(shift_mm, [0.0, -3.0, 2.0])) < 0.05, "{shift_mm:?}");
+        // errors of a robot
+        assert_eq!(misplaced_path(&bent, &attained(&bent, [0.3, 0.1, 0.0], 0.2)), None);
+        assert_eq!(misplaced_path(&bent, &attained(&bent, [2.0, 1.0, 0.0], 0.2)), None);
     }
 }

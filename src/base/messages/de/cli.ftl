@@ -153,8 +153,14 @@ robot-not-in-table = die Geometrie von `{ $name }` steht nicht in der Robotertab
     .expected = { $names }
     .hint = ihn durch die eigene Roboterdatei beschreiben, --robot robot.toml, oder durch seine URDF-Datei, --urdf DATEI
 
-iso230-row-incomplete = eine Zeile hat keine Position, keinen Messwert oder keine Richtung
-    .expected = Zahlen und +1 oder -1 als `direction`
+iso230-row-incomplete = { $column ->
+        [direction] `direction` ist weder +1 noch -1
+       *[other] `{ $column }` fehlt oder ist nicht endlich
+    }
+    .expected = Zahlen und als `direction` +1 oder -1
+
+iso230-columns-exchanged = `position_mm` und `measured_mm` sind vertauscht: die Werte von `measured_mm` wiederholen sich, die Werte von `position_mm` nicht
+    .hint = die Spalten tauschen: `--column position_mm=measured_mm`, `--column measured_mm=position_mm`
 
 iso230-few-runs = Position { $position } mm hat weniger als zwei Anfahrten in Richtung { $direction }
     .expected = mindestens zwei Anfahrten in jeder Richtung, nach ISO 230-2 fünf

@@ -12,7 +12,12 @@ few-cycles = weniger als { $least } Zyklen { $count ->
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
     }
-    .hint = 30 Zyklen messen (ISO 9283) oder anhand der Intervalle entscheiden
+
+decide-by-intervals = 30 Zyklen messen (ISO 9283) oder anhand der Intervalle entscheiden
+measure-cycles = 30 Zyklen messen (ISO 9283): ein oder zwei Zyklen haben keine Intervalle
+
+limits-without-instrument = die Grenzwerte werden ohne die Unsicherheit des Messgeräts beurteilt: U enthält nur die Streuung der Zyklen
+    .hint = die erweiterte Messunsicherheit einer Koordinate angeben: `--expanded-uncertainty-um`
 
 few-cycles-of-direction = weniger als { $least } Zyklen { $count ->
         [one] in Richtung { $directions }
@@ -46,12 +51,22 @@ positions-in-other-unit = { $axes } der { $table ->
         [one] stimmt
        *[other] stimmen
     } sie mit der anderen Tabelle überein
-    .hint = die Spalten nach ihrer Einheit benennen (`x_m`) oder in mm umrechnen
+    .hint = { $unit ->
+        [cm] diese Spalten mit 10 multiplizieren
+       *[other] die Spalten nach ihrer Einheit benennen (`x_{ $unit }`) oder in mm umrechnen
+    }
 
-poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen, weil die Tabellen in verschiedenen Koordinatensystemen sind: werden die Istpositionen um ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}verschoben und um { FIXED($turn_deg, 1) } deg um ihre Mitte gedreht
-       *[shifted] {" "}verschoben
-    }, bleibt eine Abweichung von { FIXED($left_mm, 3) } mm
+coordinates-exchanged = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; { $change ->
+        [swapped] sind { $columns } einer Tabelle vertauscht
+        [order] stehen x, y, z in den Spalten { $columns } der Istpositionen
+       *[sign] hat { $columns } einer Tabelle das andere Vorzeichen
+    }, bleiben { FIXED($left_mm, 3) } mm
+    .hint = diese Spalten in der falschen Tabelle berichtigen; bis dahin sind AP und AT falsch, RP der Position ist richtig
+
+poses-in-other-frame = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; ohne ihre gemeinsame Verschiebung um ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}und Drehung um { FIXED($turn_deg, 1) } deg
+       *[shifted] {""}
+    } bleiben { FIXED($left_mm, 3) } mm
     .hint = beide Tabellen in einem Koordinatensystem angeben; AP und AT enthalten den Abstand der Koordinatensysteme, RP und RT nicht
 
 deviation-as-large-as-test = die Istpositionen liegen { FIXED($deviation_mm, 1) } mm neben den Sollpositionen; das entspricht der Ausdehnung der Prüfposen ({ FIXED($extent_mm, 1) } mm); am weitesten entfernt: { $poses }
@@ -95,6 +110,40 @@ readings-outlying = { $count ->
 
 outlying-reading = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm)
 outlying-reading-near = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm; näher an Pose { $near })
+
+runs-outlying = { $count ->
+        [one] 1 Anfahrt liegt
+       *[other] { $count } Anfahrten liegen
+    } weit neben allen anderen ihrer Position und Richtung und { $count ->
+        [one] ist
+       *[other] sind
+    } in A und R enthalten: { $runs }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
+    .hint = diese Werte prüfen: eine Zeile nur berichtigen oder entfernen, wenn die Ursache bekannt ist, und den Grund festhalten; sonst die Prüfung wiederholen
+
+outlying-run = Anfahrt { $run } auf { $position_mm } mm in Richtung { $direction }, { FIXED($distance_mm, 4) } mm (Median der Abstände { FIXED($median_mm, 4) } mm)
+
+runs-repeated = die Tabelle enthält dieselben Anfahrten { $times }-mal, Ziffer für Ziffer: R und A sind zu klein
+    .hint = die kopierten Zeilen entfernen
+
+axis-test-short = die Achse hat { $positions } Positionen mit mindestens { $runs } Anfahrten je Richtung; ISO 230-2 verlangt je { $least }
+    .hint = mindestens { $least } Positionen mit { $least } Anfahrten je Richtung messen
+
+readings-repeated = { $count ->
+        [one] 1 Messung wiederholt
+       *[other] { $count } Messungen wiederholen
+    } eine frühere Messung Ziffer für Ziffer: { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}und { $more } weitere
+    }
+    .hint = die kopierten Zeilen entfernen: sie sind keine weiteren Zyklen
+
+repeated-reading = Pose { $pose } in Zyklus { $cycle } wie in Zyklus { $first }
+
+path-velocity-far = die mittlere Geschwindigkeit auf der Bahn ist { FIXED($mean_mm_s, 3) } mm/s, die Sollgeschwindigkeit { FIXED($commanded_mm_s, 3) } mm/s
+    .hint = die Sollgeschwindigkeit in mm/s angeben (`--velocity-mm-s`) und die Zeitstempel in s
 
 angles-not-separable = die Winkel { $first } und { $second } { $place } { $order ->
         [stated] sind nicht trennbar: ihre Drehungen haben fast dieselbe Achse, und jeder Winkel allein sagt nichts aus

@@ -76,7 +76,7 @@ stream-value-missing = eine Koordinate oder die Zeit fehlt oder ist nicht endlic
     .hint = diesen Abtastwert entfernen
 
 time-not-increasing = die Zeit nimmt nicht zu: { $later_s } s nach { $earlier_s } s
-    .hint = die Abtastwerte sortieren oder mit feineren Zeitstempeln aufzeichnen
+    .hint = die Zeilen nach der Zeit sortieren und doppelte entfernen oder mit feineren Zeitstempeln aufzeichnen
 
 weave-direction = Pendeln: die Auslenkung hat keine Komponente quer zur Mittellinie
     .hint = eine Richtung quer zur Mittellinie angeben

@@ -352,8 +352,19 @@ robot-not-in-table = the geometry of `{ $name }` is not in the table of robots
 # Matters: Positioning is evaluated for each position and direction (ISO 230-2).
 # Do: Complete the row: position, measured value, and +1 or -1 as direction.
 # Example: a row with direction 0
-iso230-row-incomplete = a row has no position, no measured value or no direction
+iso230-row-incomplete = { $column ->
+        [direction] `direction` is neither +1 nor -1
+       *[other] `{ $column }` is missing or not finite
+    }
     .expected = numbers, and +1 or -1 as `direction`
+
+# Means: All values of `position_mm` differ, but the values of `measured_mm` repeat. An axis is driven
+# to the same programmed position several times.
+# Matters: Deviations are measured minus programmed positions: their sign and place would be wrong.
+# Do: Swap the two columns.
+# Example: programmed positions under the heading `measured_mm`
+iso230-columns-exchanged = `position_mm` and `measured_mm` are swapped: the values of `measured_mm` repeat, and the values of `position_mm` do not
+    .hint = swap the columns: `--column position_mm=measured_mm`, `--column measured_mm=position_mm`
 
 # Means: A position has fewer than two runs in a direction.
 # Matters: A standard deviation needs two values; ISO 230-2 requires five.

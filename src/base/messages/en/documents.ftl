@@ -20,7 +20,17 @@ few-cycles = fewer than { $least } cycles at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     }
-    .hint = measure 30 cycles (ISO 9283), or use the intervals for the decision
+
+decide-by-intervals = measure 30 cycles (ISO 9283), or use the intervals for the decision
+measure-cycles = measure 30 cycles (ISO 9283): one or two cycles have no intervals
+
+# Means: A limit is decided, but the uncertainty of the instrument is not given.
+# Matters: The guard band contains the scatter of the cycles alone, so a robot may pass that does
+# not meet the limit. The 25 % rule of ISO 9283 is not checked.
+# Do: Give the expanded uncertainty (k = 2) of a measured coordinate.
+# Example: `--ap-limit-mm 0.4` without `--expanded-uncertainty-um`
+limits-without-instrument = the limits are decided without the uncertainty of the instrument: U contains the scatter of the cycles alone
+    .hint = give the expanded uncertainty of a measured coordinate: `--expanded-uncertainty-um`
 
 # Means: A direction was loaded in fewer cycles than ISO 9283 requires.
 # Matters: The compliance in this direction has a larger uncertainty.
@@ -67,7 +77,7 @@ several-approaches = several approaches at { $count ->
 # Means: The coordinates of one table are in another unit than mm: after a conversion they agree
 # with the other table.
 # Matters: AP, AD, AT and all other characteristics are wrong by the factor between the units.
-# Do: Write the unit into the names of the columns (`x_m`), or convert the values to mm.
+# Do: Write the unit into the names of the columns (`x_m`, `x_inch`), or convert the values to mm.
 # Example: `x_mm` = 0.4 at a pose that is commanded to x = 400 mm
 positions-in-other-unit = { $axes } of the { $table ->
         [commanded] commanded positions
@@ -80,21 +90,38 @@ positions-in-other-unit = { $axes } of the { $table ->
         [one] it agrees
        *[other] they agree
     } with the other table
-    .hint = write the unit into the names of the columns (`x_m`), or convert the values to mm
+    .hint = { $unit ->
+        [cm] multiply these columns by 10
+       *[other] write the unit into the names of the columns (`x_{ $unit }`), or convert the values to mm
+    }
 
-# Means: The distances between attained and commanded positions are as large as the whole test, but
-# a shift and a rotation make the tables agree. The tables are in different frames.
+# Means: The attained positions agree with the commanded ones after a change of the columns of one
+# table. Two columns are swapped, all have another order, or one has the other sign.
+# Matters: AP, AD and AT contain the wrong coordinates; RP of the position does not.
+# Do: Correct the columns of the table that is wrong. In Python `columns` gives each table its own
+# headings.
+# Example: the headings `x_mm` and `y_mm` are swapped in the table of attained poses
+coordinates-exchanged = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones; with { $change ->
+        [swapped] { $columns } of one table swapped
+        [order] x, y, z in the columns { $columns } of the attained positions
+       *[sign] the other sign of { $columns } in one table
+    }, { FIXED($left_mm, 3) } mm remain
+    .hint = correct these columns in the table that is wrong; until then AP and AT are wrong, and RP of the position is right
+
+# Means: A common shift and rotation of all positions explains nearly all of the deviation of the
+# attained positions from the commanded ones. Usually the tables are in different frames.
 # Matters: AP and AT contain the distance between the frames; RP, AD and RT do not.
-# Do: Express both tables in one frame, for example the base frame of the robot.
+# Do: Express both tables in one frame, for example the base frame of the robot. If they are in one
+# frame, base or tool of the robot are wrong by this motion.
 # Example: commanded poses in a work object, attained poses in the tracker's frame
-poses-in-other-frame = the attained positions are { FIXED($deviation_mm, 1) } mm from the commanded ones, because the tables are in different frames: if the attained positions are shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}and rotated by { FIXED($turn_deg, 1) } deg about their centre
+poses-in-other-frame = attained positions are { FIXED($deviation_mm, 1) } mm from commanded ones; without their common shift of ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}and rotation of { FIXED($turn_deg, 1) } deg
        *[shifted] {""}
-    }, a deviation of { FIXED($left_mm, 3) } mm remains
+    }, { FIXED($left_mm, 3) } mm remain
     .hint = express both tables in one frame; AP and AT contain the distance between the frames, RP and RT do not
 
 # Means: The distances between attained and commanded positions are as large as the whole test.
-# Neither another unit nor another frame explains them.
+# No other unit, order of the columns or frame explains them.
 # Matters: No robot has such errors, so the two tables do not belong together.
 # Do: Compare the names of the poses and the columns in both tables: two poses may be swapped.
 # Example: two poses swapped in the table of commanded poses
@@ -158,6 +185,62 @@ readings-outlying = { $count ->
 
 outlying-reading = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm)
 outlying-reading-near = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm; nearer to pose { $near })
+
+# Means: Some runs are far from all others of their position and direction, and from the runs before
+# and after them.
+# Matters: A and R contain these runs: a single one may be most of A. ISO 230-2 excludes no run.
+# Do: Check the values: another position, a lost signal, a wrong digit. If the cause is known, correct
+# or remove the row and record the reason. Otherwise repeat the test.
+# Example: run 4 to 200 mm is 0.2 mm from the other runs, which scatter by 0.001 mm
+runs-outlying = { $count ->
+        [one] 1 run is
+       *[other] { $count } runs are
+    } far from all others of the position and direction, and A and R contain { $count ->
+        [one] it
+       *[other] them
+    }: { $runs }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
+    .hint = check these values: correct or remove a row only if the cause is known, and record the reason; otherwise repeat the test
+
+outlying-run = run { $run } to { $position_mm } mm in direction { $direction }, { FIXED($distance_mm, 4) } mm (median distance { FIXED($median_mm, 4) } mm)
+
+# Means: All runs of the table occur several times, equal in every digit: the rows were copied.
+# Matters: Copies are no further measurements. The estimated scatter is too small, and so are R and A.
+# Do: Remove the copied rows.
+# Example: two files of the same test, one behind the other
+runs-repeated = the table contains the same runs { $times } times, digit for digit: R and A are too small
+    .hint = remove the copied rows
+
+# Means: The axis was measured at fewer positions, or with fewer runs, than ISO 230-2 requires.
+# Matters: R and A of few runs and positions have a large uncertainty.
+# Do: Measure at least five positions, each five times in each direction.
+# Example: three positions with two runs in each direction
+axis-test-short = the axis has { $positions } positions with at least { $runs } runs in each direction; ISO 230-2 requires { $least } of both
+    .hint = measure at least { $least } positions with { $least } runs in each direction
+
+# Means: Some readings equal an earlier reading of their pose in every digit: rows were copied.
+# Matters: Copies are no further cycles. RP is wrong, and its interval is too narrow.
+# Do: Remove the copied rows.
+# Example: the same table twice, with cycles counted by `cycle = "visit"`
+readings-repeated = { $count ->
+        [one] 1 reading repeats
+       *[other] { $count } readings repeat
+    } an earlier reading digit for digit: { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}and { $more } more
+    }
+    .hint = remove the copied rows: they are no further cycles
+
+repeated-reading = pose { $pose } in cycle { $cycle } as in cycle { $first }
+
+# Means: The mean velocity on the path differs from the commanded one by more than a factor of five.
+# Matters: No robot has such an error: AV is wrong, because a velocity or a time is in another unit.
+# Do: Give the commanded velocity in mm/s, and the time stamps in s.
+# Example: `--velocity-mm-s 0.25` for 250 mm/s
+path-velocity-far = the mean velocity on the path is { FIXED($mean_mm_s, 3) } mm/s, the commanded one { FIXED($commanded_mm_s, 3) } mm/s
+    .hint = give the commanded velocity in mm/s (`--velocity-mm-s`) and the time stamps in s
 
 # Means: Two of the three rotations have nearly the same axis at these poses. Only the sum or the
 # difference of their angles is determined; noise of the orientation is amplified in each angle.

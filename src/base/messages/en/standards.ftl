@@ -127,10 +127,11 @@ stream-value-missing = a coordinate or the time is missing or non-finite
 
 # Means: The time stamp of a sample is not later than the time stamp of the previous sample.
 # Matters: The velocity is infinite or negative.
-# Do: Sort the samples by time. If two samples have the same time, record with finer time stamps.
+# Do: Sort the rows by time, and remove rows that are written twice. If the stamps are coarser than
+# the sampling, give the sampling rate.
 # Example: two samples at 1.5 s
 time-not-increasing = the time does not increase: { $later_s } s after { $earlier_s } s
-    .hint = sort the samples, or record with finer time stamps
+    .hint = sort the rows by time and remove repeated rows, or record with finer time stamps
 
 # Means: The centre line of the weave has no direction, or the weaving motion is parallel to it.
 # Matters: The stroke is measured perpendicular to the centre line (ISO 9283, 11).

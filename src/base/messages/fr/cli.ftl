@@ -153,8 +153,14 @@ robot-not-in-table = la géométrie de `{ $name }` n’est pas dans la table des
     .expected = { $names }
     .hint = le décrire par votre propre fichier, --robot robot.toml, ou par son fichier URDF, --urdf FICHIER
 
-iso230-row-incomplete = une ligne n’a pas de position, de valeur mesurée ou de sens
+iso230-row-incomplete = { $column ->
+        [direction] `direction` n’est ni +1 ni -1
+       *[other] `{ $column }` manque ou n’est pas fini
+    }
     .expected = des nombres, et +1 ou -1 comme `direction`
+
+iso230-columns-exchanged = `position_mm` et `measured_mm` sont inversés : les valeurs de `measured_mm` se répètent, celles de `position_mm` non
+    .hint = inverser les colonnes : `--column position_mm=measured_mm`, `--column measured_mm=position_mm`
 
 iso230-few-runs = moins de deux passages dans le sens { $direction } à la position { $position } mm
     .expected = au moins deux passages dans chaque sens, cinq selon l’ISO 230-2

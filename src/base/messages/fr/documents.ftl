@@ -12,7 +12,12 @@ few-cycles = moins de { $least } cycles { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     }
-    .hint = mesurer 30 cycles (ISO 9283), ou juger avec les intervalles
+
+decide-by-intervals = mesurer 30 cycles (ISO 9283), ou juger avec les intervalles
+measure-cycles = mesurer 30 cycles (ISO 9283) : un ou deux cycles n’ont pas d’intervalle
+
+limits-without-instrument = les limites sont jugées sans l’incertitude de l’instrument : U ne contient que la dispersion des cycles
+    .hint = indiquer l’incertitude élargie d’une coordonnée mesurée : `--expanded-uncertainty-um`
 
 few-cycles-of-direction = moins de { $least } cycles { $count ->
         [one] dans la direction { $directions }
@@ -43,12 +48,22 @@ positions-in-other-unit = { $axes } des positions { $table ->
         [one] est
        *[other] sont
     } en { $unit }, et non en mm : après multiplication par { $length_mm }, l’accord avec l’autre tableau est obtenu
-    .hint = nommer les colonnes par leur unité (`x_m`), ou les convertir en mm
+    .hint = { $unit ->
+        [cm] multiplier ces colonnes par 10
+       *[other] nommer les colonnes par leur unité (`x_{ $unit }`), ou les convertir en mm
+    }
 
-poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, car les tableaux sont dans des repères différents : si les positions atteintes sont décalées de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
-        [turned] {" "}et tournées de { FIXED($turn_deg, 1) } deg autour de leur centre
+coordinates-exchanged = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées ; { $change ->
+        [swapped] si { $columns } d’un tableau sont inversés
+        [order] si x, y, z sont dans les colonnes { $columns } des positions atteintes
+       *[sign] si { $columns } d’un tableau est de signe opposé
+    }, il reste { FIXED($left_mm, 3) } mm
+    .hint = corriger ces colonnes dans le tableau erroné ; en attendant, AP et AT sont faux, RP de la position est juste
+
+poses-in-other-frame = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées ; sans leur décalage commun de ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }, { FIXED($z_mm, 1) }) mm{ $turned ->
+        [turned] {" "}et leur rotation de { FIXED($turn_deg, 1) } deg
        *[shifted] {""}
-    }, il reste un écart de { FIXED($left_mm, 3) } mm
+    }, il reste { FIXED($left_mm, 3) } mm
     .hint = exprimer les deux tableaux dans un même repère ; AP et AT contiennent l’écart entre les repères, RP et RT ne le contiennent pas
 
 deviation-as-large-as-test = les positions atteintes sont à { FIXED($deviation_mm, 1) } mm des positions commandées, soit l’étendue de l’essai ({ FIXED($extent_mm, 1) } mm) ; les plus éloignées : { $poses }
@@ -89,6 +104,40 @@ readings-outlying = { $count ->
 
 outlying-reading = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm)
 outlying-reading-near = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm ; plus près de la pose { $near })
+
+runs-outlying = { $count ->
+        [one] 1 passage est loin
+       *[other] { $count } passages sont loin
+    } de tous les autres de la même position et du même sens, et A et R { $count ->
+        [one] le
+       *[other] les
+    } contiennent : { $runs }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } de plus
+    }
+    .hint = vérifier ces valeurs : corriger ou supprimer une ligne seulement si la cause est connue, et noter la raison ; sinon répéter l’essai
+
+outlying-run = passage { $run } à { $position_mm } mm dans le sens { $direction }, { FIXED($distance_mm, 4) } mm (distance médiane { FIXED($median_mm, 4) } mm)
+
+runs-repeated = le tableau contient les mêmes passages { $times } fois, chiffre pour chiffre : R et A sont trop petits
+    .hint = supprimer les lignes copiées
+
+axis-test-short = l’axe a { $positions } positions avec au moins { $runs } passages dans chaque sens ; l’ISO 230-2 en exige { $least }
+    .hint = mesurer au moins { $least } positions avec { $least } passages dans chaque sens
+
+readings-repeated = { $count ->
+        [one] 1 mesure répète
+       *[other] { $count } mesures répètent
+    } une mesure antérieure chiffre pour chiffre : { $readings }{ $more ->
+        [0] {""}
+       *[other] {" "}et { $more } de plus
+    }
+    .hint = supprimer les lignes copiées : ce ne sont pas d’autres cycles
+
+repeated-reading = pose { $pose } du cycle { $cycle } comme au cycle { $first }
+
+path-velocity-far = la vitesse moyenne sur la trajectoire est de { FIXED($mean_mm_s, 3) } mm/s, la vitesse commandée de { FIXED($commanded_mm_s, 3) } mm/s
+    .hint = indiquer la vitesse commandée en mm/s (`--velocity-mm-s`) et l’horodatage en s
 
 angles-not-separable = les angles { $first } et { $second } { $place } { $order ->
         [stated] ne sont pas séparables : leurs rotations ont presque le même axe, et chaque angle seul ne signifie rien

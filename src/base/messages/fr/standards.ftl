@@ -76,7 +76,7 @@ stream-value-missing = une coordonnée ou l’instant manque ou n’est pas fini
     .hint = supprimer cet échantillon
 
 time-not-increasing = le temps n’est pas croissant : { $later_s } s après { $earlier_s } s
-    .hint = trier les échantillons, ou enregistrer avec un horodatage plus fin
+    .hint = trier les lignes par instant et supprimer les doubles, ou enregistrer avec un horodatage plus fin
 
 weave-direction = balayage : l’oscillation n’a pas de composante transversale à la ligne médiane
     .hint = indiquer une direction transversale à la ligne médiane

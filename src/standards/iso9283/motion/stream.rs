@@ -35,15 +35,22 @@ pub struct Unusable {
     pub sample: usize,
     /// Description of the error.
     pub message: Message,
-    /// `true` if the time stamp is not later than the previous one, which can result from stamps
-    /// coarser than the sampling rate.
-    pub is_late: bool,
+    /// `true` if the time stamps are coarser than the sampling: they repeat at other positions, and
+    /// never decrease.
+    pub is_coarse: bool,
 }
 
 impl From<Unusable> for Problems {
     fn from(unusable: Unusable) -> Self {
         unusable.message.within(phrase!("in-sample", sample = unusable.sample + 1)).into()
     }
+}
+
+/// `true` if time stamps repeat at other positions and never decrease. Rows in another order have
+/// decreasing stamps, repeated rows have equal positions.
+fn are_coarse(time_s: &[f64], positions_mm: &[Vector]) -> bool {
+    let steps = || time_s.windows(2).zip(positions_mm.windows(2));
+    !steps().any(|(time, _)| time[1] < time[0]) && steps().any(|(time, p)| time[1] == time[0] && p[1] != p[0])
 }
 
 /// Highest plausible velocity of a robot's tool (mm/s); faster samples are not motion.
@@ -53,7 +60,7 @@ impl Stream {
     /// Checks at least two samples; each list of angles is as long as the list of positions.
     pub fn new(time_s: Vec<f64>, positions_mm: Vec<Vector>, angles_rad: &[Vec<f64>]) -> Result<Self, Unusable> {
         let n = positions_mm.len();
-        let wrong = |sample: usize, message: Message| Err(Unusable { sample, message, is_late: false });
+        let wrong = |sample: usize, message: Message| Err(Unusable { sample, message, is_coarse: false });
         if n < 2 || time_s.len() != n || angles_rad.iter().any(|a| a.len() != n) {
             return wrong(n, error!("stream-too-short"));
         }
@@ -65,7 +72,8 @@ impl Stream {
             }
             if i > 0 && time_s[i] <= time_s[i - 1] {
                 let message = error!("time-not-increasing", later_s = time_s[i], earlier_s = time_s[i - 1]);
-                return Err(Unusable { sample: i, message, is_late: true });
+                let is_coarse = are_coarse(&time_s, &positions_mm);
+                return Err(Unusable { sample: i, message, is_coarse });
             }
         }
         Ok(Self { time_s, positions_mm, angles_rad: angles_rad.iter().map(|a| followed(a)).collect() })
@@ -119,5 +127,32 @@ impl Stream {
     /// Samples of each measured angle, without jumps by full turns.
     pub fn angles_rad(&self) -> &[Vec<f64>] {
         &self.angles_rad
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Samples of a motion along x with these time stamps.
+    fn refused(time_s: &[f64], x_mm: impl Fn(usize) -> f64) -> Unusable {
+        let positions = (0..time_s.len()).map(|i| [x_mm(i), 0.0, 0.0]).collect();
+        Stream::new(time_s.to_vec(), positions, &[]).unwrap_err()
+    }
+
+    #[test]
+    fn coarse_time_stamps_repeat_and_never_decrease() {
+        let moving = |i: usize| i as f64;
+        let coarse = refused(&[0.0, 0.0, 0.01, 0.01, 0.02], moving);
+        assert!(coarse.is_coarse && coarse.sample == 1, "{coarse:?}");
+        // the second half of a recording before the first
+        let exchanged = refused(&[0.002, 0.003, 0.0, 0.001], moving);
+        assert!(!exchanged.is_coarse && exchanged.sample == 2, "{exchanged:?}");
+        // a row twice
+        let repeated = refused(&[0.0, 0.001, 0.001, 0.002], |i| [0.0, 1.0, 1.0, 2.0][i]);
+        assert!(!repeated.is_coarse && repeated.sample == 2, "{repeated:?}");
+        assert!(exchanged.message.is("time-not-increasing", &[("later_s", &0.0), ("earlier_s", &0.003)]));
+        let short = Stream::new(vec![0.0], vec![[0.0; 3]], &[]).unwrap_err();
+        assert!(!short.is_coarse && short.message.is("stream-too-short", &[]));
     }
 }

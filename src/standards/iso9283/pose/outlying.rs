@@ -2,22 +2,10 @@
 //! no reading): exchanged labels, placeholders, a measurement in motion. AP and RP contain them.
 
 use crate::iso9283::pose::test::{PoseTest, TestedPose};
-use etalon_base::pose::{Vector, centroid, minus, norm};
+use crate::outlying::{FarReading, Readings, far_readings};
+use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_math::statistics::median;
-
-/// Distance from the other readings, in standard deviations of a coordinate, beyond which a reading
-/// is outlying: normal scatter exceeds it once in 10¹² readings.
-const FAR: f64 = 8.0;
-/// Smallest standard deviation (mm) of a coordinate, for readings that are rounded to equal values.
-const LEAST_MM: f64 = 5e-4;
-/// Median distance of normal readings from their centre, in standard deviations of a coordinate, in
-/// the plane and in space (Rayleigh and Maxwell distribution).
-const MEDIAN_DISTANCE: [f64; 2] = [1.177, 1.538];
-/// Minimum number of readings of a pose, and of all poses.
-const FEWEST: [usize; 2] = [3, 10];
-/// Maximum share of outlying readings of a pose; more of them come from another approach.
-const SHARE: f64 = 0.1;
+use etalon_math::statistics::repeated_rows;
 
 /// Attained pose that is far from the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,89 +22,66 @@ pub struct OutlyingReading {
     pub near: Option<PoseName>,
 }
 
-/// Readings of one pose by one robot.
-struct Group {
+/// Attained pose that repeats an earlier one of its pose digit for digit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RepeatedReading {
+    /// Name of the pose.
+    pub pose: PoseName,
+    /// Number of the cycle.
+    pub cycle: i64,
+    /// Number of the cycle that is repeated.
+    pub first: i64,
+}
+
+/// Pose and cycles of the readings of one robot.
+struct Visits {
     pose: PoseName,
     cycles: Vec<i64>,
-    positions_mm: Vec<Vector>,
-    middle_mm: Vector,
-    distances_mm: Vec<f64>,
 }
 
 /// Returns the readings that are far from the others of their pose and from the readings before and
 /// after them, the farthest first. A drift moves neighbours alike.
 pub fn outlying_readings(test: &PoseTest) -> Vec<OutlyingReading> {
-    let robots: Vec<String> = test.robots().into_iter().map(str::to_owned).collect();
-    let mut found: Vec<OutlyingReading> = robots.iter().flat_map(|robot| by_robot(test, robot)).collect();
+    let mut found: Vec<OutlyingReading> = robots(test).iter().flat_map(|robot| by_robot(test, robot)).collect();
     found.sort_by(|a, b| b.distance_mm.total_cmp(&a.distance_mm));
     found
 }
 
-fn by_robot(test: &PoseTest, robot: &str) -> Vec<OutlyingReading> {
-    let group = |pose: &TestedPose| {
-        let read = pose.attained.iter().filter(|v| v.robot == robot);
-        Group::new(pose.pose, read.map(|v| (v.cycle, v.position_mm)).collect())
+/// Returns the readings that repeat an earlier reading of their pose digit for digit: rows that a
+/// table contains twice. Empty if rounding explains repeats.
+pub fn repeated_readings(test: &PoseTest) -> Vec<RepeatedReading> {
+    let of_pose = |(robot, pose): (&String, &TestedPose)| {
+        let read: Vec<_> = pose.attained.iter().filter(|v| v.robot == *robot).collect();
+        let positions: Vec<[f64; 3]> = read.iter().map(|v| v.position_mm).collect();
+        let repeat = |[i, first]: [usize; 2]| RepeatedReading {
+            pose: pose.pose,
+            cycle: read[i].cycle,
+            first: read[first].cycle,
+        };
+        repeated_rows(&positions).into_iter().map(repeat).collect::<Vec<_>>()
     };
-    let groups: Vec<Group> = test.poses.iter().filter_map(group).collect();
-    let all = || groups.iter().flat_map(|group| group.distances_mm.iter().copied());
-    if all().count() < FEWEST[1] {
-        return Vec::new();
-    }
-    let (common, factor) = (median(all()).unwrap_or(0.0), MEDIAN_DISTANCE[usize::from(test.spatial)]);
-    let of_group = |group: &Group| {
-        let own = median(group.distances_mm.iter().copied()).unwrap_or(0.0);
-        let least = FAR * (own.max(common) / factor).max(LEAST_MM);
-        group.beyond(least).into_iter().map(move |i| (i, own)).collect::<Vec<_>>()
-    };
-    let reading = |group: &Group, (i, median_mm): (usize, f64)| {
-        let away = |other: &Group| norm(minus(group.positions_mm[i], other.middle_mm));
-        let nearest = groups.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
-        OutlyingReading {
-            pose: group.pose,
-            cycle: group.cycles[i],
-            distance_mm: group.distances_mm[i],
-            median_mm,
-            near: nearest.map(|other| other.pose).filter(|other| *other != group.pose),
-        }
-    };
-    groups.iter().flat_map(|group| of_group(group).into_iter().map(move |i| reading(group, i))).collect()
+    robots(test).iter().flat_map(|robot| test.poses.iter().map(move |pose| (robot, pose))).flat_map(of_pose).collect()
 }
 
-impl Group {
-    /// Readings of a pose; `None` if they are too few for a median.
-    fn new(pose: PoseName, read: Vec<(i64, Vector)>) -> Option<Self> {
-        if read.len() < FEWEST[0] {
-            return None;
-        }
-        let (cycles, positions_mm): (Vec<i64>, Vec<Vector>) = read.into_iter().unzip();
-        let middle = |k: usize| median(positions_mm.iter().map(|p: &Vector| p[k])).unwrap_or(f64::NAN);
-        let middle_mm = [0, 1, 2].map(middle);
-        let distances_mm = positions_mm.iter().map(|p| norm(minus(*p, middle_mm))).collect();
-        Some(Self { pose, cycles, positions_mm, middle_mm, distances_mm })
-    }
+fn robots(test: &PoseTest) -> Vec<String> {
+    test.robots().into_iter().map(str::to_owned).collect()
+}
 
-    /// Indices of the readings that are farther than `least_mm` from the middle and from their
-    /// neighbours; none if they are many.
-    fn beyond(&self, least_mm: f64) -> Vec<usize> {
-        let far: Vec<usize> = (0..self.cycles.len()).filter(|&i| self.distances_mm[i] > least_mm).collect();
-        let most = (SHARE * self.cycles.len() as f64).max(1.0);
-        if far.len() as f64 > most {
-            return Vec::new();
-        }
-        far.into_iter().filter(|&i| self.deviation_from_neighbours(i) > least_mm).collect()
-    }
-
-    /// Distance (mm) from the centre of the two nearest readings in time.
-    fn deviation_from_neighbours(&self, i: usize) -> f64 {
-        let last = self.cycles.len() - 1;
-        let beside = match i {
-            0 => [1, 2],
-            i if i == last => [last - 1, last - 2],
-            i => [i - 1, i + 1],
-        };
-        let centre = centroid(&beside.map(|k| self.positions_mm[k])).unwrap_or(self.middle_mm);
-        norm(minus(self.positions_mm[i], centre))
-    }
+fn by_robot(test: &PoseTest, robot: &str) -> Vec<OutlyingReading> {
+    let group = |pose: &TestedPose| {
+        let read = || pose.attained.iter().filter(|v| v.robot == robot);
+        let readings = Readings::new(read().map(|v| v.position_mm).collect())?;
+        Some((Visits { pose: pose.pose, cycles: read().map(|v| v.cycle).collect() }, readings))
+    };
+    let (visits, groups): (Vec<Visits>, Vec<Readings>) = test.poses.iter().filter_map(group).unzip();
+    let reading = |FarReading { group, reading, distance_mm, median_mm }: FarReading| {
+        let away = |i: &usize| norm(minus(groups[group].positions_mm[reading], groups[*i].middle_mm));
+        let nearest = (0..groups.len()).min_by(|a, b| away(a).total_cmp(&away(b)));
+        let Visits { pose, ref cycles } = visits[group];
+        let near = nearest.map(|other| visits[other].pose).filter(|other| *other != pose);
+        OutlyingReading { pose, cycle: cycles[reading], distance_mm, median_mm, near }
+    };
+    far_readings(&groups, if test.spatial { 3 } else { 2 }).into_iter().map(reading).collect()
 }
 
 #[cfg(test)]
@@ -124,6 +89,7 @@ mod tests {
     use super::*;
     use crate::iso9283::pose::test::AttainedPose;
     use etalon_base::noise::Noise;
+    use etalon_base::pose::Vector;
 
     /// Thirty cycles of two poses with a scatter of 0.01 mm, of which `change` changes positions.
     fn test(change: impl Fn(usize, i64, Vector) -> Vector) -> PoseTest {
@@ -196,5 +162,23 @@ mod tests {
         // equal readings, one of them rounded to the next digit
         let rounded = |_, cycle, p: Vector| p.map(|v: f64| v.round() + if cycle == 3 { 0.001 } else { 0.0 });
         assert_eq!(outlying_readings(&test(rounded)), []);
+    }
+
+    #[test]
+    fn rows_that_a_table_contains_twice_are_named_with_the_first() {
+        let test = test(|_, _, p| p);
+        assert_eq!(repeated_readings(&test), []);
+        let mut twice = test.clone();
+        for pose in &mut twice.poses {
+            let again = pose.attained.clone();
+            // counted as further cycles
+            pose.attained.extend(again.into_iter().map(|v| AttainedPose { cycle: v.cycle + 30, ..v }));
+        }
+        let found = repeated_readings(&twice);
+        assert_eq!(found.len(), 60);
+        assert_eq!(found[0], RepeatedReading { pose: 1.into(), cycle: 31, first: 1 });
+        // repeats that are rounded to 0.02 mm, of a scatter of 0.01 mm
+        let rounded = |_, _, p: Vector| p.map(|v: f64| (50.0 * v).round() / 50.0);
+        assert_eq!(repeated_readings(&self::test(rounded)), []);
     }
 }
