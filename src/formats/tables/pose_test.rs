@@ -69,6 +69,11 @@ pub fn pose_test(
         poses.extend(names.into_iter().map(pose));
     }
     let mut seen = BTreeSet::new();
+    let cycles: Vec<i64> = visits.iter().map(|visit| visit.cycle).collect();
+    let is_repeat = |i: usize, j: &usize| {
+        let same = |k: usize| (a.poses[k], cycles[k], a.positions_mm[k], &a.angles_rad[k]);
+        same(i) == same(*j)
+    };
     let several = attained.has("reading");
     for (i, (visit, pose)) in visits.into_iter().zip(&a.poses).enumerate() {
         let approach = attained.has("approach").then(|| visit.approach.clone());
@@ -86,6 +91,11 @@ pub fn pose_test(
             Some(before) if several => before.read_again(&visit),
             _ if !first => {
                 let message = error!("pose-attained-twice", pose = pose.to_string(), cycle = visit.cycle);
+                let line = (0..i).find(|j| is_repeat(i, j)).and_then(|first| attained.line(first));
+                let message = match line {
+                    Some(line) => message.hint(phrase!("row-repeats", line)),
+                    None => message,
+                };
                 problems.0.push(message.at(attained.place(i)));
             }
             _ => place.attained.push(visit),

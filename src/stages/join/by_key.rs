@@ -67,7 +67,15 @@ pub(super) fn by_key(targets: &[Target], log: &JointLog, keys: &[&str], remarks:
     });
     let twice: Vec<_> = twice.collect();
     if !twice.is_empty() {
-        return Err(error!("log-key-twice", log = name, count = twice.len(), keys = twice).into());
+        let same = |pair: &[(Key, usize)]| log.rows[pair[0].1].joints == log.rows[pair[1].1].joints;
+        let are_repeats = logged.groups().all(|rows| rows.windows(2).all(same));
+        let message = error!("log-key-twice", log = name, count = twice.len(), keys = twice);
+        let message = match (are_repeats, keys.contains(&"cycle")) {
+            (true, _) => message.hint(phrase!("remove-repeated-rows")),
+            (false, true) => message.hint(phrase!("remove-invalid-rows")),
+            (false, false) => message,
+        };
+        return Err(message.into());
     }
     let alone = [measured.without(&logged), logged.without(&measured)];
     misspelt(keys, targets, &measured, log, &logged)?;

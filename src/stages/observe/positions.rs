@@ -35,7 +35,13 @@ pub fn grouped(
             let error = match what {
                 Contradiction::NotFinite => error!("table-value-missing"),
                 Contradiction::OtherJoints => error!("joints-of-pose-differ"),
-                Contradiction::MeasuredTwice => error!("target-repeated", target = robot.targets()[m.target]),
+                Contradiction::MeasuredTwice => {
+                    let message = error!("target-repeated", target = robot.targets()[m.target]);
+                    match measured[..row].iter().position(|other| other == m).and_then(|first| place(first).line) {
+                        Some(line) => message.hint(phrase!("row-repeats", line)),
+                        None => message,
+                    }
+                }
             };
             Err(error.within(phrase!("in-observation", pose = m.pose, cycle = m.cycle)).at(place(row)).into())
         }

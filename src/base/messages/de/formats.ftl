@@ -331,6 +331,8 @@ recording-time-missing = die Aufzeichnung hat keine Zeitspalte
     .expected = eine Spalte `time_s` oder die Abtastrate
     .hint = die Abtastrate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
 
+row-repeats = diese Zeile entfernen: sie wiederholt Zeile { $line } Ziffer für Ziffer
+
 state-sampling-rate = die Abtastrate angeben (`--rate-hz`): die Zeitstempel sind gröber als die Abtastung
 
 rate-contradicts-stamps = { $samples } Abtastwerte mit { $rate_hz } Hz dauern { FIXED($by_rate_s, 2) } s; ihre Zeitstempel umfassen { FIXED($stamped_s, 2) } s

@@ -204,6 +204,9 @@ row-is-a-pose = `{ $file }` hat `pose = "row"`, sodass jede Zeile eine eigene Po
 
 key-in-lines = { $key } (Zeilen { $lines })
 
+remove-repeated-rows = die doppelten Zeilen entfernen: ihre Gelenkwerte sind Ziffer für Ziffer gleich
+remove-invalid-rows = die ungültigen Zeilen entfernen
+
 log-key-twice = Protokoll `{ $log }` enthält { $count ->
         [one] 1 Schlüssel
        *[other] { $count } Schlüssel

@@ -417,6 +417,9 @@ row-is-a-pose = `{ $file }` has `pose = "row"`, so each row is a separate pose: 
 
 key-in-lines = { $key } (lines { $lines })
 
+remove-repeated-rows = remove the repeated rows: their joint values are equal digit for digit
+remove-invalid-rows = remove the invalid rows
+
 # Means: Several rows of the log have the same pose, or the same pose and cycle.
 # Matters: It is unknown which joint values belong to the measured points.
 # Do: Join by pose and cycle, or remove the rows that are not valid.

@@ -204,6 +204,9 @@ row-is-a-pose = `{ $file }` indique `pose = "row"` : chaque ligne est alors une
 
 key-in-lines = { $key } (lignes { $lines })
 
+remove-repeated-rows = supprimer les lignes doubles : leurs valeurs articulaires sont égales chiffre pour chiffre
+remove-invalid-rows = supprimer les lignes non valables
+
 log-key-twice = le journal `{ $log }` contient { $count ->
         [one] { $count } clé
        *[other] { $count } clés
