@@ -113,6 +113,9 @@ class Robot:
             modified: Modified parameters (Craig) instead of the standard ones.
             prismatic: True for prismatic joints; all are revolute if None.
             limits: Lower and upper limit of each joint, ``(joints, 2)``, deg or mm; infinite without a limit.
+
+        Raises:
+            Error: The lengths differ, or angles are in radians.
         """
         stated = {"alpha_deg": alpha_deg, "a_mm": a_mm, "theta_deg": theta_deg, "d_mm": d_mm}
         columns = {name: numbers(values, name).ravel() for name, values in stated.items()}
@@ -130,7 +133,10 @@ class Robot:
                 keys["limits_mm" if slide else "limits_deg"] = str([float(end) for end in ends[joint]])
             rows.append("  { " + ", ".join(f"{key} = {value}" for key, value in keys.items()) + " },")
         convention = "mdh" if modified else "dh"
-        return cls.from_toml("\n".join(['model = "serial"', f'convention = "{convention}"', "joint = [", *rows, "]", ""]))
+        try:
+            return cls.from_toml("\n".join(['model = "serial"', f'convention = "{convention}"', "joint = [", *rows, "]", ""]))
+        except Error as error:
+            raise error.with_hint("joint-angle-unit", "give degrees: `np.degrees(alpha)`, `np.degrees(theta)`") from None
 
     @classmethod
     def from_urdf(

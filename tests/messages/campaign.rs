@@ -134,6 +134,12 @@ const JOINED: &[Case] = &[
     ),
     ("gravity-without-direction", "column-arm", &[("robot.toml", "bending", "gravity = [0, 0, 0]\nbending")], CHECK),
     (
+        "joint-angle-unit key=theta_deg unit=deg",
+        "draw-wire",
+        &[("robot.toml", "a_mm = 70, theta_deg = 0", "a_mm = 70, theta_deg = 1.5708")],
+        CHECK,
+    ),
+    (
         "not-screw-axis",
         "probe-poses",
         &[(

@@ -310,6 +310,12 @@ impl Message {
     /// A hint that proposes the nearest of the names that exist, or lists them.
     pub fn hint_names<'a>(self, wrong: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         let names: Vec<&str> = names.into_iter().collect();
+        // a name without its unit: the unit is never chosen for the reader
+        let in_units: Vec<String> =
+            names.iter().filter(|name| is_in_unit(name, wrong)).map(|name| format!("`{name}`")).collect();
+        if in_units.len() > 1 {
+            return self.hint(phrase!("name-without-unit", names = in_units));
+        }
         match nearest(wrong, names.iter().copied()) {
             Some(name) => match other_unit(wrong, name) {
                 Some((from, factor, to)) => self.hint(phrase!("meant-in-unit", name, from, factor, to)),
@@ -377,6 +383,11 @@ const UNITS: [(&str, f64, bool); 8] = [
     ("um", 1e-3, false),
     ("inch", 25.4, false),
 ];
+
+/// `true` if a name is another name with a unit behind it: `alpha_deg` for `alpha`.
+fn is_in_unit(name: &str, bare: &str) -> bool {
+    name.rsplit_once('_').is_some_and(|(stem, unit)| stem == bare && UNITS.iter().any(|known| known.0 == unit))
+}
 
 /// Units of two names that differ only in the unit, and the factor between them: rad, 57.29577951,
 /// deg.
@@ -649,6 +660,18 @@ mod tests {
         assert_eq!(nearest("z_mm", ["x_mm", "Z_mm"]), Some("Z_mm"));
         assert_eq!(nearest("y_mn", ["x_mm", "y_mm"]), Some("y_mm"));
         assert_eq!(nearest("coverage_facter", ["name", "coverage_factor"]), Some("coverage_factor"));
+    }
+
+    #[test]
+    fn a_name_without_its_unit_has_every_unit_in_the_hint() {
+        let hint = |wrong: &str| {
+            let known = ["alpha_deg", "alpha_rad", "a_mm", "a_m", "name"];
+            Message::error("unknown key").hint_names(wrong, known).arguments["hint"].clone()
+        };
+        let units = |names: [&str; 2]| phrase!("name-without-unit", names).argument();
+        assert_eq!(hint("alpha"), units(["`alpha_deg`", "`alpha_rad`"]));
+        assert_eq!(hint("a"), units(["`a_mm`", "`a_m`"]));
+        assert_eq!(hint("nam"), phrase!("did-you-mean", name = "name").argument());
     }
 
     #[test]

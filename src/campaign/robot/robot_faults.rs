@@ -22,6 +22,14 @@ pub(crate) fn message(fault: &FaultKind, spellings: &dyn Fn(&str) -> Vec<String>
             let keys: Vec<String> = spellings(key).iter().map(|key| format!("`{key}`")).collect();
             error!("keys-state-the-same", keys)
         }
+        Kind::AngleUnit { key, angle_rad } => {
+            let mut keys = spellings(key);
+            let key = keys.remove(0);
+            let other = keys.pop().unwrap_or_default();
+            let is_rad = key.ends_with("_rad");
+            let value = if is_rad { *angle_rad } else { angle_rad.to_degrees() };
+            error!("joint-angle-unit", key, value, other, unit = if is_rad { "rad" } else { "deg" })
+        }
         Kind::LegCount(count) => error!("leg-count", count),
         Kind::SingularHome => error!("hexapod-singular"),
         Kind::NoJoints => error!("no-joints"),

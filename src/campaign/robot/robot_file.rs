@@ -708,6 +708,12 @@ mod tests {
                     "2: not-denavit-hartenberg Text(\"point_m\")",
                 ],
             ),
+            (serial(&DH.replace("alpha_deg = 0", "alpha_rad = -90")), &["2: joint-angle-unit Text(\"alpha_rad\")"]),
+            (
+                serial(&DH.replace("theta_deg = 0", "theta_deg = -3.14159")),
+                &["2: joint-angle-unit Text(\"theta_deg\")"],
+            ),
+            (serial(&DH.replace("alpha_deg", "alpha")), &["3: unknown-key List([Text(\"`alpha`\")])"]),
             (
                 serial(&format!("convention = \"poe\"\n{DH}")),
                 &[

@@ -17,6 +17,7 @@ use crate::{
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, unit};
 use std::cmp::Ordering;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Serial arm.
 pub(crate) const MODEL: Model = Model::new::<Keys>("serial");
@@ -202,6 +203,20 @@ impl EffectKeys {
     }
 }
 
+/// Largest twist or offset of a joint (rad): two turns.
+const MOST_RAD: f64 = 4.0 * PI;
+/// Maximum deviation of a number from a multiple of π/2 that is written with five digits.
+const QUARTER: f64 = 5e-5;
+
+/// `true` for degrees that were read as radians, and for one to four quarter turns in radians that
+/// were read as degrees: 1.5708 deg is no twist of a robot.
+fn is_in_other_unit(angle_rad: f64) -> bool {
+    let written = angle_rad.to_degrees();
+    let quarters = (written / FRAC_PI_2).round();
+    let is_quarter = (1.0..=4.0).contains(&quarters.abs()) && (written - quarters * FRAC_PI_2).abs() < QUARTER;
+    is_quarter || angle_rad.abs() > MOST_RAD
+}
+
 /// Description of a joint of a serial arm.
 struct JointKeys {
     alpha_rad: Stated<f64>,
@@ -290,6 +305,11 @@ impl JointKeys {
         let a_mm = once("a", self.a_mm);
         let theta_rad = once("theta", self.theta_rad);
         let d_mm = once("d", self.d_mm);
+        for (key, angle_rad) in [("alpha", alpha_rad), ("theta", theta_rad)] {
+            if is_in_other_unit(angle_rad) {
+                faults.add(at(), FaultKind::AngleUnit { key, angle_rad });
+            }
+        }
         if self.direction.is_some() {
             faults.add(at(), FaultKind::NotDenavitHartenberg("direction"));
         }

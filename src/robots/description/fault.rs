@@ -39,6 +39,14 @@ pub enum FaultKind {
     Missing(&'static str),
     /// A value is given in both of its units.
     StatedTwice(&'static str),
+    /// A twist or offset of a joint is in another unit than its key: degrees in a key of radians, or
+    /// a multiple of a quarter turn in radians in a key of degrees.
+    AngleUnit {
+        /// Key of the angle.
+        key: &'static str,
+        /// Angle as the key gives it.
+        angle_rad: f64,
+    },
     /// A hexapod does not have six legs.
     LegCount(usize),
     /// The legs do not hold the platform at its home pose (singular configuration).

@@ -11,6 +11,8 @@ expected-whole-number = ganze Zahl von 0 bis { $most } erwartet
 is-a-folder = es ist ein Ordner
 meant-in-unit = in `{ $name }` umrechnen: 1 { $from } = { $factor } { $to }
 
+name-without-unit = die Einheit ergänzen: { $names }
+
 known-names = einen dieser Namen verwenden: { $names }
 
 known-names-first = einen dieser Namen verwenden: { $names }, ...

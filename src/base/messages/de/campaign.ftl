@@ -58,6 +58,12 @@ gravity-without-direction = `gravity` hat keine Richtung
 not-denavit-hartenberg = `{ $key }` ist kein Denavit-Hartenberg-Parameter
     .hint = `{ $key }` gehört zu `convention = "poe"`
 
+joint-angle-unit = `{ $key }` = { FIXED($value, 4) } { $unit ->
+        [rad] ist mehr als zwei Umdrehungen: der Wert ist in Grad
+       *[deg] ist ein Vielfaches von π/2: der Wert ist im Bogenmaß
+    }
+    .hint = den Wert als `{ $other }` angeben
+
 not-screw-axis = eine Schraubachse hat weder Denavit-Hartenberg-Parameter noch `parallel`
     .hint = `direction` und `point_mm` angeben
 

@@ -11,6 +11,8 @@ expected-whole-number = expected a whole number from 0 to { $most }
 is-a-folder = it is a folder
 meant-in-unit = convert to `{ $name }`: 1 { $from } is { $factor } { $to }
 
+name-without-unit = add the unit: { $names }
+
 known-names = use one of: { $names }
 
 known-names-first = use one of: { $names }, ...

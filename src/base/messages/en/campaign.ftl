@@ -134,6 +134,17 @@ gravity-without-direction = `gravity` has no direction
 not-denavit-hartenberg = `{ $key }` is not a Denavit-Hartenberg parameter
     .hint = it belongs to `convention = "poe"`
 
+# Means: A twist or an offset of a joint is in another unit than its key says. Either the value is in
+# degrees under a key of radians, or it is a quarter turn in radians under a key of degrees.
+# Matters: All poses of the robot would be wrong.
+# Do: Write the value with the key of its unit.
+# Example: `alpha_deg = 1.5708`
+joint-angle-unit = `{ $key }` = { FIXED($value, 4) } is { $unit ->
+        [rad] more than two turns: the value is in degrees
+       *[deg] a multiple of π/2: the value is in radians
+    }
+    .hint = write the value as `{ $other }`
+
 # Means: Denavit-Hartenberg parameters or `parallel` are given for a screw axis.
 # Matters: These keys have no effect.
 # Do: Set `direction` and `point_mm`.

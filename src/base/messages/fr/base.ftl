@@ -11,6 +11,8 @@ expected-whole-number = nombre entier de 0 à { $most } attendu
 is-a-folder = c’est un dossier
 meant-in-unit = convertir en `{ $name }` : 1 { $from } = { $factor } { $to }
 
+name-without-unit = ajouter l’unité : { $names }
+
 known-names = utiliser l’un de ces noms : { $names }
 
 known-names-first = utiliser l’un de ces noms : { $names }, ...

@@ -58,6 +58,12 @@ gravity-without-direction = `gravity` n’a pas de direction
 not-denavit-hartenberg = `{ $key }` n’est pas un paramètre de Denavit-Hartenberg
     .hint = `{ $key }` appartient à `convention = "poe"`
 
+joint-angle-unit = `{ $key }` = { FIXED($value, 4) } { $unit ->
+        [rad] fait plus de deux tours : la valeur est en degrés
+       *[deg] est un multiple de π/2 : la valeur est en radians
+    }
+    .hint = indiquer la valeur comme `{ $other }`
+
 not-screw-axis = un axe de vissage n’a ni paramètres de Denavit-Hartenberg ni `parallel`
     .hint = indiquer `direction` et `point_mm`
 
