@@ -75,6 +75,7 @@ pub(crate) fn changes(robot: &dyn Robot, data: &Data, readings: &[Reading]) -> V
     table.units();
     table.targets();
     table.fixtures();
+    table.inverse_poses();
     table.orientations(readings);
     table.all
 }
@@ -276,6 +277,15 @@ impl Table<'_> {
             .collect();
         for (what, [one, other]) in exchanges {
             self.add(what, |data| data.exchange_fixtures([&one, &other]));
+        }
+    }
+
+    /// Measured poses the other way round: the instrument in the frame of the target.
+    fn inverse_poses(&mut self) {
+        if self.robot.dimension() == 3 && self.data.has_poses() {
+            let first = self.all.len();
+            self.add(phrase!("slip-poses-inverse"), Data::invert_poses);
+            self.list(first, Listing::Never);
         }
     }
 

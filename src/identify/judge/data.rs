@@ -1,9 +1,9 @@
 //! Data of a judgement: observations of every kind, with the settings under which they are judged.
 
 use crate::solution::placing::{readings, spread_over, with_few_targets};
-use crate::{Between, Condition, Kind, Known, Observation, ResidualKind, Separation, Settings};
+use crate::{Between, Condition, Kind, Known, Observation, Orientation, ResidualKind, Separation, Settings};
 use etalon_base::noise::Noise;
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
 use etalon_robots::{Quantity, Robot, Role};
 use std::collections::{BTreeMap, BTreeSet};
@@ -223,6 +223,43 @@ impl Data {
         shifted
     }
 
+    /// Orientations in the world, by pose, cycle and target.
+    fn bodies(&self) -> BTreeMap<(PoseName, i64, usize), Pose> {
+        let body = |c: &Condition| match c.kind {
+            Kind::Orientation(Orientation { frame_T_body, station: None, .. }) => {
+                Some(((c.pose, c.cycle, c.target), frame_T_body))
+            }
+            _ => None,
+        };
+        self.settings.conditions.iter().filter_map(body).collect()
+    }
+
+    /// `true` if position and orientation of a target are measured together.
+    pub fn has_poses(&self) -> bool {
+        let bodies = self.bodies();
+        let seen = |o: &Observation, k: usize| o.targets[k].is_some() && bodies.contains_key(&(o.pose, o.cycle, k));
+        self.observations.iter().any(|o| (0..o.targets.len()).any(|k| seen(o, k)))
+    }
+
+    /// Inverts every measured pose: its position and its orientation.
+    pub fn invert_poses(&mut self) {
+        let bodies = self.bodies();
+        for o in &mut self.observations {
+            for (k, at) in o.targets.iter_mut().enumerate() {
+                if let (Some(p), Some(body)) = (at, bodies.get(&(o.pose, o.cycle, k))) {
+                    *p = body.inverse().rotate(p.map(|v| -v));
+                }
+            }
+        }
+        for c in &mut self.settings.conditions {
+            if let Kind::Orientation(observed) = &mut c.kind
+                && observed.station.is_none()
+            {
+                observed.frame_T_body = observed.frame_T_body.inverse();
+            }
+        }
+    }
+
     /// Targets with at least one position, and the number of positions of each.
     pub fn readings(&self, robot: &dyn Robot) -> Vec<(usize, usize)> {
         readings(robot, &self.observations)
@@ -306,6 +343,36 @@ mod tests {
             observed.chain(shifted.settings.conditions.iter().map(|c| number(c.pose, &c.joints))).collect();
         let expected: BTreeMap<PoseName, f64> = (2..=6).map(|pose: i64| (pose.into(), pose as f64 - 1.0)).collect();
         assert_eq!(all, expected);
+    }
+
+    #[test]
+    fn measured_poses_are_inverted_as_a_whole() {
+        let pose = Pose { translation_mm: [100.0, -20.0, 300.0], ..Pose::from_xyz_rpy([0.0; 3], [0.3, -0.7, 1.1]) };
+        let mut data = alternating();
+        data.observations[0].targets[0] = Some(pose.translation_mm);
+        assert!(!data.has_poses());
+        let turned =
+            Orientation { frame_T_body: Pose { translation_mm: [0.0; 3], ..pose }, station: None, mounting: 0 };
+        let same = data.observations[0].clone();
+        data.settings.conditions.push(Condition {
+            pose: same.pose,
+            cycle: same.cycle,
+            joints: same.joints,
+            target: 0,
+            kind: Kind::Orientation(turned),
+            standard_uncertainty: 0.001,
+        });
+        assert!(data.has_poses());
+        let mut inverse = data.clone();
+        inverse.invert_poses();
+        let moved = pose.inverse().translation_mm;
+        let found = inverse.observations[0].targets[0].unwrap();
+        assert!(moved.iter().zip(found).all(|(a, b)| (a - b).abs() < 1e-9), "{moved:?} {found:?}");
+        // a position without an orientation stays, and twice is once
+        assert_eq!(inverse.observations[1].targets, data.observations[1].targets);
+        inverse.invert_poses();
+        let back = inverse.observations[0].targets[0].unwrap();
+        assert!(pose.translation_mm.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-9), "{back:?}");
     }
 
     #[test]
