@@ -21,8 +21,10 @@ from ._errors import Error
 Table = Any
 
 
-#: Path or name for messages, CSV text of a table in memory, and sheet of this file alone.
-Named = tuple[str, str | None, str | None]
+#: A table for the native part: path or name for messages, CSV text of a table in memory, sheet and headings of this table alone.
+Named = dict[str, Any]
+#: Headings of columns that are called otherwise in the table: a heading, a number from 1, or an expression.
+Columns = Mapping[str, str | int]
 
 
 @dataclass(frozen=True)
@@ -65,12 +67,13 @@ class Marks:
             books = [name for name, table in tables.items() if is_path(table) and str(os.fspath(table)).lower().endswith((".xlsx", ".xlsm"))]
             raise (error.with_hint("sheet-not-stated", _sheets(error, books)) if len(books) > 1 else error) from None
 
-    def named(self, table: Any, name: str) -> Named:
-        """Return the path of a file with its own sheet, or the name of a table for messages and its CSV text."""
+    def named(self, table: Any, name: str, columns: Columns | None = None) -> Named:
+        """Return the path of a file with its own sheet, or the name of a table for messages and its CSV text; with headings of its own."""
+        own = [f"{column}={heading}" for column, heading in (columns or {}).items()]
         if not is_path(table):
-            return (name, text_of(table, name, self.decimal), None)
-        own = self.sheet.get(name) if isinstance(self.sheet, Mapping) else None
-        return (os.fspath(table), None, own)
+            return {"name": name, "text": text_of(table, name, self.decimal), "sheet": None, "columns": own}
+        sheet = self.sheet.get(name) if isinstance(self.sheet, Mapping) else None
+        return {"name": os.fspath(table), "text": None, "sheet": sheet, "columns": own}
 
 
 def _sheets(error: Error, books: list[str]) -> str:

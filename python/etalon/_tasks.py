@@ -14,7 +14,7 @@ from ._errors import Error, row_words, with_warnings
 from ._options import Progress, called, whole
 from ._residuals import Residuals
 from ._robot import Robot, Targets, robot_of
-from ._tables import Marks, is_path
+from ._tables import Columns, Marks, Named, is_path
 from .documents import load
 from .kinematics import _needed
 
@@ -52,8 +52,8 @@ RotationOrder = Literal[
 Problem = Literal["tool-point", "tool-reflector", "tool-axes", "hand-eye", "object", "three-points", "linear-axis", "rotary-axis"]
 Mounting = Literal["target", "sensor"]
 DecisionRule = Literal["simple-acceptance", "guarded", "shared-risk"]
-#: Headings of columns that are called otherwise in the table: a heading, a number from 1, or an expression.
-Columns = Mapping[str, str | int]
+#: Headings of all tables of a call, or of each table by the name of its argument.
+ColumnsByTable = Columns | Mapping[str, Columns]
 
 
 class Identification(documents.ParametersDocument, Residuals):
@@ -427,7 +427,7 @@ def iso9283(
     seed: int = 1,
     pose: Literal["row"] | None = None,
     cycle: Literal["visit"] | None = None,
-    columns: Columns | None = None,
+    columns: ColumnsByTable | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
     sheet: str | Mapping[str, str] | None = None,
@@ -450,7 +450,7 @@ def iso9283(
         seed: Seed of the bootstrap intervals.
         pose: As in :func:`identify`, for all three tables.
         cycle: ``"visit"``: the n-th row of a pose is cycle n, of a table without that column whose rows are in the order of recording.
-        columns: As in :func:`identify`, for all three tables.
+        columns: As in :func:`identify`, for all three tables; by the name of the argument if they differ: ``{"attained": {"x_m": "X"}}``.
         delimiter: As in :func:`identify`, for all three tables.
         decimal: As in :func:`identify`, for all three tables.
         sheet: As in :func:`identify`, for all files; by the name of the argument if they differ: ``{"attained": "Measured", "commanded": "Programmed"}``.
@@ -470,12 +470,18 @@ def iso9283(
         rotation_order=rotation_order,
     )
     marks = Marks(delimiter, decimal, sheet)
-    stated = marks.options(attained=attained, commanded=commanded, reference=reference)
+    tables = {"attained": attained, "commanded": commanded, "reference": reference}
     counted = {"cycle": cycle} if cycle is not None else None
-    reading = _json(pose=pose, constant=counted, column=_headings(columns), **stated)
-    beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("reference", reference))]
-    with marks.apart(attained=attained, commanded=commanded, reference=reference):
-        found = _loaded(_etalon.iso9283(marks.named(attained, "attained"), beside, [options, reading], whole(seed, "seed")), attained, commanded, reference)
+    shared, own = _by_table(columns, tables)
+    reading = _json(pose=pose, constant=counted, column=shared, **marks.options(**tables))
+    named = [None if table is None else marks.named(table, name, own.get(name)) for name, table in tables.items()]
+    with marks.apart(**tables):
+        try:
+            text = _etalon.iso9283(_first(named, "attained"), named[1:], [options, reading], whole(seed, "seed"))
+        except Error as error:
+            raise _with_own_units(error, columns) from None
+    found = _loaded(text, attained, commanded, reference)
+    _state_own_columns(found, columns)
     return cast(documents.Iso9283Document, with_warnings(found))
 
 
@@ -493,7 +499,7 @@ def iso9283_path(
     velocity_mm_s: float | None = None,
     central_percent: float = 50.0,
     seed: int = 1,
-    columns: Columns | None = None,
+    columns: ColumnsByTable | None = None,
     delimiter: str | None = None,
     decimal: str | None = None,
     sheet: str | Mapping[str, str] | None = None,
@@ -513,7 +519,7 @@ def iso9283_path(
         velocity_mm_s: Commanded velocity on the path, mm/s.
         central_percent: Central part of the path over which velocities are compared, %.
         seed: Seed of the bootstrap intervals.
-        columns: As in :func:`identify`, for all three tables.
+        columns: As in :func:`identify`, for all three tables; by the name of the argument if they differ: ``{"path": {"x_m": "X"}}``.
         delimiter: As in :func:`identify`, for all three tables.
         decimal: As in :func:`identify`, for all three tables.
         sheet: As in :func:`identify`, for all files; by the name of the argument if they differ: ``{"recording": "Measured", "commanded": "Programmed"}``.
@@ -525,6 +531,8 @@ def iso9283_path(
         Error: A table does not read, or the recording does not show the motion.
     """
     marks = Marks(delimiter, decimal, sheet)
+    tables = {"recording": recording, "commanded": commanded, "path": path}
+    shared, own = _by_table(columns, tables)
     options = _json(
         rate_hz=rate_hz,
         still_mm=still_mm,
@@ -534,13 +542,13 @@ def iso9283_path(
         path_points=path_points,
         velocity_mm_s=velocity_mm_s,
         central_percent=central_percent,
-        column=_headings(columns),
-        **marks.options(recording=recording, commanded=commanded, path=path),
+        column=shared,
+        **marks.options(**tables),
     )
-    beside = [None if table is None else marks.named(table, name) for name, table in (("commanded", commanded), ("path", path))]
-    with marks.apart(recording=recording, commanded=commanded, path=path):
-        found = _loaded(_etalon.iso9283_path(marks.named(recording, "recording"), beside, options, whole(seed, "seed")), recording, commanded, path)
-    return cast(documents.Iso9283StreamDocument, with_warnings(found))
+    named = [None if table is None else marks.named(table, name, own.get(name)) for name, table in tables.items()]
+    with marks.apart(**tables):
+        text = _etalon.iso9283_path(_first(named, "recording"), named[1:], options, whole(seed, "seed"))
+    return cast(documents.Iso9283StreamDocument, with_warnings(_loaded(text, recording, commanded, path)))
 
 
 def iso230(
@@ -633,7 +641,79 @@ def _with_units(error: Error, joints: Sequence[str], columns: dict[str, str | in
     return error
 
 
-def _headings(columns: Columns | None) -> dict[str, str | int]:
-    if columns is not None and not isinstance(columns, Mapping):
+#: Columns of a unit of length, by the unit.
+_LENGTHS = {"m": "m", "inch": "inch"}
+
+
+def _by_table(columns: ColumnsByTable | None, tables: Mapping[str, Any]) -> tuple[dict[str, str | int], dict[str, dict[str, str | int]]]:
+    """Return the headings of all tables of a call, and those of each table."""
+    stated = {} if columns is None else dict(_mapping(columns))
+    own = {name: _headings(value) for name, value in stated.items() if isinstance(value, Mapping)}
+    present = [name for name, table in tables.items() if table is not None]
+    wrong = sorted(set(own) - set(present))
+    if wrong:
+        raise Error(f"`columns` names {', '.join(wrong)}: expected tables of this call ({', '.join(present)})")
+    return {name: value for name, value in stated.items() if not isinstance(value, Mapping)}, own
+
+
+def _first(named: Sequence[Named | None], name: str) -> Named:
+    """Return the table that a call needs."""
+    if named[0] is None:
+        raise Error(f"`{name}` is None: expected a table")
+    return named[0]
+
+
+def _merged(columns: ColumnsByTable | None, table: str, changed: Mapping[str, str | int], replaced: Iterable[str]) -> str:
+    """Return `columns` of a call with other headings of one table as JSON text; columns that the new ones replace are left out."""
+    stated: dict[str, Any] = dict(columns or {})
+    own = {name: value for name, value in dict(stated.get(table, {})).items() if name not in set(replaced)}
+    return json.dumps({**stated, table: own | dict(changed)}, ensure_ascii=False)
+
+
+def _heading_of(columns: ColumnsByTable | None, table: str, name: str) -> str | int:
+    """Return the heading that a column has in a table."""
+    stated: dict[str, Any] = dict(columns or {})
+    own: dict[str, Any] = dict(stated.get(table, {}))
+    heading: str | int = own.get(name, stated.get(name, name))
+    return heading
+
+
+def _with_own_units(error: Error, columns: ColumnsByTable | None) -> Error:
+    """Return an error that finds the positions of one table in another unit, with the columns of this table in this unit."""
+    for message in error.messages:
+        unit, table, axes = (message.arguments.get(name) for name in ("unit", "table", "axes"))
+        if message.id != "positions-in-other-unit" or table not in ("attained", "commanded") or unit not in _LENGTHS or not isinstance(axes, list):
+            continue
+        changed = {f"{axis}_{unit}": _heading_of(columns, str(table), f"{axis}_mm") for axis in axes}
+        remedy = _merged(columns, str(table), changed, [f"{axis}_mm" for axis in axes])
+        error = error.with_hint("positions-in-other-unit", f"set `columns={remedy}`, or convert the values to mm")
+    return error
+
+
+def _state_own_columns(found: documents.Document, columns: ColumnsByTable | None) -> None:
+    """Write the headings of the attained poses into the hint of a message that finds their columns exchanged."""
+    for message in found._members.get("messages") or []:
+        stated = message.get("arguments", {})
+        names = [f"{axis}_mm" for axis in stated.get("columns", [])]
+        if message.get("id") != "coordinates-exchanged" or not names:
+            continue
+        headings = [_heading_of(columns, "attained", name) for name in names]
+        changed: dict[str, str | int]
+        if stated.get("change") == "sign":
+            changed = {names[0]: f"-{headings[0]}"}
+        elif stated.get("change") == "swapped":
+            changed = dict(zip(names, headings[::-1]))
+        else:
+            changed = dict(zip(("x_mm", "y_mm", "z_mm"), headings))
+        remedy = _merged(columns, "attained", changed, names)
+        message["hint"] = f"if the attained poses are wrong, set `columns={remedy}`; if the commanded poses are wrong, exchange their columns likewise"
+
+
+def _mapping(columns: Any) -> Mapping[str, Any]:
+    if not isinstance(columns, Mapping):
         raise Error(f"`columns` is of type {type(columns).__name__}: expected headings by etalon's names, such as {{\"q1_deg\": \"J1\"}}")
-    return dict(columns or {})
+    return columns
+
+
+def _headings(columns: Columns | None) -> dict[str, str | int]:
+    return {} if columns is None else dict(_mapping(columns))

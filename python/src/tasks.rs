@@ -11,15 +11,44 @@ use etalon::tasks::{self, RecordingTables, Table, TableFormat, TestTables, parse
 use pyo3::prelude::*;
 use std::path::Path;
 
-/// Path of a file, or the name of a table and its CSV text; and the sheet of a workbook, if it is
-/// that of this file alone.
-type Named = (String, Option<String>, Option<String>);
+/// A table: its path, or its name and CSV text.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Named {
+    /// Path, or name for messages.
+    name: String,
+    /// CSV text of a table in memory.
+    text: Option<String>,
+    /// Sheet of a workbook, if it is that of this file alone.
+    sheet: Option<String>,
+    /// Headings of this table alone, `NAME=HEADING`.
+    columns: Vec<String>,
+}
+
+impl Named {
+    /// The table without the headings of its own.
+    fn table(&self) -> Table<'_> {
+        match (&self.text, &self.sheet) {
+            (Some(text), _) => Table::Text { name: &self.name, text },
+            (None, Some(sheet)) => Table::Sheet { path: Path::new(&self.name), sheet },
+            (None, None) => Table::File(Path::new(&self.name)),
+        }
+    }
+
+    /// A table with the headings of its own.
+    fn headed<'a>(&'a self, table: &'a Table<'a>) -> Table<'a> {
+        match &self.columns[..] {
+            [] => *table,
+            columns => Table::Headed { table, columns },
+        }
+    }
+}
 
 /// `parameters.json` identified from a table of observations, and the errors of its readings as
 /// columns.
 #[pyfunction]
 pub fn identify(py: Python<'_>, robot: &Robot, observations: Named, options: &str) -> PyResult<(String, String)> {
-    let (inputs, options) = (robot.inputs(table(&observations)), parse_options(options).map_err(refused)?);
+    let (inputs, options) = (robot.inputs(observations.table()), parse_options(options).map_err(refused)?);
     let found = compute_long(py, None, |_| tasks::identify(&inputs, &options))?.map_err(failed)?;
     let errors = to_table(&found.errors, &robot.joints()?);
     Ok((json(&found.document)?, columns(errors)?))
@@ -34,7 +63,7 @@ pub fn plan(
     options: &str,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
-    let (inputs, options) = (robot.inputs(table(&candidates)), parse_options(options).map_err(refused)?);
+    let (inputs, options) = (robot.inputs(candidates.table()), parse_options(options).map_err(refused)?);
     let planned = compute_long(py, progress, |progress| {
         tasks::plan(&inputs, &options, &|done, whole| progress.report(done, whole))
     });
@@ -44,7 +73,7 @@ pub fn plan(
 /// Verdict on whether parameters still apply.
 #[pyfunction]
 pub fn verify(py: Python<'_>, robot: &Robot, parameters: &str, observations: Named, options: &str) -> PyResult<String> {
-    let (inputs, options) = (robot.inputs(table(&observations)), parse_options(options).map_err(refused)?);
+    let (inputs, options) = (robot.inputs(observations.table()), parse_options(options).map_err(refused)?);
     let verified = compute_long(py, None, |_| {
         let parameters = parse_parameters("parameters", parameters)?;
         tasks::verify(&inputs, &parameters, &options)
@@ -56,14 +85,14 @@ pub fn verify(py: Python<'_>, robot: &Robot, parameters: &str, observations: Nam
 #[pyfunction]
 pub fn axes(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
     let options = parse_options(options).map_err(refused)?;
-    json(&compute_long(py, None, |_| tasks::axes(self::table(&table), &options))?.map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::axes(table.table(), &options))?.map_err(refused)?)
 }
 
 /// Tool, object, hand and eye, or an external axis.
 #[pyfunction]
 pub fn cell(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
     let options = parse_options(options).map_err(refused)?;
-    json(&compute_long(py, None, |_| tasks::cell(self::table(&table), &options))?.map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::cell(table.table(), &options))?.map_err(refused)?)
 }
 
 /// Runs a command with `--json` if it has this option: exit code, stdout, stderr, and messages as
@@ -87,8 +116,9 @@ pub fn iso9283(
 ) -> PyResult<String> {
     let [options, format] = options;
     let (options, format) = (parse_options(&options).map_err(refused)?, reading(&format)?);
-    let [commanded, reference] = beside.each_ref().map(|stated| stated.as_ref().map(table));
-    let tables = TestTables { attained: table(&attained), commanded, reference };
+    let (first, others) = (attained.table(), beside.each_ref().map(|stated| stated.as_ref().map(Named::table)));
+    let [commanded, reference] = [0, 1].map(|i| Some(beside[i].as_ref()?.headed(others[i].as_ref()?)));
+    let tables = TestTables { attained: attained.headed(&first), commanded, reference };
     json(&compute_long(py, None, |_| tasks::iso9283(&tables, &format, &options, seed))?.map_err(refused)?)
 }
 
@@ -102,8 +132,9 @@ pub fn iso9283_path(
     seed: u64,
 ) -> PyResult<String> {
     let options = parse_options(options).map_err(refused)?;
-    let [commanded, path] = beside.each_ref().map(|stated| stated.as_ref().map(table));
-    let tables = RecordingTables { recording: table(&recording), commanded, path };
+    let (first, others) = (recording.table(), beside.each_ref().map(|stated| stated.as_ref().map(Named::table)));
+    let [commanded, path] = [0, 1].map(|i| Some(beside[i].as_ref()?.headed(others[i].as_ref()?)));
+    let tables = RecordingTables { recording: recording.headed(&first), commanded, path };
     json(&compute_long(py, None, |_| tasks::iso9283_path(&tables, &options, seed))?.map_err(refused)?)
 }
 
@@ -111,18 +142,10 @@ pub fn iso9283_path(
 #[pyfunction]
 pub fn iso230(py: Python<'_>, table: Named, format: &str) -> PyResult<String> {
     let format = reading(format)?;
-    json(&compute_long(py, None, |_| tasks::iso230(self::table(&table), &format))?.map_err(refused)?)
+    json(&compute_long(py, None, |_| tasks::iso230(table.table(), &format))?.map_err(refused)?)
 }
 
 /// Options for the reading of tables.
 fn reading(options: &str) -> PyResult<TableFormat> {
     parse_options(options).map_err(refused)
-}
-
-fn table((name, text, sheet): &Named) -> Table<'_> {
-    match (text, sheet) {
-        (Some(text), _) => Table::Text { name, text },
-        (None, Some(sheet)) => Table::Sheet { path: Path::new(name), sheet },
-        (None, None) => Table::File(Path::new(name)),
-    }
 }

@@ -1,5 +1,6 @@
 //! Tables and robots that a task is given: files, or texts in memory.
 
+use super::text_format;
 use crate::stages::table_file::TableFile;
 use etalon_base::files;
 use etalon_base::message::Result;
@@ -28,6 +29,13 @@ pub enum Table<'a> {
         /// Text, with commas and decimal points; marks of files do not apply.
         text: &'a str,
     },
+    /// One of several tables, with headings of its own.
+    Headed {
+        /// The table.
+        table: &'a Table<'a>,
+        /// Sources of columns that have another name in this table, `NAME=HEADING`.
+        columns: &'a [String],
+    },
 }
 
 impl Table<'_> {
@@ -36,6 +44,7 @@ impl Table<'_> {
         match self {
             Self::File(path) | Self::Sheet { path, .. } => path.display().to_string(),
             Self::Text { name, .. } => (*name).to_owned(),
+            Self::Headed { table, .. } => table.name(),
         }
     }
 
@@ -50,6 +59,7 @@ impl Table<'_> {
                 TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
             }
             Self::Text { name, text } => TableFile::parse(name, text),
+            Self::Headed { .. } => text_format::read(*self, &TableReading::default()),
         }
     }
 
@@ -58,6 +68,7 @@ impl Table<'_> {
         let sha256 = match self {
             Self::File(path) | Self::Sheet { path, .. } => files::sha256(&files::read(path)?),
             Self::Text { text, .. } => files::sha256(text.as_bytes()),
+            Self::Headed { table, .. } => return table.hashed(),
         };
         Ok((self.name(), sha256))
     }
@@ -86,7 +97,9 @@ impl Inputs<'_> {
     pub(super) fn robot_sha256_by_name(&self) -> Result<BTreeMap<String, String>> {
         let mut all = BTreeMap::from([self.stated.hashed()?]);
         match self.stated {
-            Table::File(_) | Table::Sheet { .. } => all.extend(files::sha256_by_name(self.robot.description_path())?),
+            Table::File(_) | Table::Sheet { .. } | Table::Headed { .. } => {
+                all.extend(files::sha256_by_name(self.robot.description_path())?)
+            }
             Table::Text { .. } => {
                 let described = self.robot.description();
                 all.extend(described.map(|(name, text)| (name.to_owned(), files::sha256(text.as_bytes()))));

@@ -256,6 +256,7 @@ impl TextFormat {
         match table {
             Table::Text { text, .. } => Ok(text.to_owned()),
             Table::File(path) if self.is_of_plain_text() => etalon_formats::text_in(path, format),
+            Table::Headed { table, .. } => self.text(*table, format),
             Table::File(path) | Table::Sheet { path, .. } => {
                 let encoding = stated("--encoding", self.form.cells.encoding.as_deref())?;
                 etalon_formats::file_text(path, &etalon_formats::read_bytes(path)?, encoding, format)
@@ -369,6 +370,14 @@ pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Pr
             TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
         }
         Table::Text { name, text } => TableFile::parse_with(name, text, &with_form(form.without_marks())),
+        Table::Headed { table, columns } => {
+            let mut reading = reading.clone();
+            for text in columns {
+                let (name, source) = named("column", text)?;
+                reading.layout.columns.insert(name, parse_column_source(source));
+            }
+            read(*table, &reading)
+        }
     }
 }
 
