@@ -182,8 +182,8 @@ def uncertainty(
         :class:`etalon.documents.UncertaintyDocument`.
     """
     with _keys():
-        counts = (whole(draws, "draws"), whole(resamples, "resamples"), whole(seed, "seed"))
-        text = _etalon.uncertainty(_path(folder), counts, called(progress))
+        drawn = {"draws": whole(draws, "draws"), "resamples": whole(resamples, "resamples"), "seed": whole(seed, "seed")}
+        text = _etalon.uncertainty(_path(folder), drawn, called(progress))
     return cast(documents.UncertaintyDocument, with_warnings(load(text), in_campaign=True))
 
 

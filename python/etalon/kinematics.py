@@ -40,6 +40,9 @@ class Poses:
     xyz_mm: NDArray[np.float64]
     quaternion: NDArray[np.float64]
 
+    #: Products with arrays are errors.
+    __array_ufunc__ = None
+
     @classmethod
     def from_matrix(cls, matrix: ArrayLike) -> Poses:
         """Return the poses of homogeneous matrices ``(n, 4, 4)`` or ``(4, 4)``; lengths in mm."""
@@ -71,6 +74,17 @@ class Poses:
     def quaternion_xyzw(self) -> NDArray[np.float64]:
         """Orientations ``(n, 4)`` with the scalar last: x, y, z, w, as ROS and SciPy have them."""
         return np.roll(self.quaternion, -1, axis=-1)
+
+    def inverse(self) -> Poses:
+        """Return the inverse poses: the base in the frame of the flange for the flange in the base frame."""
+        rotation = np.swapaxes(self.matrix[..., :3, :3], -1, -2)
+        return Poses(-(rotation @ self.xyz_mm[..., None])[..., 0], self.quaternion * [1.0, -1.0, -1.0, -1.0])
+
+    def __matmul__(self, other: Poses) -> Poses:
+        """Return the poses one after the other, as the product of their matrices: ``flange @ tool``. A single pose applies to all."""
+        if not isinstance(other, Poses):
+            return NotImplemented
+        return Poses.from_matrix(self.matrix @ other.matrix)
 
     @property
     def single(self) -> bool:

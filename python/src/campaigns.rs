@@ -69,15 +69,22 @@ pub fn recommend(py: Python<'_>, folder: PathBuf, progress: Option<Py<PyAny>>) -
     json(&found?.map_err(refused)?)
 }
 
-/// Distributions of the results by Monte Carlo: at most so many draws, resamples, and the seed.
+/// Numbers of draws, a dictionary in Python.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Drawn {
+    /// Maximum number of draws.
+    draws: usize,
+    /// Number of resamples.
+    resamples: usize,
+    /// Seed of the draws.
+    seed: u64,
+}
+
+/// Distributions of the results by Monte Carlo and bootstrap.
 #[pyfunction]
-pub fn uncertainty(
-    py: Python<'_>,
-    folder: PathBuf,
-    draws: (usize, usize, u64),
-    progress: Option<Py<PyAny>>,
-) -> PyResult<String> {
-    let draws = Draws { most: draws.0, resamples: draws.1, seed: draws.2 };
+pub fn uncertainty(py: Python<'_>, folder: PathBuf, drawn: Drawn, progress: Option<Py<PyAny>>) -> PyResult<String> {
+    let draws = Draws { most: drawn.draws, resamples: drawn.resamples, seed: drawn.seed };
     let found = compute_long(py, progress, |progress| {
         let mut report = |done, whole| progress.report(done, whole);
         validation::uncertainty(&Campaign::read(&folder)?, draws, &mut report)

@@ -234,3 +234,57 @@ def test_a_frame_of_fitted_balls_has_their_uncertainty():
 def test_an_unknown_id_has_no_class_of_warnings():
     with pytest.raises(etalon.Error, match="columns-not-red"):
         etalon.warning_class("columns-not-red")
+
+
+def test_angles_in_radians_are_no_twists():
+    alpha, a, theta, d = IRB120
+    for stated in ({"alpha_deg": np.radians(alpha)}, {"theta_deg": np.radians(theta)}):
+        with pytest.raises(etalon.Error) as raised:
+            etalon.Robot.from_dh(**({"alpha_deg": alpha, "a_mm": a, "theta_deg": theta, "d_mm": d} | stated), modified=True)
+        assert raised.value.id == "joint-angle-unit" and "np.degrees" in raised.value.hint
+    text = toml(IRB120)
+    # the unit of a key is never chosen for the reader, and degrees under `alpha_rad` are no robot
+    with pytest.raises(etalon.Error) as raised:
+        etalon.Robot.from_toml(text.replace("alpha_deg", "alpha"))
+    assert "`alpha_deg`" in raised.value.hint and "`alpha_rad`" in raised.value.hint
+    with pytest.raises(etalon.Error) as raised:
+        etalon.Robot.from_toml(text.replace("alpha_deg", "alpha_rad"))
+    assert raised.value.id == "joint-angle-unit" and "`alpha_deg`" in raised.value.hint
+
+
+def test_inverse_poses_are_named(arm):
+    """The pose of the camera in the marker instead of the marker in the camera, as `lookup_transform` gives it with exchanged arguments."""
+    robot, table, _ = arm
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    tool = np.eye(4)
+    tool[:3, 3] = [20.0, -10, 80]
+    world = np.array([[0.0, -1, 0, 900], [0, 0, -1, 200], [1, 0, 0, 300], [0, 0, 0, 1]])
+    noise = np.random.default_rng(3)
+    measured = world @ etalon.kinematics.direct(robot, joints).matrix @ tool
+    measured[:, :3, 3] += noise.normal(0, 0.02, (60, 3))
+
+    def observed(matrices):
+        poses = etalon.kinematics.Poses.from_matrix(matrices)
+        columns = {name: table[name] for name in ("pose", *robot.joints)} | {"kind": ["pose"] * 60, "target": ["marker"] * 60}
+        columns |= {f"{axis}_mm": poses.xyz_mm[:, k] for k, axis in enumerate("xyz")}
+        return columns | {f"q{axis}": poses.quaternion[:, k] for k, axis in enumerate("wxyz")}
+
+    options = {"standard_uncertainty_um": 30, "rotation_uncertainty_deg": 0.02}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", etalon.MessageWarning)
+        found = etalon.identify(robot, observed(measured), **options)
+    assert found.residuals.position_rms_mm < 0.06
+    with pytest.raises(etalon.Error) as raised:
+        etalon.identify(robot, observed(np.linalg.inv(measured)), **options)
+    assert "measured poses inverse" in raised.value.hint, str(raised.value)
+
+
+def test_exact_data_are_no_implausible_robot(arm):
+    """Distances of rounding are within any tolerance."""
+    robot, table, _ = arm
+    joints = np.column_stack([table[f"q{i}_deg"] for i in range(1, 7)])
+    exact = (etalon.kinematics.direct(robot, joints).matrix @ [30.0, 10, 60, 1])[:, :3]
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        etalon.identify(robot, table | {f"{axis}_mm": exact[:, k] for k, axis in enumerate("xyz")})
+    assert not [entry.message for entry in caught if isinstance(entry.message, etalon.ImplausibleWarning)]

@@ -271,3 +271,36 @@ def test_parameters_of_another_robot_are_refused():
         entry["value"] += 0.01 if entry["name"] == name else 0.0
     shifted = [etalon.kinematics.predict("ur5", p, joints[0], "SMR").xyz_mm for p in (found, etalon.documents.ParametersDocument(moved))]
     assert by.matrix[:, by.parameters.index(name)] == pytest.approx((shifted[1] - shifted[0]) / 0.01, abs=1e-6)
+
+
+#: Limits of joints (deg) by the makers' data sheets.
+SHEETS = {
+    "irb120": [[-165, 165], [-110, 110], [-110, 70], [-160, 160], [-120, 120], [-400, 400]],
+    "kr6-r900-sixx": [[-170, 170], [-190, 45], [-120, 156], [-185, 185], [-120, 120], [-350, 350]],
+    "tx60": [[-180, 180], [-127.5, 127.5], [-142.5, 142.5], [-270, 270], [-122.5, 132.5], [-270, 270]],
+    "panda": np.degrees([[-2.8973, 2.8973], [-1.7628, 1.7628], [-2.8973, 2.8973], [-3.0718, -0.0698], [-2.8973, 2.8973], [-0.0175, 3.7525], [-2.8973, 2.8973]]),
+}
+
+
+def test_named_robots_have_the_limits_of_their_makers():
+    for name, limits in SHEETS.items():
+        assert etalon.Robot(name).limits == pytest.approx(np.array(limits, dtype=float), abs=1e-4), name
+    serial = [etalon.Robot(name) for name in etalon.robots() if etalon.Robot(name).model == "serial"]
+    assert len(serial) >= 14
+    for robot in serial:
+        lower, upper = robot.limits.T
+        # joints without an end, or without a published limit, are infinite
+        assert (lower < upper).all() and (np.isfinite(lower) == np.isfinite(upper)).all() and np.isfinite(lower).sum() >= 5, robot
+
+
+def test_poses_are_multiplied_and_inverted():
+    robot = etalon.Robot("ur5e")
+    flange = etalon.kinematics.direct(robot, np.random.default_rng(4).uniform(-120, 120, (20, 6)))
+    turned = np.array([[0.0, -1, 0, 30], [1, 0, 0, -20], [0, 0, 1, 150], [0, 0, 0, 1]])
+    tool = etalon.kinematics.Poses.from_matrix(turned)
+    assert (flange @ tool).matrix == pytest.approx(flange.matrix @ turned, abs=1e-9)
+    assert flange.inverse().matrix == pytest.approx(np.linalg.inv(flange.matrix), abs=1e-9)
+    assert (flange @ flange.inverse()).matrix == pytest.approx(np.tile(np.eye(4), (20, 1, 1)), abs=1e-9)
+    assert (tool @ tool.inverse()).single and tool.inverse().xyz_mm == pytest.approx([20, 30, -150])
+    with pytest.raises(TypeError):
+        flange @ turned

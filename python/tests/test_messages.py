@@ -260,3 +260,26 @@ def test_a_misnamed_joint_is_not_told_of_coordinates(arm):
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, strange)
     assert "shoulder" in raised.value.hint and "x_mm" not in raised.value.hint
+
+
+def test_a_check_warns_and_hints_of_a_campaign_are_keys(sample):
+    folder = sample("prexyt-cmm")
+    text = (folder / "campaign.toml").read_text(encoding="utf-8")
+    (folder / "campaign.toml").write_text(text.replace("unit = ", "unti = ", 1), encoding="utf-8")
+    found = etalon.check(folder)
+    assert any("`unit`" in (error.hint or "") for error in found.errors)
+    with pytest.raises(etalon.Error) as raised:
+        etalon.run(folder)
+    assert not re.search(r"\w+=\{|--[a-z]", str(raised.value)), str(raised.value)
+    (folder / "campaign.toml").write_text(text, encoding="utf-8")
+    with (folder / "exports/poses.txt").open("a", encoding="utf-8") as export:
+        export.write("extra 1 2 3\n")
+    with pytest.warns(etalon.warning_class("labels-unused")):
+        checked = etalon.check(folder)
+    assert "labels-unused" in [message.id for message in checked.warnings]
+
+
+def test_a_convention_is_named_with_the_valid_ones():
+    sweeps = {"joint": ["q1"], "target": ["a"], "x_mm": [0.0], "y_mm": [0.0], "z_mm": [0.0]}
+    with pytest.raises(etalon.Error, match="`convention`: .*`poe`.*`dh`.*`mdh`"):
+        etalon.axes(sweeps, convention="craig")

@@ -477,9 +477,11 @@ def test_members_are_typed_by_the_schemas():
         record.nothing
 
 
-def test_drawings_are_made():
+def test_drawings_are_made(arm):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     points = np.random.default_rng(3).normal(size=(20, 3))
     assert etalon.fit.sphere(points).plot().get_ylabel() == "residual (µm)"
     assert etalon.Robot("ur5e").plot([[0] * 6, [10, -90, 80, 0, 0, 0]]).get_xlabel() == "x (mm)"
+    robot, table, _ = arm
+    assert etalon.identify(robot, table, standard_uncertainty_um=10).plot().get_ylabel()

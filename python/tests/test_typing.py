@@ -28,6 +28,10 @@ found = etalon.identify("ur5", {"x_mm": [1.0]}, prior="none", effects=["zeros", 
 value: float = found.parameters[0].value
 poses = etalon.kinematics.direct("ur5", [0.0] * 6)
 joints = etalon.kinematics.inverse("ur5", poses.matrix).joints
+tested = etalon.iso9283("a.csv", "c.csv", columns={"x_mm": "X"})
+tested = etalon.iso9283("a.csv", "c.csv", columns={"attained": {"x_m": "X"}, "commanded": {"x_mm": 3}})
+expanded: float = etalon.fit.sphere(points, standard_uncertainty_um=1.5).expanded_uncertainty.radius_mm
+drawn: int = etalon.uncertainty("folder", draws=100).draws
 """
 #: Mistakes that a checker has to find, one a line.
 WRONG = [
@@ -40,6 +44,8 @@ WRONG = [
     "etalon.fit.sphere(points).normal",
     'etalon.run("folder").parameters.nonsense',
     "etalon.run(5)",
+    'etalon.fit.sphere(points, standard_uncertainty_um="1")',
+    'etalon.iso9283("a.csv", columns={"attained": ["x_m"]})',
 ]
 
 
