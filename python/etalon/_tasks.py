@@ -52,8 +52,8 @@ RotationOrder = Literal[
 Problem = Literal["tool-point", "tool-reflector", "tool-axes", "hand-eye", "object", "three-points", "linear-axis", "rotary-axis"]
 Mounting = Literal["target", "sensor"]
 DecisionRule = Literal["simple-acceptance", "guarded", "shared-risk"]
-#: Headings of all tables of a call, or of each table by the name of its argument.
-ColumnsByTable = Columns | Mapping[str, Columns]
+#: Headings of all tables of a call, and of single tables by the name of the argument.
+ColumnsByTable = Mapping[str, str | int | Columns]
 
 
 class Identification(documents.ParametersDocument, Residuals):
