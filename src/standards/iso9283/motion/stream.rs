@@ -148,6 +148,9 @@ mod tests {
         // the second half of a recording before the first
         let exchanged = refused(&[0.002, 0.003, 0.0, 0.001], moving);
         assert!(!exchanged.is_coarse && exchanged.sample == 2, "{exchanged:?}");
+        // in full seconds as well: a sampling rate would make a motion of it
+        let both = refused(&[0.0, 0.0, 2.0, 1.0], moving);
+        assert!(!both.is_coarse && both.sample == 1, "{both:?}");
         // a row twice
         let repeated = refused(&[0.0, 0.001, 0.001, 0.002], |i| [0.0, 1.0, 1.0, 2.0][i]);
         assert!(!repeated.is_coarse && repeated.sample == 2, "{repeated:?}");
