@@ -216,7 +216,7 @@ const OTHER_VELOCITY: f64 = 5.0;
 /// Warning of a velocity in another unit than mm/s, or of times in another unit than s.
 fn far_velocity(v: &PathVelocity) -> Option<Message> {
     let ratio = v.mean_mm_s / v.commanded_mm_s;
-    let is_far = ratio > OTHER_VELOCITY || ratio < 1.0 / OTHER_VELOCITY;
+    let is_far = !(1.0 / OTHER_VELOCITY..=OTHER_VELOCITY).contains(&ratio);
     let (mean_mm_s, commanded_mm_s) = (v.mean_mm_s, v.commanded_mm_s);
     is_far.then(|| warning!("path-velocity-far", mean_mm_s, commanded_mm_s).to_decide())
 }
