@@ -3,6 +3,7 @@
 use super::apart::{Arm, cells};
 use crate::support::said::Says;
 use crate::support::scratch::{copy_sample, ends, etalon};
+use serde_json::Value;
 
 /// Points of the world frame of the CMM sample: means of five readings, rounded to a tenth of a millimetre.
 const NOMINAL: &str = "nominal_mm = { rail2_a = [323.3, 108.8, 95.3], rail2_b = [298.7, 488.0, 96.7], rail3_a = [722.1, 325.0, 96.9], R_home = [312.6, 148.1, 126.4] }\ntolerance_mm = 0.2\n";
@@ -102,9 +103,11 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
         std::fs::write(scratch.path().join("observations.csv"), table).unwrap();
         let (_, said) = etalon(&scratch, "run");
         assert!(!said.contains("robot.toml states"), "without a nominal base nothing can be said: {said}");
+        // the scale, then the place of the base
         let open = &scratch.json("frames.json")["not_controlled"];
-        let all = open.as_array().unwrap();
-        assert!(all.iter().any(|row| row["keys"][0].as_str().unwrap().contains("[nominal] base_x")), "{open}");
+        let rows: Vec<&Value> = open.as_array().unwrap().iter().map(|row| &row["what_phrase"]["id"]).collect();
+        assert_eq!(rows, ["unshown-scale", "unshown-shift"], "{open}");
+        assert!(open[1]["keys"][0].as_str().unwrap().contains("[nominal] base_x"), "{open}");
         let robot = std::fs::read_to_string(scratch.path().join("robot.toml")).unwrap();
         std::fs::write(scratch.path().join("robot.toml"), robot + nominal).unwrap();
         let (_, said) = etalon(&scratch, "run");
@@ -114,6 +117,7 @@ fn axes_that_are_exchanged_are_seen_where_the_base_has_a_nominal_place() {
         }
         // only the scale is open, as the instrument states no uncertainty of it
         let open = &scratch.json("frames.json")["not_controlled"];
-        assert!(open.as_array().unwrap().iter().all(|row| row["what_phrase"]["id"] == "unshown-scale"), "{open}");
+        let rows: Vec<&Value> = open.as_array().unwrap().iter().map(|row| &row["what_phrase"]["id"]).collect();
+        assert_eq!(rows, ["unshown-scale"], "{open}");
     }
 }
