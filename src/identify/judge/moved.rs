@@ -34,10 +34,10 @@ const NEIGHBOURS: f64 = 1.1;
 const LARGE: f64 = 8.0;
 /// Minimum share of the residual sum of squares that is worth a decision.
 const LEAST_SHARE: f64 = 0.05;
+/// Minimum degrees of freedom of the residuals with a change.
+const FEWEST_DEGREES: f64 = 5.0;
 /// Minimum number of residuals for each parameter and each column of the usual misfit.
 const REDUNDANT: usize = 2;
-/// Step (rad) of differences.
-const STEP_RAD: f64 = 1e-4;
 /// Residuals beyond this many robust standard deviations from those before and after them, of this
 /// many poses, are wrong readings, and do not count.
 const GROSS: f64 = 8.0;
@@ -168,20 +168,17 @@ impl<'a> Linear<'a> {
         let x: Vec<f64> = found.free.iter().map(|&i| values[i]).collect();
         let mut residuals = vec![0.0; problem.residual_count()];
         problem.residuals(&x, &mut residuals);
-        let mut jacobian = problem.jacobian_at(&x);
-        let (n, m) = (found.free.len(), problem.coordinate_count());
+        let mut jacobian = jacobian_with_misfit(&problem, &x);
         let dimension = robot.dimension();
-        for row in wrong_rows(observations, &residuals[..m], dimension)? {
+        for row in wrong_rows(observations, &residuals[..problem.coordinate_count()], dimension)? {
             residuals[row] = 0.0;
-            jacobian[row * n..][..n].fill(0.0);
+            jacobian.row_mut(row).fill(0.0);
         }
-        let mut scales = misfits(&problem, &residuals)?;
+        let scales = misfits(&problem, &residuals)?;
         scales.iter().enumerate().for_each(|(row, scale)| {
             residuals[row] /= scale;
-            jacobian[row * n..][..n].iter_mut().for_each(|v| *v /= scale);
+            jacobian.row_mut(row).unscale_mut(*scale);
         });
-        scales.truncate(1);
-        let jacobian = with_misfit(robot, observations, values, DMatrix::from_row_slice(residuals.len(), n, &jacobian));
         let n = jacobian.ncols();
         let norms: Vec<f64> = jacobian.column_iter().map(|c| c.norm().max(f64::MIN_POSITIVE)).collect();
         let basis =
@@ -264,8 +261,13 @@ impl<'a> Linear<'a> {
         let n = self.observations.len();
         let rows: Vec<Rows> = (0..n).map(|k| self.rows(k, part)).collect();
         let count = rows.first()?.columns.ncols();
-        let total = self.residuals.rows(0, self.measured).norm_squared();
-        let degrees = self.measured as f64 - (self.basis.ncols() + count) as f64;
+        let measured = 0..self.measured;
+        let total = self.residuals.rows_range(measured.clone()).norm_squared();
+        // residuals that neither parameters nor a change can make zero
+        let degrees = self.measured as f64 - self.basis.rows_range(measured).norm_squared() - count as f64;
+        if degrees < FEWEST_DEGREES {
+            return None;
+        }
         // sums over the poses from the last one back
         let mut along = DMatrix::zeros(self.basis.ncols(), count);
         let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
@@ -288,7 +290,7 @@ impl<'a> Linear<'a> {
             }
         }
         let Step { explained, at, change, inverse, absorbed } = best?;
-        let variance = (total - explained).max(f64::MIN_POSITIVE) / degrees.max(1.0);
+        let variance = (total - explained).max(f64::MIN_POSITIVE) / degrees;
         let common = self.common_to_a_pose();
         let f = FisherSnedecor::new(count as f64, (degrees / common).max(1.0)).ok()?;
         let chance = f.sf(explained / count as f64 / variance / common).max(1e-300).ln() + (n as f64).ln();
@@ -359,40 +361,24 @@ fn misfits(problem: &Residuals, residuals: &[f64]) -> Option<Vec<f64>> {
     Some(measured.chain(stated).collect()).filter(|_| coordinates > 0)
 }
 
-/// Adds columns of the misfit that robots usually have, errors of each joint that repeat with its
-/// turn, if the poses are enough for them: it is alike at poses that follow each other.
-fn with_misfit(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    values: &[f64],
-    jacobian: DMatrix<f64>,
-) -> DMatrix<f64> {
-    let joints: Vec<usize> =
-        (0..robot.joints().len()).filter(|&j| robot.joints()[j].quantity == Quantity::Angle).collect();
+/// The Jacobian at `x`, with columns of the misfit that robots usually have, errors of each joint
+/// that repeat with its turn, if the poses are enough for them: it is alike at poses that follow
+/// each other.
+pub(crate) fn jacobian_with_misfit(problem: &Residuals, x: &[f64]) -> DMatrix<f64> {
+    let jacobian = problem.matrix_at(x);
+    let joints = problem.robot.joints();
+    let turning: Vec<usize> = (0..joints.len()).filter(|&j| joints[j].quantity == Quantity::Angle).collect();
     let harmonics: [fn(f64) -> f64; 4] = [f64::sin, f64::cos, |q| (2.0 * q).sin(), |q| (2.0 * q).cos()];
-    let (count, first) = (joints.len() * harmonics.len(), jacobian.ncols());
-    if jacobian.nrows() < REDUNDANT * (first + count) {
+    let (count, first) = (turning.len() * harmonics.len(), jacobian.ncols());
+    if turning.is_empty() || jacobian.nrows() < REDUNDANT * (first + count) {
         return jacobian;
     }
     let mut all = jacobian.resize_horizontally(first + count, 0.0);
-    let (mut row, dimension) = (0, robot.dimension());
-    for o in observations {
-        for k in (0..o.targets.len()).filter(|&k| o.targets[k].is_some()) {
-            for (i, &j) in joints.iter().enumerate() {
-                let at = |by: f64| {
-                    let mut moved = o.joints.clone();
-                    moved[j] += by;
-                    robot.position(values, &moved, k)
-                };
-                let slope = minus(at(STEP_RAD), at(-STEP_RAD)).map(|v| v / (2.0 * STEP_RAD));
-                for (h, harmonic) in harmonics.iter().enumerate() {
-                    let by = harmonic(o.joints[j]);
-                    let column = first + i * harmonics.len() + h;
-                    (0..dimension).for_each(|axis| all[(row + axis, column)] = slope[axis] * by);
-                }
-            }
-            row += dimension;
-        }
+    let by_joint = problem.joint_jacobian(x);
+    let rows = problem.pose_rows().flat_map(|(_, q, rows)| std::iter::repeat_n(q, rows));
+    for (row, (q, slopes)) in rows.zip(by_joint.chunks_exact(joints.len())).enumerate() {
+        let errors = turning.iter().flat_map(|&j| harmonics.map(|harmonic| slopes[j] * harmonic(q[j])));
+        errors.enumerate().for_each(|(k, error)| all[(row, first + k)] = error);
     }
     all
 }

@@ -4,8 +4,11 @@ use super::data::Data;
 use crate::Observation;
 use crate::solution::start::located;
 use crate::wanted_frames;
-use etalon_base::pose::Vector;
+use etalon_base::pose::{Pose, Vector, centroid, minus};
 use etalon_robots::{Quantity, Robot, Role};
+
+/// Number of fits with assembly modes, each with the modes that are nearer after the previous one.
+const MODE_FITS: usize = 4;
 
 /// The data and all parameters with base, targets and fixtures located; `None` if the nominal robot
 /// has no pose at the joint values. With `anywhere`, the base of a planar robot may be beyond its
@@ -18,141 +21,105 @@ pub(super) fn locate(robot: &dyn Robot, mut data: Data, anywhere: bool) -> Optio
         return Some((data, placed.values));
     }
     let most = if anywhere { ANYWHERE } else { within_tolerances(robot) };
-    let (fit, _) = planar_fit(robot, &data.observations, &nominal, &most)?;
-    fit.bring_near(robot, &nominal, anywhere, &mut data.observations);
+    let (moved, _) = planar_fit(robot, &data.observations, &nominal, most)?;
+    for o in &mut data.observations {
+        o.joints = nearest(robot, &nominal, &moved, o).map_or_else(|| o.joints.clone(), |(joints, _)| joints);
+        // into the frame in which the base is nominal
+        if anywhere {
+            o.targets.iter_mut().flatten().for_each(|p| *p = moved.inverse().apply(*p));
+        }
+    }
     Some((data, nominal))
 }
 
+/// Largest rotation (rad) and shift (mm) of the base of a planar robot.
+#[derive(Clone, Copy)]
+struct Reach {
+    rad: f64,
+    mm: f64,
+}
+
+const ANYWHERE: Reach = Reach { rad: f64::INFINITY, mm: f64::INFINITY };
+
 /// Rotation and shift of the base of a planar robot by its tolerances.
-fn within_tolerances(robot: &dyn Robot) -> Similarity {
+fn within_tolerances(robot: &dyn Robot) -> Reach {
     let tolerance = |quantity: Quantity| {
         let base = robot.parameters().iter().filter(|p| p.role == Role::Base && p.quantity == quantity);
         base.map(|p| p.tolerance).fold(0.0, f64::max)
     };
-    Similarity { angle: tolerance(Quantity::Angle), shift: [tolerance(Quantity::Length); 2] }
+    Reach { rad: tolerance(Quantity::Angle), mm: tolerance(Quantity::Length) }
 }
 
 /// Rotation (rad) and shift (mm) of the base of a planar robot with which it fits the data best.
 pub(super) fn elsewhere(robot: &dyn Robot, observations: &[Observation]) -> Option<(f64, [f64; 2])> {
-    let (fit, _) = planar_fit(robot, observations, &robot.nominal(), &ANYWHERE)?;
-    Some((fit.angle, fit.shift))
+    let (moved, _) = planar_fit(robot, observations, &robot.nominal(), ANYWHERE)?;
+    let [x_mm, y_mm, _] = moved.translation_mm;
+    Some((moved.rotation_vector_rad()[2], [x_mm, y_mm]))
 }
 
 /// Distances (mm) of a planar robot at nominal parameters from the measurements, with its base
 /// within its tolerances.
 pub(super) fn planar_distances(robot: &dyn Robot, observations: &[Observation]) -> Option<Vec<f64>> {
-    Some(planar_fit(robot, observations, &robot.nominal(), &within_tolerances(robot))?.1)
+    Some(planar_fit(robot, observations, &robot.nominal(), within_tolerances(robot))?.1)
 }
 
-/// Shift and rotation that fit predicted positions to the measured ones, no larger than `most`, and
-/// the residual distances (mm).
+/// Predicted and measured position of a target of a planar robot.
+type Pair = [Vector; 2];
+
+/// Motion of the plane that brings predicted positions to the measured ones, no larger than `most`,
+/// and the residual distances (mm).
 fn planar_fit(
     robot: &dyn Robot,
     observations: &[Observation],
     nominal: &[f64],
-    most: &Similarity,
-) -> Option<(Similarity, Vec<f64>)> {
-    let modes: &[Option<f64>] = if robot.has_assembly_modes() { &[Some(1.0), Some(-1.0)] } else { &[None] };
-    let mut fit = Similarity::default();
-    let mut left = Vec::new();
-    for _ in 0..if modes.len() > 1 { 4 } else { 1 } {
-        let mut pairs: Vec<[[f64; 2]; 2]> = Vec::new();
-        for o in observations {
-            let mut joints = o.joints.clone();
-            let of = |mode: &Option<f64>| {
-                if let (Some(mode), Some(last)) = (mode, joints.last_mut()) {
-                    *last = *mode;
-                }
-                let mut pairs = Vec::new();
-                for (k, measured) in o.targets.iter().enumerate() {
-                    let (Some(m), p) = (measured, robot.position(nominal, &joints, k)) else { continue };
-                    pairs.push([[p[0], p[1]], [m[0], m[1]]]);
-                }
-                pairs
-            };
-            let all = modes.iter().map(of).filter(|pairs| pairs.iter().flatten().flatten().all(|v| v.is_finite()));
-            pairs.extend(all.min_by(|a, b| fit.cost(a).total_cmp(&fit.cost(b)))?);
-        }
-        fit = Similarity::between(&pairs, most)?;
-        left = pairs.iter().map(|pair| fit.cost(std::slice::from_ref(pair)).sqrt()).collect();
+    most: Reach,
+) -> Option<(Pose, Vec<f64>)> {
+    let (mut moved, mut left) = (Pose::identity(), Vec::new());
+    for _ in 0..if robot.has_assembly_modes() { MODE_FITS } else { 1 } {
+        let near = |o: &Observation| Some(nearest(robot, nominal, &moved, o)?.1);
+        let pairs: Vec<Pair> = observations.iter().map(near).collect::<Option<Vec<_>>>()?.concat();
+        moved = motion(&pairs, most)?;
+        left = pairs.iter().map(|pair| cost(&moved, std::slice::from_ref(pair)).sqrt()).collect();
     }
-    Some((fit, left))
+    Some((moved, left))
 }
 
-const ANYWHERE: Similarity = Similarity { angle: f64::INFINITY, shift: [f64::INFINITY; 2] };
-
-/// A shift of the plane, with or without a rotation.
-#[derive(Default)]
-struct Similarity {
-    angle: f64,
-    shift: [f64; 2],
+/// Joint values of an observation, in the assembly mode that is nearer after a motion, and its
+/// positions; `None` if the robot can be in neither.
+fn nearest(robot: &dyn Robot, nominal: &[f64], moved: &Pose, o: &Observation) -> Option<(Vec<f64>, Vec<Pair>)> {
+    let mut modes = vec![o.joints.clone()];
+    if robot.has_assembly_modes() {
+        modes.push(o.joints.clone());
+        modes[1].iter_mut().next_back().into_iter().for_each(|mode| *mode = -*mode);
+    }
+    let seen = |joints: Vec<f64>| {
+        let measured = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)));
+        let pairs: Vec<Pair> = measured.map(|(k, at)| [robot.position(nominal, &joints, k), at]).collect();
+        (joints, pairs)
+    };
+    let finite = modes.into_iter().map(seen).filter(|(_, pairs)| cost(moved, pairs).is_finite());
+    finite.min_by(|a, b| cost(moved, &a.1).total_cmp(&cost(moved, &b.1)))
 }
 
-impl Similarity {
-    /// Motion from the first to the second point of each pair, by least squares, no larger than
-    /// `most`.
-    fn between(pairs: &[[[f64; 2]; 2]], most: &Self) -> Option<Self> {
-        let n = Some(pairs.len() as f64).filter(|n| *n > 0.0)?;
-        let mean = |side: usize| [0, 1].map(|i| pairs.iter().map(|p| p[side][i]).sum::<f64>() / n);
-        let (from, to) = (mean(0), mean(1));
-        let (mut along, mut across) = (0.0, 0.0);
-        for [p, m] in pairs {
-            let (p, m) = ([p[0] - from[0], p[1] - from[1]], [m[0] - to[0], m[1] - to[1]]);
-            along += p[0] * m[0] + p[1] * m[1];
-            across += p[0] * m[1] - p[1] * m[0];
-        }
-        let angle = Some(across.atan2(along)).filter(|angle| angle.abs() <= most.angle).unwrap_or(0.0);
-        let turned = Self { angle, shift: [0.0; 2] };
-        // what the base is off by: the turn is about its origin
-        let moved = turned.apply(from);
-        let within = |i: usize| (to[i] - moved[i]).clamp(-most.shift[i], most.shift[i]);
-        Some(Self { shift: [within(0), within(1)], ..turned })
+/// Motion of the plane from the first to the second point of each pair, by least squares, no larger
+/// than `most`: the rotation about the origin of the base.
+fn motion(pairs: &[Pair], most: Reach) -> Option<Pose> {
+    let [from, to] = [0, 1].map(|side| centroid(&pairs.iter().map(|pair| pair[side]).collect::<Vec<_>>()));
+    let (from, to) = (from?, to?);
+    let (mut along, mut across) = (0.0, 0.0);
+    for [p, m] in pairs {
+        let (p, m) = (minus(*p, from), minus(*m, to));
+        along += p[0] * m[0] + p[1] * m[1];
+        across += p[0] * m[1] - p[1] * m[0];
     }
+    let angle = Some(across.atan2(along)).filter(|angle| angle.abs() <= most.rad).unwrap_or(0.0);
+    let turned = Pose::identity().turn_z(angle);
+    let shift = minus(to, turned.apply(from)).map(|v| v.clamp(-most.mm, most.mm));
+    Some(Pose { translation_mm: [shift[0], shift[1], 0.0], ..turned })
+}
 
-    fn apply(&self, p: [f64; 2]) -> [f64; 2] {
-        let (sin, cos) = self.angle.sin_cos();
-        [cos * p[0] - sin * p[1] + self.shift[0], sin * p[0] + cos * p[1] + self.shift[1]]
-    }
-
-    /// Sets the nearer assembly mode of observations, and moves them by `back` into the frame in
-    /// which the base is nominal.
-    fn bring_near(&self, robot: &dyn Robot, nominal: &[f64], back: bool, observations: &mut [Observation]) {
-        for o in observations {
-            let pairs = |joints: &[f64]| -> Vec<[[f64; 2]; 2]> {
-                let seen = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?)));
-                let place = |(k, m): (usize, Vector)| {
-                    let p = robot.position(nominal, joints, k);
-                    [[p[0], p[1]], [m[0], m[1]]]
-                };
-                seen.map(place).collect()
-            };
-            if robot.has_assembly_modes() {
-                let [here, mut other] = [&o.joints, &o.joints].map(Clone::clone);
-                other.iter_mut().next_back().into_iter().for_each(|mode| *mode = -*mode);
-                let [cost, other_cost] = [&here, &other].map(|joints| self.cost(&pairs(joints)));
-                if other_cost < cost || cost.is_nan() {
-                    o.joints = other;
-                }
-            }
-            if back {
-                o.targets.iter_mut().flatten().for_each(|p| *p = self.undo(*p));
-            }
-        }
-    }
-
-    /// The point that is moved to `p`.
-    fn undo(&self, p: Vector) -> Vector {
-        let (sin, cos) = self.angle.sin_cos();
-        let [x, y] = [p[0] - self.shift[0], p[1] - self.shift[1]];
-        [cos * x + sin * y, cos * y - sin * x, p[2]]
-    }
-
-    /// Sum of squared distances.
-    fn cost(&self, pairs: &[[[f64; 2]; 2]]) -> f64 {
-        let distance = |[p, m]: &[[f64; 2]; 2]| {
-            let q = self.apply(*p);
-            (q[0] - m[0]).powi(2) + (q[1] - m[1]).powi(2)
-        };
-        pairs.iter().map(distance).sum()
-    }
+/// Sum of squared distances of the positions after a motion.
+fn cost(moved: &Pose, pairs: &[Pair]) -> f64 {
+    let distance = |[p, m]: &Pair| minus(moved.apply(*p), *m)[..2].iter().map(|v| v * v).sum::<f64>();
+    pairs.iter().map(distance).sum()
 }

@@ -20,8 +20,6 @@ const MOST_OF_SCAN: usize = 1000;
 const MOST_NAMES: usize = 64;
 /// Maximum number of named pairs.
 const MOST_PAIRS: usize = 50;
-/// Maximum number of points whose cells are compared before the points are.
-const FEW: usize = 100_000;
 
 /// Largest distance of two readings of one point: ten times the instrument's expanded uncertainty,
 /// from 0.1 to 1 mm.
@@ -40,9 +38,6 @@ fn name(point: &Point) -> &str {
 /// the same points.
 pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
     let near = near_mm(campaign);
-    if points.len() <= FEW && !may_be_neighbours(points, near) {
-        return Vec::new();
-    }
     let mut same: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     points.iter().for_each(|p| same.entry(name(p)).or_default().push(p));
     let mut usual = BTreeMap::new();
@@ -94,24 +89,6 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
         warnings.push(warning!("point-pairs-many", pairs, named = MOST_PAIRS).to_decide());
     }
     warnings
-}
-
-/// `true` if points of different names may be neighbours: their cells are equal or adjacent.
-fn may_be_neighbours(points: &[Point], near: f64) -> bool {
-    let cell = |p: &Point| p.xyz_mm.map(|v| (v / (2.0 * near)).floor() as i64);
-    let mut cells: Vec<([i64; 3], &str)> = points.iter().map(|p| (cell(p), name(p))).collect();
-    cells.sort_unstable();
-    cells.dedup();
-    let meets = |(cell, own): &([i64; 3], &str)| {
-        (0..9).any(|side| {
-            let [x, y, z] = *cell;
-            let beside = |z| [x.saturating_add(side / 3 - 1), y.saturating_add(side % 3 - 1), z];
-            let [low, high] = [-1, 1].map(|step| beside(z.saturating_add(step)));
-            let from = cells.partition_point(|(other, _)| *other < low);
-            cells[from..].iter().take_while(|(other, _)| *other <= high).any(|(_, name)| name != own)
-        })
-    };
-    cells.iter().any(meets)
 }
 
 /// Returns pairs of neighbouring points with different names. Cells are twice as wide as `near`, so

@@ -256,6 +256,20 @@ fn beyond_encoders(
         .then(|| warning!("encoder-implausible", count = all.len(), parameters = truncated(all, NAMED)).to_decide())
 }
 
+/// Name, value and unit of the first parameter of a kind whose value is significantly negative.
+fn negative<'r>(
+    robot: &'r dyn Robot,
+    found: &Identification,
+    is_meant: fn(&Parameter) -> bool,
+) -> Option<(&'r str, f64, &'static str)> {
+    let is_negative = |&&i: &&usize| {
+        let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
+        is_meant(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
+    };
+    let &i = found.free.iter().find(is_negative)?;
+    Some(outward(&robot.parameters()[i], found.values[i]))
+}
+
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong
 /// direction.
 fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Message> {
@@ -263,13 +277,15 @@ fn negative_compliance(robot: &dyn Robot, found: &Identification) -> Option<Mess
         let bends = matches!(p.effect, Effect::Bending | Effect::Payload) && p.by.is_some() && p.by == p.joint;
         bends || p.effect == Effect::Lateral
     };
-    let negative = |&&i: &&usize| {
-        let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
-        of_one_joint(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
-    };
-    let &i = found.free.iter().find(negative)?;
-    let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
+    let (parameter, value, unit) = negative(robot, found, of_one_joint)?;
     Some(warning!("compliance-negative", parameter, value, unit).to_decide())
+}
+
+/// Returns a warning if a joint is ahead of its motor: the directions of approach have the wrong
+/// sign.
+fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
+    let (parameter, value, unit) = negative(robot, found, |p| p.effect == Effect::Backlash)?;
+    Some(warning!("backlash-negative", parameter, value, unit).to_decide())
 }
 
 /// Returns a warning if the data reject the given centres of mass, and a change of their columns
@@ -290,18 +306,6 @@ fn wrong_loads(
     let changes: Vec<Phrase> = contradiction.slips.iter().map(change).collect();
     let over_u = contradiction.over_u;
     Some(warning!("load-columns-slip", count = changes.len(), over_u, changes).to_decide())
-}
-
-/// Returns a warning if a joint is ahead of its motor: the directions of approach have the wrong
-/// sign.
-fn negative_backlash(robot: &dyn Robot, found: &Identification) -> Option<Message> {
-    let negative = |&&i: &&usize| {
-        let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
-        robot.parameters()[i].effect == Effect::Backlash && found.values[i] < -SIGNIFICANT * u
-    };
-    let &i = found.free.iter().find(negative)?;
-    let (parameter, value, unit) = outward(&robot.parameters()[i], found.values[i]);
-    Some(warning!("backlash-negative", parameter, value, unit).to_decide())
 }
 
 /// Name, value and unit of a parameter.

@@ -22,6 +22,7 @@ use coordinates::{CHUNK, Coordinates};
 use etalon_base::{error, phrase};
 use etalon_math::{Blocks, Problem, Rows};
 use etalon_robots::{Loads, Robot};
+use nalgebra::DMatrix;
 use priors::Priors;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -248,6 +249,11 @@ impl<'a> Residuals<'a> {
         let mut jacobian = vec![0.0; self.residual_count() * self.width()];
         self.jacobian(x, &mut jacobian);
         jacobian
+    }
+
+    /// The Jacobian at `x` of residuals without a layout.
+    pub fn matrix_at(&self, x: &[f64]) -> DMatrix<f64> {
+        DMatrix::from_row_slice(self.residual_count(), x.len(), &self.jacobian_at(x))
     }
 
     /// A Jacobian with its columns.
