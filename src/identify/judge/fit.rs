@@ -6,6 +6,7 @@
 //! in units of the robot: a change of unit cannot win merely by making numbers small.
 
 use super::data::Data;
+use crate::judgement::regional::SHOWN;
 use crate::judgement::robust::CAUCHY;
 use crate::model::prior::DIFFUSE;
 use crate::model::residuals::Residuals;
@@ -16,7 +17,7 @@ use etalon_base::pose::{Vector, centroid, minus, norm};
 use etalon_math::statistics::rms;
 use etalon_math::{Loss, Options, ParameterPrior, Problem, WithPriors};
 use etalon_robots::{Parameter, Quantity, Robot, Role};
-use nalgebra::{Cholesky, DMatrix, DVector};
+use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 use std::collections::BTreeSet;
 
 /// Minimum standard deviations (mm, rad) of a residual: no instrument measures robots more
@@ -298,7 +299,10 @@ impl Hypothesis<'_> {
             let part = rows.rows(range.start, range.len());
             let kept = DMatrix::identity(range.len(), range.len()) - part * &inverse * part.transpose();
             let weighted = DVector::from_fn(range.len(), |i, _| weights[range.start + i] * residuals[range.start + i]);
-            let out = kept.lu().solve(&weighted)?;
+            // what the block determines almost alone cannot be predicted from the others
+            let SymmetricEigen { eigenvectors, eigenvalues } = SymmetricEigen::new(kept);
+            let along = eigenvectors.tr_mul(&weighted).zip_map(&eigenvalues, |a, shown| a / shown.max(SHOWN));
+            let out = eigenvectors * along;
             for (i, out) in range.zip(out.iter()) {
                 let (is_angle, unit) = units[i];
                 left.add(is_angle, out / weights[i] * unit);

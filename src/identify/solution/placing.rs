@@ -26,6 +26,8 @@ const RIGHT_MINIMUM: f64 = 0.01;
 /// Distance from base and targets, in medians of all distances, beyond which a sighting may be
 /// wrong: the largest of a thousand normal errors in space is 3.3 medians away.
 const GROSS: f64 = 5.0;
+/// Number of poses up to which one wrong pose makes all others as far, by least squares.
+const MASKED: usize = 12;
 /// Number of draws of poses, and minimum number of poses of a draw: a draw is without a wrong pose
 /// in 13 % of all cases if 40 % of the poses are wrong.
 const DRAWS: usize = 40;
@@ -202,20 +204,24 @@ fn place_all(
             }
         }
     }
-    Ok(best.map(|(placed, free)| by_most(rough, &sightings, &free, placed)))
+    Ok(best.map(|(placed, free)| {
+        let is_explained = placed.left_mm < UNEXPLAINED * spread;
+        by_most(rough, &sightings, &free, placed, is_explained)
+    }))
 }
 
-/// Base and targets by most of the sightings, where some are far from them by least squares: a high
-/// breakdown (Rousseeuw & Leroy 1987, chapter 5), from the solutions of drawn poses that leave the
-/// least median distance, followed by an M-estimate.
-fn by_most(rough: Rough, sightings: &[Sighting], free: &[usize], placed: Placed) -> Placed {
+/// Base and targets by most of the sightings, where some are far from them by least squares, or few
+/// are not near: a high breakdown (Rousseeuw & Leroy 1987, chapter 5), from the solutions of drawn
+/// poses that leave the least median distance, followed by an M-estimate.
+fn by_most(rough: Rough, sightings: &[Sighting], free: &[usize], placed: Placed, is_explained: bool) -> Placed {
     let problem = Placing { sightings, free, values: &placed.values };
     let distances = problem.distances(&problem.free_values());
     let farthest = distances.iter().copied().fold(0.0, f64::max);
-    if free.is_empty() || median(distances).is_none_or(|typical| farthest <= GROSS * typical) {
+    let mut poses: Vec<&[Sighting]> = sightings.chunk_by(|a, b| a.observation == b.observation).collect();
+    let is_masked = poses.len() <= MASKED && !is_explained;
+    if free.is_empty() || median(distances).is_none_or(|typical| !is_masked && farthest <= GROSS * typical) {
         return placed;
     }
-    let mut poses: Vec<&[Sighting]> = sightings.chunk_by(|a, b| a.observation == b.observation).collect();
     let rows = 3 * sightings.len() / poses.len();
     let count = (free.len().div_ceil(rows) + 1).max(FEWEST_DRAWN);
     let mut noise = Noise::new(DRAWS_STREAM, 0);

@@ -55,7 +55,7 @@ impl RobustReadings {
     pub fn settled(&self, robot: &dyn Robot, solution: &Solution) -> Option<Settled> {
         let sets = &solution.basis.sets;
         let outliers = self.fit.outliers();
-        let is_few = outliers.len() as f64 <= MOST_OUTLIERS * self.fit.readings.len() as f64;
+        let is_few = outliers.len() as f64 <= (MOST_OUTLIERS * self.fit.readings.len() as f64).max(1.0);
         let is_gross = outliers.iter().any(|reading| reading.over_deviation() > GROSS);
         if !is_gross
             || !is_few
