@@ -16,6 +16,7 @@ mod place;
 mod readings;
 
 pub use changes::Reading as OrientationReading;
+pub(crate) use moved::jacobian_with_misfit;
 pub use moved::moved_between;
 pub use readings::{ReadingSlips, WrongCoordinate, nominal_reading_slips, reading_slips};
 
@@ -577,6 +578,24 @@ mod tests {
             assert!(judged.is_possible && judged.named.is_none(), "{seed}: {:?}", judged.named);
             observations.iter_mut().for_each(|o| o.joints[2] = -o.joints[2]);
             assert!(!judge(&robot, &observations, &stated, &[]).is_possible, "{seed}");
+        }
+    }
+
+    /// Errors that repeat with the turn of the joints are no outliers; a reading that is 3 mm off
+    /// is one, and the only one.
+    #[test]
+    fn the_usual_misfit_is_no_outlier() {
+        let stated = Settings { prior: crate::Prior::TOLERANCES, effects: crate::Effects::Usual, ..stated(0.02) };
+        for seed in 1..=4 {
+            let (robot, mut observations) = arm(seed, 70);
+            let outliers = |observations: &[Observation]| {
+                let found = crate::identify(&robot, observations, &stated).expect("identified");
+                let robust = crate::RobustFit::new(&robot, observations, &stated, &found).expect("a fit");
+                robust.outliers().iter().map(|reading| reading.pose).collect::<Vec<_>>()
+            };
+            assert!(outliers(&observations).is_empty(), "{seed}: {:?}", outliers(&observations));
+            observations[30].targets[0].as_mut().expect("measured")[1] += 3.0;
+            assert_eq!(outliers(&observations), [observations[30].pose], "{seed}");
         }
     }
 

@@ -1,7 +1,8 @@
 //! Diagnosis: the cause of a missing result, and outliers, the largest residuals of a robust fit.
 
-use crate::judge::{MOST_PARAMETERS, is_possible_misfit, reading_slips, set_up_error};
+use crate::judge::{MOST_PARAMETERS, is_possible_misfit, jacobian_with_misfit, reading_slips, set_up_error};
 use crate::judgement::figures::ErrorKind;
+use crate::judgement::regional::SHOWN;
 use crate::judgement::robust::CAUCHY;
 use crate::model::observation::misplaced;
 use crate::model::residuals::{OF_MEDIAN, Residuals};
@@ -138,6 +139,8 @@ const CHANCE: f64 = 1e-3;
 const FEWEST_OF_TAIL: usize = 15;
 /// Ratio of a scatter to the given uncertainty from which a model is incomplete.
 const MISFIT: f64 = 1.5;
+/// Share of the poses that show the region of the measured joint values.
+const MOST_OF_REGION: f64 = 0.9;
 /// Number of fits, each with the scale of the previous one.
 const FITS: usize = 12;
 /// Maximum number of fits without the outliers of the previous one.
@@ -150,8 +153,8 @@ const PART: usize = 60;
 /// Minimum scale (mm, rad) of residuals: no instrument resolves less.
 pub const LEAST_RESIDUAL: f64 = 1e-6;
 
-/// Residual of every reading after a robust fit. Each quantity is judged by its own scatter: an
-/// incomplete model scatters more than the instrument.
+/// Residual of every reading after a robust fit. Each quantity is judged by its own scatter: that
+/// of a model that is incomplete is not the instrument's.
 #[derive(Clone, Debug)]
 pub struct RobustFit {
     /// The largest first, relative to its outlier limit.
@@ -287,7 +290,43 @@ impl RobustFit {
                 break;
             }
         }
+        found.compare_with_usual_misfit(robot, observations, settings, &free);
         Some(found)
+    }
+
+    /// Enlarges the limit of outliers that are none beside the misfit that robots usually have: a
+    /// model without it leaves more at the edge of the poses.
+    fn compare_with_usual_misfit(
+        &mut self,
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        free: &[usize],
+    ) {
+        if self.outliers().is_empty() {
+            return;
+        }
+        let scatter = Scatter(self.scales.iter().map(|(quantity, scale)| (*quantity, (*scale, 0))).collect());
+        let scaled = scatter.weighted(settings);
+        let predicted = comparison(robot, observations, &scaled, free, &self.values)
+            .and_then(|(problem, x)| predictions(&problem, &x, jacobian_with_misfit(&problem, &x)))
+            .unwrap_or_default();
+        let sizes = predicted.iter().map(|p| p.left.abs() / p.redundancy.max(SHOWN).sqrt());
+        let Some(deviation) = median(sizes).map(|size| OF_MEDIAN * size) else { return };
+        let (mut limits, mut rows) = (BTreeMap::new(), predicted.into_iter());
+        for (reading, count) in readings(robot, observations, &settings.conditions, &self.values) {
+            let own: Vec<Predicted> = rows.by_ref().take(count).collect();
+            let size = own.iter().map(|p| p.left.powi(2)).sum::<f64>().sqrt();
+            let variance = deviation.powi(2) * (1.0 + mean(own.iter().map(|p| p.variance)));
+            limits.insert((reading.source, reading.target), OUTLIER * variance.sqrt() / size);
+        }
+        let scales = &self.scales;
+        let is_incomplete = |quantity| scales.get(&quantity).is_some_and(|s| is_incomplete(*s, settings, quantity));
+        for reading in self.readings.iter_mut().filter(|r| is_incomplete(r.quantity)) {
+            let limit = limits.get(&(reading.source, reading.target)).copied().unwrap_or(0.0);
+            reading.limit = reading.limit.max(limit * reading.over_deviation());
+        }
+        self.readings.sort_by(|a, b| b.over_limit().total_cmp(&a.over_limit()));
     }
 
     /// Sources and targets of the outliers.
@@ -303,7 +342,10 @@ impl RobustFit {
         free: &[usize],
         Fit { values, scatter }: Fit,
     ) -> Self {
-        let mut factors = prediction_factors(robot, observations, &scatter.weighted(settings), free, &values);
+        let scaled = scatter.weighted(settings);
+        let predicted = comparison(robot, observations, &scaled, free, &values)
+            .and_then(|(problem, x)| predictions(&problem, &x, problem.matrix_at(&x)));
+        let mut factors = predicted.into_iter().flatten().map(|p| (1.0 + p.variance).sqrt());
         let stated_mm = settings.coordinate_uncertainty_mm();
         let least = |quantity: Option<ErrorKind>| {
             let scale = scatter.scale(quantity);
@@ -317,18 +359,21 @@ impl RobustFit {
         let all = readings(robot, observations, &settings.conditions, &values);
         let mut readings: Vec<Reading> = all.into_iter().map(deviating).collect();
         readings.retain(|reading| reading.is_judged(&settings.conditions));
-        let stated = |quantity: Option<ErrorKind>| {
-            let conditions = settings.conditions.iter().filter(|c| is_judged(c) && c.kind.error_kind() == quantity);
-            let least = conditions.map(|c| c.standard_uncertainty).fold(f64::INFINITY, f64::min);
-            if quantity == Some(ErrorKind::Position) { least.min(stated_mm) } else { least }
+        let scale = |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| {
+            (quantity, scale.max(stated_deviation(settings, quantity)))
         };
-        let scale =
-            |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| (quantity, scale.max(stated(quantity)));
         let scales: BTreeMap<_, _> = scatter.0.iter().map(scale).collect();
+        let region = Region::new(robot, observations, &settings.conditions);
         for (&quantity, (scale, _)) in &scatter.0 {
-            if *scale > MISFIT * stated(quantity) || !stated(quantity).is_finite() {
+            if is_incomplete(*scale, settings, quantity) {
                 let limit = outlier_limit(&readings, quantity);
-                readings.iter_mut().filter(|r| r.quantity == quantity).for_each(|r| r.limit = limit);
+                for reading in readings.iter_mut().filter(|r| r.quantity == quantity) {
+                    let joints = match reading.source {
+                        ReadingSource::Position(i) => &observations[i].joints,
+                        ReadingSource::Condition(i) => &settings.conditions[i].joints,
+                    };
+                    reading.limit = limit * region.distance(joints).max(1.0).powi(2);
+                }
             }
         }
         let fitted = [observations.len(), settings.conditions.len()];
@@ -340,9 +385,10 @@ impl RobustFit {
         self
     }
 
-    /// Outlier limit of a quantity, in standard deviations.
+    /// Smallest outlier limit of a quantity, in standard deviations.
     pub fn limit(&self, quantity: Option<ErrorKind>) -> f64 {
-        self.readings.iter().find(|r| r.quantity == quantity).map_or(OUTLIER, |r| r.limit)
+        let limits = self.readings.iter().filter(|r| r.quantity == quantity).map(|r| r.limit);
+        limits.reduce(f64::min).unwrap_or(OUTLIER)
     }
 
     /// `true` if every outlier is this many times as far as any other reading, relative to their
@@ -402,42 +448,92 @@ fn outlier_limit(readings: &[Reading], quantity: Option<ErrorKind>) -> f64 {
     largest.clamp(OUTLIER, GROSS)
 }
 
+/// Middle of the measured values of each joint, and the distance from it within which the values of
+/// most poses are, extended to all of a uniform distribution.
+struct Region(Vec<(f64, f64)>);
+
+impl Region {
+    fn new(robot: &dyn Robot, observations: &[Observation], conditions: &[Condition]) -> Self {
+        let seen = || observations.iter().map(|o| &o.joints).chain(conditions.iter().map(|c| &c.joints));
+        let joint = |j: usize| {
+            let middle = median(seen().map(|q| q[j])).unwrap_or_default();
+            let mut distances: Vec<f64> = seen().map(|q| (q[j] - middle).abs()).collect();
+            distances.sort_by(f64::total_cmp);
+            let most = (distances.len().max(1) - 1) as f64 * MOST_OF_REGION;
+            (middle, distances.get(most.round() as usize).map_or(0.0, |most| most / MOST_OF_REGION))
+        };
+        Self((0..robot.joints().len()).map(joint).collect())
+    }
+
+    /// Distance of joint values from the middle; 1 is the edge.
+    fn distance(&self, joints: &[f64]) -> f64 {
+        let moving = self.0.iter().zip(joints).filter(|((_, edge), _)| *edge > 0.0);
+        moving.map(|((middle, edge), q)| (q - middle).abs() / edge).fold(0.0, f64::max)
+    }
+}
+
+/// Smallest standard uncertainty (mm, rad) that is given for a quantity; infinite without one.
+fn stated_deviation(settings: &Settings, quantity: Option<ErrorKind>) -> f64 {
+    let conditions = settings.conditions.iter().filter(|c| is_judged(c) && c.kind.error_kind() == quantity);
+    let least = conditions.map(|c| c.standard_uncertainty).fold(f64::INFINITY, f64::min);
+    if quantity == Some(ErrorKind::Position) { least.min(settings.coordinate_uncertainty_mm()) } else { least }
+}
+
+/// `true` if the scatter of a quantity shows that the model is incomplete, or if none is given to
+/// compare with.
+fn is_incomplete(scale: f64, settings: &Settings, quantity: Option<ErrorKind>) -> bool {
+    let stated = stated_deviation(settings, quantity);
+    scale > MISFIT * stated || !stated.is_finite()
+}
+
 /// `true` if the residuals of a condition are judged: observed joint values are inputs of the
 /// model.
 fn is_judged(c: &Condition) -> bool {
     !matches!(c.kind, Kind::Joint(_))
 }
 
-/// Standard deviation of the difference between each residual of a reading and its prediction by
-/// the fit with the Cauchy loss, relative to the standard deviation of the reading: √(1 + J C Jᵀ).
-/// A pose far from the others is predicted less accurately. No values if the parameters are too
-/// many.
-fn prediction_factors(
-    robot: &dyn Robot,
-    observations: &[Observation],
-    scaled: &Settings,
+/// A residual about its prediction by the fit with the Cauchy loss.
+struct Predicted {
+    left: f64,
+    /// Variance of the prediction, J C Jᵀ: a pose far from the others is predicted less
+    /// accurately.
+    variance: f64,
+    /// Share of the error that the residual shows.
+    redundancy: f64,
+}
+
+/// Residuals at all parameters `values`, and the free parameters, for a comparison of readings.
+fn comparison<'a>(
+    robot: &'a dyn Robot,
+    observations: &'a [Observation],
+    scaled: &'a Settings,
     free: &[usize],
     values: &[f64],
-) -> std::vec::IntoIter<f64> {
-    let factors = || {
-        let mut problem = Residuals::new(robot, observations, scaled, free, values).ok()?;
-        problem.layout = None;
-        let (n, m) = (free.len(), problem.residual_count());
-        let x: Vec<f64> = free.iter().map(|&i| values[i]).collect();
-        let mut residuals = vec![0.0; m];
-        problem.residuals(&x, &mut residuals);
-        let rows = DMatrix::from_row_slice(m, n, &problem.jacobian_at(&x));
-        let norms: Vec<f64> = rows.column_iter().map(|c| c.norm().max(f64::MIN_POSITIVE)).collect();
-        let rows = rows * DMatrix::from_diagonal(&DVector::from_iterator(n, norms.iter().map(|v| 1.0 / v)));
-        let weight = |r: f64| 1.0 / (1.0 + (r / CAUCHY).powi(2));
-        let weighted = DMatrix::from_fn(m, n, |i, j| weight(residuals[i]).sqrt() * rows[(i, j)]);
-        let normal = weighted.tr_mul(&weighted) + DMatrix::identity(n, n) * 1e-12;
-        let spread = rows.clone() * Cholesky::new(normal)?.inverse();
-        let variance = |i: usize| spread.row(i).dot(&rows.row(i));
-        Some((0..problem.measured_count()).map(|i| (1.0 + variance(i)).sqrt()).collect::<Vec<f64>>())
+) -> Option<(Residuals<'a>, Vec<f64>)> {
+    let mut problem = Residuals::new(robot, observations, scaled, free, values).ok()?;
+    problem.layout = None;
+    (free.len() <= MOST_PARAMETERS).then(|| (problem, free.iter().map(|&i| values[i]).collect()))
+}
+
+/// Predictions of the residuals, in their units, by a fit with these rows of the Jacobian.
+fn predictions(problem: &Residuals, x: &[f64], rows: DMatrix<f64>) -> Option<Vec<Predicted>> {
+    let (m, n) = rows.shape();
+    let mut residuals = vec![0.0; m];
+    problem.residuals(x, &mut residuals);
+    let norms: Vec<f64> = rows.column_iter().map(|c| c.norm().max(f64::MIN_POSITIVE)).collect();
+    let rows = rows * DMatrix::from_diagonal(&DVector::from_iterator(n, norms.iter().map(|v| 1.0 / v)));
+    let weights: Vec<f64> = residuals.iter().map(|r| 1.0 / (1.0 + (r / CAUCHY).powi(2))).collect();
+    let weighted = DMatrix::from_fn(m, n, |i, j| weights[i].sqrt() * rows[(i, j)]);
+    let right = DVector::from_fn(m, |i, _| weights[i].sqrt() * residuals[i]);
+    let normal = weighted.tr_mul(&weighted) + DMatrix::identity(n, n) * 1e-12;
+    let inverse = Cholesky::new(normal)?.inverse();
+    let change = &rows * (&inverse * weighted.tr_mul(&right));
+    let spread = &rows * inverse;
+    let one = |i: usize| {
+        let variance = spread.row(i).dot(&rows.row(i));
+        Predicted { left: residuals[i] - change[i], variance, redundancy: 1.0 - weights[i] * variance }
     };
-    let is_small = free.len() <= MOST_PARAMETERS;
-    is_small.then(factors).flatten().unwrap_or_default().into_iter()
+    Some((0..problem.measured_count()).map(one).collect())
 }
 
 /// Standard deviation (mm, rad) of the residuals of each quantity, from their median size, and
@@ -610,4 +706,24 @@ fn robust(
         Fit::new(robot, all, settings, free, nominal)
     };
     [best, other].into_iter().flatten().min_by(|a, b| a.scatter.mean().total_cmp(&b.scatter.mean()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_robots::Prexyt;
+
+    /// Values from 0 to 10 have the middle 5, and nine of ten are within 5 of it: the edge is
+    /// 5/0.9. A joint that does not move has no edge.
+    #[test]
+    fn the_region_of_the_joint_values_by_hand() {
+        let joints = |q: f64| vec![q, 3.0, 2.0 * q];
+        let pose = |q: u32| Observation { joints: joints(f64::from(q)), ..Observation::default() };
+        let observations: Vec<Observation> = (0..=10).map(pose).collect();
+        let region = Region::new(&Prexyt::default(), &observations, &[]);
+        for (q, distance) in [(5.0, 0.0), (10.0, 0.9), (5.0 - 10.0 / 0.9, 2.0)] {
+            assert!((region.distance(&joints(q)) - distance).abs() < 1e-12, "{q}: {}", region.distance(&joints(q)));
+        }
+        assert!((region.distance(&[5.0, 90.0, 10.0])).abs() < 1e-12);
+    }
 }
