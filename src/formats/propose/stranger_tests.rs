@@ -520,3 +520,33 @@ fn tabs_divide_rows_although_a_few_have_none() {
     let text = (0..200).fold(String::new(), |text, i| text + &row(i) + "\n");
     holds(&propose("r.txt", &text), "delimiter = \"tab\"");
 }
+
+/// Bones of a motion capture have their own names, and not those of the bones that carry them.
+#[test]
+fn bones_are_named_by_themselves() {
+    for names in [["Sk:Hip", "Sk:LThigh", "Sk:RThigh"], ["763:763", "763:Ab", "763:Neck"]] {
+        let of_each =
+            |cells: [&str; 3]| cells.iter().map(|cell| [*cell; 7].join(",")).collect::<Vec<String>>().join(",");
+        let parts = "Rotation,Rotation,Rotation,Rotation,Position,Position,Position";
+        let head = format!(
+            "Format Version,1.25,Take Name,t,Length Units,Millimeters\n\n,Type,{}\n,Name,{}\n,ID,{}\n,Parent,{}\n\
+             ,,{}\nFrame,Time (Seconds),{}\n",
+            of_each(["Bone"; 3]),
+            of_each(names),
+            of_each(["371E:90A0", "371E:90A1", "371E:90A2"]),
+            of_each(["Root", names[0], names[0]]),
+            [parts; 3].join(","),
+            ["X,Y,Z,W,X,Y,Z"; 3].join(",")
+        );
+        let pose = |i: usize| {
+            let half = 0.05 * i as f64;
+            cells(&[&[half.sin(), 0.0, 0.0, half.cos()][..], &xyz(i).map(|v| v + 50.0 * half)].concat())
+        };
+        let row = |i: usize| format!("{i},{:.3},{},{},{}", 0.01 * i as f64, pose(i), pose(i + 5), pose(2 * i + 9));
+        let document = propose("r.csv", &table(&head, row));
+        for name in names {
+            let target = name.to_lowercase().replace(':', "_");
+            holds(&document, &format!("target = \"{target}\""));
+        }
+    }
+}

@@ -138,7 +138,10 @@ impl Head {
         for row in rows {
             let is_group = is_worded(row) && (!blanks || row.fields.len() == columns);
             is_above &= is_group;
-            if is_group {
+            // a row of bodies may have names such as `763:Neck`; the body that carries another one
+            // does not name it
+            let first = row.fields.iter().find(|field| !field.is_empty()).map_or("", |field| field);
+            if (is_group || first == "Name" && names_bodies(row)) && first != "Parent" {
                 let group = spread(row, columns);
                 for (name, (cell, is_filled)) in names.iter_mut().zip(&group).filter(|_| is_above) {
                     if name.is_empty() && *is_filled {
@@ -160,6 +163,13 @@ impl Head {
         head.names = Some(names);
         head
     }
+}
+
+/// `true` if the cells behind the first one are names, and no numbers.
+fn names_bodies(row: &Row) -> bool {
+    let cells = row.fields.iter().filter(|field| !field.is_empty()).skip(1);
+    let is_name = |cell: &str| cell.contains(|c: char| c.is_alphabetic() || c == ':');
+    cells.clone().count() > 1 && cells.clone().all(|cell| is_name(cell))
 }
 
 /// Names of all columns, if the row has a name for each.

@@ -30,7 +30,7 @@ ask-sign-of-difference = ob die Differenz Sollwert minus Messwert ist, wie vorge
 ask-targets-of-topics = zu welcher Zielmarke jedes Topic mit Posen oder Punkten gehört
 ask-text-in-all-rows = ob `{ $text }`, derselbe Text in allen Zeilen, die Zielmarke ist, wie vorgeschlagen, oder ein Code
 ask-time-unit = die Einheit der Zeiten in { $column }: der Schritt ist { $step }
-ask-two-frames = ob `{ $first }` und `{ $second }` zwei Zielmarken sind, wie vorgeschlagen, oder ein Punkt in zwei Koordinatensystemen: die Abstände von Zeile zu Zeile stimmen überein. `etalon cell` findet die Beziehung zweier Koordinatensysteme
+ask-two-frames = ob `{ $first }` und `{ $second }` zwei Zielmarken sind oder ein Punkt in zwei Koordinatensystemen: die Abstände von Zeile zu Zeile stimmen überein. `etalon cell` findet die Beziehung zweier Koordinatensysteme
 ask-unit = die Einheit der Längen
 ask-unit-of-size = die Einheit der Längen: die größte ist { $largest }, also passt { $units ->
         [inch-or-mm] inch oder mm

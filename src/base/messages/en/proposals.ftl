@@ -30,7 +30,7 @@ ask-sign-of-difference = whether the difference is commanded minus measured, as 
 ask-targets-of-topics = which target each topic of poses or points is
 ask-text-in-all-rows = whether `{ $text }`, the same text in all rows, is the target, as proposed, or a code
 ask-time-unit = the unit of the times in { $column }: the step is { $step }
-ask-two-frames = whether `{ $first }` and `{ $second }` are two targets, as proposed, or one point in two frames: the distances from row to row agree. `etalon cell` finds the relation of two frames
+ask-two-frames = whether `{ $first }` and `{ $second }` are two targets, or one point in two frames: the distances from row to row agree. `etalon cell` finds the relation of two frames
 ask-unit = the unit of lengths
 ask-unit-of-size = the unit of lengths: the largest length is { $largest }; for a robot, { $units ->
         [inch-or-mm] inch or mm is plausible

@@ -30,7 +30,7 @@ ask-sign-of-difference = si la différence est valeur commandée moins valeur me
 ask-targets-of-topics = à quelle cible correspond chaque topic de poses ou de points
 ask-text-in-all-rows = si `{ $text }`, le même texte à toutes les lignes, est la cible, comme proposé, ou un code
 ask-time-unit = l’unité des temps dans { $column } : le pas est { $step }
-ask-two-frames = si `{ $first }` et `{ $second }` sont deux cibles, comme proposé, ou un point dans deux référentiels : les distances d’une ligne à l’autre concordent. `etalon cell` trouve la relation de deux référentiels
+ask-two-frames = si `{ $first }` et `{ $second }` sont deux cibles, ou un point dans deux référentiels : les distances d’une ligne à l’autre concordent. `etalon cell` trouve la relation de deux référentiels
 ask-unit = l’unité des longueurs
 ask-unit-of-size = l’unité des longueurs : la plus grande est { $largest }, donc { $units ->
         [inch-or-mm] inch ou mm convient
