@@ -62,9 +62,7 @@ impl Exporter for UniversalRobots {
         let mut header = given.header_of_geometry("m, rad")?;
         header
             .push("ur_description reads this file (kinematics_params_file); the controller itself does not".to_owned());
-        header.extend(
-            self.concern(given).map(|_| "the axes of this arm differ from the axes of Universal Robots arms".to_owned()),
-        );
+        header.extend(self.concern(given).map(|_| "the axes of this arm differ from Universal Robots arms".to_owned()));
         header.extend(listed(&Pose::identity(), &arm.base).map(|(xyz, rpy)| {
             format!("base of this file in the base of the robot file: xyz {xyz} mm, rpy {rpy} deg; move the robot there in its scene")
         }));
