@@ -515,7 +515,11 @@ fn exchanged_rows_and_columns_are_told() {
 fn tabs_divide_rows_although_a_few_have_none() {
     let row = |i: usize| match i {
         7 => format!("EU3 N{i}  {}", cells(&xyz(i)).replace(',', " ")),
-        _ => format!("EU3 N{i}\t{}\t{}", cells(&xyz(i)).replace(',', "\t"), if i % 9 == 0 { "DATUM" } else { "" }),
+        _ => format!(
+            "EU3 N{i}\t{}\t{}",
+            cells(&xyz(i)).replace(',', "\t"),
+            if i.is_multiple_of(9) { "DATUM" } else { "" }
+        ),
     };
     let text = (0..200).fold(String::new(), |text, i| text + &row(i) + "\n");
     holds(&propose("r.txt", &text), "delimiter = \"tab\"");

@@ -48,21 +48,7 @@ pub fn pose_test(
             CoordinatesOf { file: commanded.file(), spatial: c.spatial, angles: &c.angles },
             CoordinatesOf { file: attained.file(), spatial: a.spatial, angles: &a.angles },
         )?;
-        for (i, &pose) in c.poses.iter().enumerate() {
-            let (commanded_mm, commanded_rad) = (Some(c.positions_mm[i]), c.angles_rad[i].clone());
-            // a table of attained poses repeats the commanded pose in each cycle
-            match poses.iter().find(|p| p.pose == pose) {
-                Some(before) if before.commanded_mm == commanded_mm && before.commanded_rad == commanded_rad => {
-                    continue;
-                }
-                Some(_) => {
-                    let message = error!("pose-commanded-twice", pose = pose.to_string());
-                    problems.0.push(message.at(commanded.place(i)));
-                }
-                None => {}
-            }
-            poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
-        }
+        poses = commanded_poses(commanded, c, &mut problems);
     } else {
         let names: BTreeSet<PoseName> = a.poses.iter().copied().collect();
         let pose = |pose| TestedPose { pose, commanded_mm: None, commanded_rad: Vec::new(), attained: Vec::new() };
@@ -115,6 +101,27 @@ pub fn pose_test(
         return Err(error!("no-pose-measured").at(Place::file(attained.file())).into());
     }
     Ok(PoseTest { poses, spatial: a.spatial, angles: a.angles, rotation_order, warnings })
+}
+
+/// Commanded poses of a table, each once, in the order of their rows.
+fn commanded_poses(table: &Table, rows: &Rows, problems: &mut Problems) -> Vec<TestedPose> {
+    let mut poses: Vec<TestedPose> = Vec::new();
+    for (i, &pose) in rows.poses.iter().enumerate() {
+        let (commanded_mm, commanded_rad) = (Some(rows.positions_mm[i]), rows.angles_rad[i].clone());
+        // a table of attained poses repeats the commanded pose in each cycle
+        match poses.iter().find(|p| p.pose == pose) {
+            Some(before) if before.commanded_mm == commanded_mm && before.commanded_rad == commanded_rad => {
+                continue;
+            }
+            Some(_) => {
+                let message = error!("pose-commanded-twice", pose = pose.to_string());
+                problems.0.push(message.at(table.place(i)));
+            }
+            None => {}
+        }
+        poses.push(TestedPose { pose, commanded_mm, commanded_rad, attained: Vec::new() });
+    }
+    poses
 }
 
 /// Attained poses of all rows, and a warning of visits with unknown approach.
