@@ -38,7 +38,7 @@ fn a_file_of_zeros_is_judged_by_its_own_errors() {
     assert_eq!(verdict.limits[0].value, Some(written.max_mm));
     assert!(written.max_mm > 1.0 && written.rms_mm > 0.5, "{written:?}");
     assert_eq!(verdict.loading.unwrap().answer, LoadAnswer::Resolve);
-    let campaign: CampaignSummary = document(&scratch, "campaign.json");
+    let campaign: CampaignSummary = scratch.document("campaign.json");
     let file = campaign.controller_files.iter().find(|file| file.file == "zeros.ini").unwrap();
     let omitted = &file.omitted_effects;
     assert!(omitted.contains(&Effect::Geometry) && omitted.contains(&Effect::Gains), "{omitted:?}");
@@ -246,12 +246,12 @@ fn an_effect_that_few_poses_prove_comes_before_nominal_parameters() {
     scratch.replace("campaign.toml", "[limits]\nposition_max_mm = 0.15", "");
     scratch.replace("campaign.toml", "effects = \"all\"", "effects = [\"zeros\"]");
     ends(&scratch, "run", 0, &[]);
-    let verdict: VerdictDocument = document(&scratch, "verdict.json");
+    let verdict: VerdictDocument = scratch.document("verdict.json");
     let loading = verdict.loading.unwrap();
     assert_eq!((loading.answer, &loading.effects[..]), (LoadAnswer::IdentifyFurther, &[Effect::Geometry][..]));
     let step = verdict.actions.iter().find(|step| step.action == ActionKind::AddEffect).unwrap();
     scratch.replace("campaign.toml", "effects = [\"zeros\"]", step.line.as_deref().unwrap());
-    let errors = || -> LeftOutErrors { document::<AccuracyDocument>(&scratch, "accuracy.json").left_out.unwrap() };
+    let errors = || -> LeftOutErrors { scratch.document::<AccuracyDocument>("accuracy.json").left_out.unwrap() };
     let before = errors();
     let again = etalon(scratch.root(), &["run", "campaign"]);
     assert!(again.status.code() < Some(2), "{}", text_of(&again));
@@ -267,11 +267,11 @@ fn parameters_of_few_poses_that_absorb_errors_of_the_model_are_not_loaded() {
     scratch.replace("campaign.toml", "effects = \"proven\"", "effects = \"usual\"");
     let rms = |accuracy: &AccuracyDocument| accuracy.sets.last().unwrap().leading().unwrap().after.rms;
     ends(&scratch, "run", 0, &[]);
-    let judged: AccuracyDocument = document(&scratch, "accuracy.json");
+    let judged: AccuracyDocument = scratch.document("accuracy.json");
     scratch.replace("campaign.toml", "validation = \"rest\"", "");
     ends(&scratch, "run", 1, &[]);
     let (accuracy, verdict): (AccuracyDocument, VerdictDocument) =
-        (document(&scratch, "accuracy.json"), document(&scratch, "verdict.json"));
+        (scratch.document("accuracy.json"), scratch.document("verdict.json"));
     // other poses have several times the errors of the calibration poses
     assert!(rms(&judged) > 5.0 * rms(&accuracy), "{} {}", rms(&judged), rms(&accuracy));
     assert!(verdict.reasons.iter().any(|reason| matches!(reason, Reason::ErrorsUnknown { .. })), "{verdict:?}");
