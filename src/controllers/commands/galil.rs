@@ -1,6 +1,6 @@
 //! Galil DMC: absolute positions of the axes in counts, `PA n,n,n`.
 
-use super::{ExportInput, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks, slots};
+use super::{ExportInput, Number, Program, ProgramTarget, at_line, masked, number, skip_blanks};
 use etalon_base::message::Result;
 use etalon_base::{error, phrase};
 use std::fmt::Write;
@@ -73,13 +73,9 @@ impl Galil {
                 match name {
                     b"PA" if rest.trim_ascii().starts_with(b"?") => {}
                     b"PA" => match self.positions(&text[..start + command.len()], skip_blanks(&text, start) + 2) {
-                        Some(numbers) => found.targets.push(ProgramTarget {
-                            name: format!("line {}", i + 1),
-                            line: i + 1,
-                            numbers: numbers.iter().map(|n| n.value).collect(),
-                            slots: slots(&numbers),
-                            configuration: None,
-                        }),
+                        Some(numbers) => {
+                            found.targets.push(ProgramTarget::new(format!("line {}", i + 1), i + 1, &numbers))
+                        }
                         None => problems.push(at_line(
                             i + 1,
                             error!(

@@ -4,7 +4,7 @@
 
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, assigned_name, at_line, line_number,
-    masked, number, slots, word_before,
+    masked, number, word_before,
 };
 use etalon_base::message::{Message, Result};
 use etalon_base::pose::Pose;
@@ -121,11 +121,8 @@ fn aggregate(text: &[u8], inside: Range<usize>, found: &mut Program) -> Option<M
         return moves.then(|| at_line(line, error!("move-incomplete", command, coordinates)));
     }
     found.targets.push(ProgramTarget {
-        name: assigned_name(text, open, "="),
-        line,
-        numbers: numbers.iter().map(|n| n.value).collect(),
-        slots: slots(&numbers),
         configuration: field("T").map(|f| Configuration::Negative(f.value.value as i64)),
+        ..ProgramTarget::new(assigned_name(text, open, "="), line, &numbers)
     });
     None
 }

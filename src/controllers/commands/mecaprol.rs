@@ -2,7 +2,7 @@
 //! published programs (oKermorgant/ecn_Dextar), `WCS X.. Y.. W..` is the frame of the targets,
 //! `TCS Z..` is the tool, and `!` starts a comment.
 
-use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number, slots};
+use super::{CommandLanguage, Freedoms, Number, Program, ProgramTarget, at_line, masked, number};
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
 use etalon_base::{error, phrase};
@@ -59,13 +59,7 @@ impl CommandLanguage for Mecaprol {
                     b"MoveC" | b"MoveL" => match [b'X', b'Y'].map(|letter| word(command, letter)) {
                         [Some(x), Some(y)] => {
                             let numbers = [x, y].map(|n| Number { range: at + n.range.start..at + n.range.end, ..n });
-                            found.targets.push(ProgramTarget {
-                                name: format!("line {}", i + 1),
-                                line: i + 1,
-                                numbers: numbers.iter().map(|n| n.value).collect(),
-                                slots: slots(&numbers),
-                                configuration: None,
-                            });
+                            found.targets.push(ProgramTarget::new(format!("line {}", i + 1), i + 1, &numbers));
                         }
                         _ => problems.push(at_line(
                             i + 1,

@@ -111,6 +111,14 @@ pub struct ProgramTarget {
     pub configuration: Option<Configuration>,
 }
 
+impl ProgramTarget {
+    /// Target whose numbers are in the program.
+    fn new(name: String, line: usize, numbers: &[Number]) -> Self {
+        let slots = numbers.iter().map(|n| Slot { range: n.range.clone(), prefix: "" }).collect();
+        Self { name, line, numbers: numbers.iter().map(|n| n.value).collect(), slots, configuration: None }
+    }
+}
+
 /// Position of a number in a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
@@ -341,11 +349,6 @@ fn assigned_name(text: &[u8], at: usize, sign: &str) -> String {
     let assigned = before.strip_suffix(sign.as_bytes()).map(|before| word_before(before, before.len()));
     let name = assigned.filter(|name| !name.is_empty()).map(str::to_owned);
     name.unwrap_or_else(|| format!("line {}", line_number(text, at)))
-}
-
-/// Slots of existing numbers.
-fn slots(numbers: &[Number]) -> Vec<Slot> {
-    numbers.iter().map(|n| Slot { range: n.range.clone(), prefix: "" }).collect()
 }
 
 /// Error at a line of a program.

@@ -4,7 +4,7 @@
 
 use super::{
     CommandLanguage, Configuration, Freedoms, Number, Program, ProgramTarget, assigned_name, bracketed, line_number,
-    masked, skip_blanks, slots,
+    masked, skip_blanks,
 };
 use etalon_base::error;
 use etalon_base::message::Result;
@@ -85,11 +85,8 @@ impl CommandLanguage for Rapid {
                     }
                     let cf = |i: usize| lists[2][i].value as i64;
                     found.targets.push(ProgramTarget {
-                        name,
-                        line: line_number(&text, next),
-                        numbers: numbers.iter().map(|n| n.value).collect(),
-                        slots: slots(&numbers),
                         configuration: Some(Configuration::Quadrants([cf(0), cf(1), cf(2)])),
+                        ..ProgramTarget::new(name, line_number(&text, next), &numbers)
                     });
                 }
                 [6, 6] => found.joint_targets += 1,

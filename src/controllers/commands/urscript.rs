@@ -2,8 +2,7 @@
 //! are lists without `p`.
 
 use super::{
-    CommandLanguage, Freedoms, Program, ProgramTarget, assigned_name, bracketed, line_number, masked, slots,
-    word_before,
+    CommandLanguage, Freedoms, Program, ProgramTarget, assigned_name, bracketed, line_number, masked, word_before,
 };
 use etalon_base::message::Result;
 use etalon_base::pose::Pose;
@@ -68,13 +67,7 @@ impl CommandLanguage for UrScript {
             };
             let used = MOVES.contains(&called) || (called.is_empty() && moved(&name));
             match (is_pose, used) {
-                (true, true) => found.targets.push(ProgramTarget {
-                    name,
-                    line: line_number(&text, open),
-                    numbers: numbers.iter().map(|n| n.value).collect(),
-                    slots: slots(&numbers),
-                    configuration: None,
-                }),
+                (true, true) => found.targets.push(ProgramTarget::new(name, line_number(&text, open), &numbers)),
                 (false, true) => found.joint_targets += 1,
                 (true, false) if called == "set_tcp" => {
                     let name = readable[start..].lines().next().unwrap_or_default().to_owned();
