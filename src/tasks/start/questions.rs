@@ -101,7 +101,7 @@ fn plain(answer: &str) -> String {
     answer.chars().filter(char::is_ascii_alphanumeric).collect()
 }
 
-/// An answer as a value of TOML: a truth value, a number, a list such as the columns of a file, or a
+/// An answer as a value of TOML: a truth value, a number, a list (the columns of a file), or a
 /// text.
 fn value(answer: &str) -> String {
     let list = toml::from_str::<toml::Table>(&format!("list = {answer}")).ok().filter(|table| table.len() == 1);
