@@ -63,6 +63,9 @@ fn without_points(text: &str) -> Option<(&'static str, f64)> {
     if structure::is_mesh(text) {
         return Some(("mesh", 0.9));
     }
+    if let Some(kind) = structure::program_or_model(text) {
+        return Some((kind, 0.5));
+    }
     match (is_xml(text), roughness) {
         (_, true) => Some(("roughness", 1.0)),
         (true, _) if certificate => Some(("certificate", 0.9)),

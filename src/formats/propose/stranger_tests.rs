@@ -305,6 +305,9 @@ fn four_points_without_coordinates_are_joints_and_a_wide_table_is_transposed() {
     for (text, kind) in [
         ("OFF\n8 6 0\n0 0 0\n1 0 0\n3 0 1 4\n", "mesh"),
         ("def P():\n  movej(p[0.1, 0.2, 0.3, 0, 0, 1])\n", "urscript"),
+        ("DEF P()\nPTP {X 1.5,Y 2.5,Z 3.5,A 0,B 90,C 0}\nEND\n", "krl"),
+        ("%\nG90\nG1 X1.5 Y2.5 Z3.5\nG1 X1.6 Y2.5 Z3.5\nM30\n", "gcode"),
+        ("ISO-10303-21;\nDATA;\n#1=CARTESIAN_POINT('',(1.0,2.0,3.0));\n#2=CARTESIAN_POINT('',(1.5,2.0,3.0));\n", "cad"),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("f.txt");

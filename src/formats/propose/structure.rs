@@ -75,6 +75,32 @@ pub(super) fn has_named_numbers(text: &str, looks_like_yaml: bool) -> bool {
     (looks_like_yaml || 4 * of_names >= lines.len()) && of_names > 1
 }
 
+/// Returns `krl` or `gcode` for a program of a KUKA controller or a machine tool, and `cad` for a
+/// model in STEP or DXF.
+pub(super) fn program_or_model(text: &str) -> Option<&'static str> {
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let (first, second) = (lines.next()?, lines.next().unwrap_or_default());
+    if first.starts_with("ISO-10303-21") || first == "0" && second == "SECTION" {
+        return Some("cad");
+    }
+    let all = || text.lines().map(str::trim).take(400);
+    let is_head = |line: &str| ["DEF ", "DEFDAT ", "&ACCESS"].iter().any(|head| line.starts_with(head));
+    let has_position = |line: &str| ["E6POS ", "E6AXIS ", "PTP ", "LIN "].iter().any(|word| line.contains(word));
+    if all().take(20).any(is_head) && all().any(has_position) {
+        return Some("krl");
+    }
+    // a block moves axes: `N10 G1 X12.5 Y3.0`
+    let is_word = |word: &str, letters: &str| {
+        let number = word.strip_prefix(|c: char| letters.contains(c));
+        number.is_some_and(|number| number.parse::<f64>().is_ok())
+    };
+    let moves = |line: &&str| {
+        let mut words = line.split_whitespace().skip_while(|word| is_word(word, "N"));
+        words.next().is_some_and(|word| ["G0", "G1", "G00", "G01"].contains(&word)) && words.any(|w| is_word(w, "XYZ"))
+    };
+    (all().filter(moves).count() > 1).then_some("gcode")
+}
+
 /// `true` for a mesh as OFF, Wavefront OBJ, VRML or VTK: vertices, and faces of their numbers.
 pub(super) fn is_mesh(text: &str) -> bool {
     // OFF with normals, colours and texture coordinates
@@ -166,6 +192,13 @@ mod tests {
         assert!(!has_named_numbers(&log, false) && has_named_numbers(&log, true));
         assert!(is_mesh("# o\nv 1 2 3\nv 2 3 4\nv 4 5 6\nf 1 2 3\n") && !is_mesh("v 1 2 3\nv 1 2 4\nv 1 2 5\n"));
         assert!(is_mesh("# c\nNOFF\n4 1 0\n") && is_mesh("# vtk DataFile Version 3.0\n") && !is_mesh("OFF 1 2\n"));
+        assert_eq!(program_or_model("%\nG21\nN10 G1 X1.5 Y2.5 F100\nN20 G01 Z-3\nM30\n"), Some("gcode"));
+        assert_eq!(program_or_model("&ACCESS RVP\nDEF P()\nPTP {X 1.5,Y 2.5,Z 3.5}\nEND\n"), Some("krl"));
+        assert_eq!(program_or_model("DEFDAT P\nDECL E6POS XP1={X 1.5,Y 2.5}\nENDDAT\n"), Some("krl"));
+        assert_eq!(program_or_model("0\nSECTION\n2\nENTITIES\n"), Some("cad"));
+        for text in ["G1 12.5 3.5 4.5\nG2 12.5 3.5 4.5\n", "0\n1\n", "DEF 1.5 2.5\nX 1 2\n", "x,y\n1,2\n", ""] {
+            assert_eq!(program_or_model(text), None, "{text}");
+        }
         let lists = |cells: &[&str]| {
             let cells: Vec<Box<str>> = cells.iter().map(|cell| (*cell).into()).collect();
             has_lists_in_cells(std::iter::once(&*cells))

@@ -400,6 +400,9 @@ file-without-points = das ist { $kind ->
         [mesh] ein Netz (OBJ, OFF, VRML oder VTK): die Ecken sind keine Messpunkte eines Roboters
         [las] ein Scan im Format LAS
         [urscript] ein Programm einer Steuerung von Universal Robots mit Sollposen, ohne gemessene Posen
+        [krl] ein Programm einer KUKA-Steuerung mit Sollposen, ohne gemessene Posen
+        [gcode] ein Programm einer Werkzeugmaschine (G-Code) mit Sollpositionen, ohne gemessene Positionen
+        [cad] ein CAD-Modell (STEP oder DXF) mit Nennpunkten
         [roughness] eine Datei mit Rauheitskennwerten eines Mitutoyo SJ-410 ohne Koordinaten
        *[xml] ein XML-Dokument unbekannter Art
     }
@@ -413,6 +416,9 @@ file-without-points = das ist { $kind ->
         [mesh] die Datei mit den Messpunkten angeben; Netze eines Roboters gehören zu seiner URDF
         [las] die Punkte als Text, PLY oder E57 exportieren
         [urscript] die Datei mit den Messpunkten angeben
+        [krl] die Datei mit den Messpunkten angeben
+        [gcode] die Datei mit den Messpunkten angeben
+        [cad] die Datei mit den Messpunkten angeben
        *[other] die Zahlen als CSV schreiben: eine Zeile je Punkt oder Pose, darüber die Namen der Spalten
     }
 

@@ -798,6 +798,9 @@ file-without-points = this is { $kind ->
         [mesh] a mesh (OBJ, OFF, VRML or VTK): its vertices are not measured points of a robot
         [las] a scan in the LAS format
         [urscript] a program of a Universal Robots controller: it contains commanded poses, no measured ones
+        [krl] a program of a KUKA controller: it contains commanded poses, no measured ones
+        [gcode] a program of a machine tool (G-code): it contains commanded positions, no measured ones
+        [cad] a CAD model (STEP or DXF): its points are nominal
         [roughness] a file of roughness parameters of a Mitutoyo SJ-410 without coordinates
        *[xml] an XML document of an unknown kind
     }
@@ -811,6 +814,9 @@ file-without-points = this is { $kind ->
         [mesh] give the file with the measured points; a robot's meshes belong to its URDF
         [las] export the points as text, PLY or E57
         [urscript] give the file with the measured points
+        [krl] give the file with the measured points
+        [gcode] give the file with the measured points
+        [cad] give the file with the measured points
        *[other] write the numbers as CSV: one row for each point or pose, below a row with the names of the columns
     }
 

@@ -399,6 +399,9 @@ file-without-points = c’est { $kind ->
         [south] un fichier d’observations d’une station totale South
         [las] un relevé au format LAS
         [urscript] un programme d’une commande Universal Robots : il contient des poses commandées, sans poses mesurées
+        [krl] un programme d’une commande KUKA : il contient des poses commandées, sans poses mesurées
+        [gcode] un programme d’une machine-outil (G-code) : il contient des positions commandées, sans positions mesurées
+        [cad] un modèle CAO (STEP ou DXF) : ses points sont nominaux
         [mesh] un maillage (OBJ, OFF, VRML ou VTK) : ses sommets ne sont pas des points mesurés d’un robot
         [roughness] un fichier de paramètres de rugosité d’un Mitutoyo SJ-410, sans coordonnées
        *[xml] un document XML de type inconnu
@@ -412,6 +415,9 @@ file-without-points = c’est { $kind ->
         [south] exporter les coordonnées des points en texte, une ligne par point
         [las] exporter les points en texte, PLY ou E57
         [urscript] indiquer le fichier des points mesurés
+        [krl] indiquer le fichier des points mesurés
+        [gcode] indiquer le fichier des points mesurés
+        [cad] indiquer le fichier des points mesurés
         [mesh] indiquer le fichier des points mesurés ; les maillages d’un robot appartiennent à son URDF
        *[other] écrire les nombres en CSV : une ligne par point ou par pose, sous une ligne avec les noms des colonnes
     }
