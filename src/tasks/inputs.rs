@@ -1,12 +1,11 @@
 //! Tables and robots that a task is given: files, or texts in memory.
 
-use super::text_format;
 use crate::stages::table_file::TableFile;
-use etalon_base::files;
 use etalon_base::message::Result;
+use etalon_base::{error, files};
 use etalon_campaign::RobotFile;
 use etalon_formats::TableReading;
-use etalon_tables::{Form, TableLayout};
+use etalon_tables::{ColumnSource, Form, TableLayout};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -52,14 +51,33 @@ impl Table<'_> {
     pub(crate) fn read(&self) -> Result<TableFile> {
         match self {
             Self::File(path) => TableFile::read(path),
+            Self::Text { name, text } => TableFile::parse(name, text),
+            Self::Sheet { .. } | Self::Headed { .. } => self.read_as(&TableReading::default()),
+        }
+    }
+
+    /// Reads a table in a layout. Marks, encoding and sheet of the layout concern files.
+    pub(super) fn read_as(self, reading: &TableReading) -> Result<TableFile> {
+        let with_form = |form: Form| {
+            let layout = TableLayout { form, ..reading.layout.clone() };
+            TableReading { layout, ..reading.clone() }
+        };
+        let form = &reading.layout.form;
+        match self {
+            Self::File(path) => TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading),
             Self::Sheet { path, sheet } => {
-                let layout =
-                    TableLayout { form: Form::with_sheet(Some((*sheet).to_owned())), ..TableLayout::default() };
-                let reading = TableReading { layout, ..TableReading::default() };
+                let reading = with_form(Form { sheet: Some(sheet.to_owned()), ..form.clone() });
                 TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
             }
-            Self::Text { name, text } => TableFile::parse(name, text),
-            Self::Headed { .. } => text_format::read(*self, &TableReading::default()),
+            Self::Text { name, text } => TableFile::parse_with(name, text, &with_form(form.without_marks())),
+            Self::Headed { table, columns } => {
+                let mut reading = reading.clone();
+                for text in columns {
+                    let (name, source) = named("column", text)?;
+                    reading.layout.columns.insert(name, parse_column_source(source));
+                }
+                table.read_as(&reading)
+            }
         }
     }
 
@@ -106,5 +124,21 @@ impl Inputs<'_> {
             }
         }
         Ok(all)
+    }
+}
+
+/// Name and value of an option `NAME=VALUE`.
+pub(super) fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str)> {
+    match text.split_once('=') {
+        Some((name, value)) => Ok((name.trim().to_owned(), value.trim())),
+        None => Err(error!("column-option-malformed", option, text).into()),
+    }
+}
+
+/// A number of a column, or a heading or an expression.
+pub(super) fn parse_column_source(text: &str) -> ColumnSource {
+    match text.parse::<usize>() {
+        Ok(number) if number > 0 => ColumnSource::Number(number),
+        _ => text.into(),
     }
 }

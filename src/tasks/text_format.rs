@@ -1,7 +1,7 @@
 //! Options for reading tables and texts of points: the keys of campaign.toml as options.
 
 use super::call::pairs;
-use super::inputs::Table;
+use super::inputs::{Table, named, parse_column_source};
 use crate::stages::table_file::TableFile;
 use etalon_base::error;
 use etalon_base::message::Problems;
@@ -124,7 +124,7 @@ impl TextForm {
         let has = |name: &str, source: &ColumnSource| {
             let columns = BTreeMap::from([(name.to_owned(), source.clone())]);
             let layout = TableLayout { columns, constants: BTreeMap::new(), ..reading.layout.clone() };
-            let read = read(table, &TableReading { layout, ..reading.clone() });
+            let read = table.read_as(&TableReading { layout, ..reading.clone() });
             read.is_ok_and(|read| read.table.has(name))
         };
         let mut columns = BTreeMap::new();
@@ -158,7 +158,7 @@ impl TextForm {
     fn one_of_several(&self, table: Table, reading: TableReading) -> Result<TableFile, Problems> {
         let mut reading = TableReading { lenient: true, ..reading };
         reading.layout.columns = self.columns_in_table(table, &reading)?;
-        read(table, &reading)
+        table.read_as(&reading)
     }
 }
 
@@ -302,12 +302,12 @@ impl TableFormat {
 
     /// Reads the table of observations in the file.
     pub(crate) fn read(&self, table: Table) -> Result<TableFile, Problems> {
-        read(table, &self.reading(false)?)
+        table.read_as(&self.reading(false)?)
     }
 
     /// Reads a table of poses, loads or joints.
     pub(crate) fn read_other(&self, table: Table) -> Result<TableFile, Problems> {
-        read(table, &self.reading(true)?)
+        table.read_as(&self.reading(true)?)
     }
 
     /// Reads one of several tables of poses; columns that it does not have are omitted.
@@ -356,42 +356,9 @@ impl TableFormat {
     }
 }
 
-/// Reads a table in a layout. Marks, encoding and sheet of the layout concern files.
-pub(super) fn read(table: Table, reading: &TableReading) -> Result<TableFile, Problems> {
-    let with_form = |form: Form| {
-        let layout = TableLayout { form, ..reading.layout.clone() };
-        TableReading { layout, ..reading.clone() }
-    };
-    let form = &reading.layout.form;
-    match table {
-        Table::File(path) => TableFile::observations(path, &etalon_formats::read_bytes(path)?, reading),
-        Table::Sheet { path, sheet } => {
-            let reading = with_form(Form { sheet: Some(sheet.to_owned()), ..form.clone() });
-            TableFile::observations(path, &etalon_formats::read_bytes(path)?, &reading)
-        }
-        Table::Text { name, text } => TableFile::parse_with(name, text, &with_form(form.without_marks())),
-        Table::Headed { table, columns } => {
-            let mut reading = reading.clone();
-            for text in columns {
-                let (name, source) = named("column", text)?;
-                reading.layout.columns.insert(name, parse_column_source(source));
-            }
-            read(*table, &reading)
-        }
-    }
-}
-
 /// Value of an option, if it is given.
 fn stated<T: serde::de::DeserializeOwned>(option: &str, text: Option<&str>) -> Result<Option<T>, Problems> {
     text.map(|text| word(option, text)).transpose()
-}
-
-/// Name and value of an option `NAME=VALUE`.
-fn named<'a>(option: &str, text: &'a str) -> Result<(String, &'a str), Problems> {
-    match text.split_once('=') {
-        Some((name, value)) => Ok((name.trim().to_owned(), value.trim())),
-        None => Err(error!("column-option-malformed", option, text).into()),
-    }
 }
 
 /// Role of a column, and the heading, number or expression that it is.
@@ -424,14 +391,6 @@ fn missing(texts: Vec<String>) -> Result<Missing, Problems> {
     type Texts = serde::de::value::SeqDeserializer<std::vec::IntoIter<String>, serde::de::value::Error>;
     let found = <Missing as serde::Deserialize>::deserialize(Texts::new(texts.into_iter()));
     found.map_err(|e| error!("option-refused", option = "--missing", reason = e.to_string()).into())
-}
-
-/// A number of a column, or a heading or an expression.
-fn parse_column_source(text: &str) -> ColumnSource {
-    match text.parse::<usize>() {
-        Ok(number) if number > 0 => ColumnSource::Number(number),
-        _ => text.into(),
-    }
 }
 
 /// Format of an option: a name, or a table of keys as a campaign gives it.

@@ -4,7 +4,7 @@ use super::bound::BoundOption;
 use super::checks::{angle_order, check_uncertainty};
 use super::inputs::{Inputs, Table};
 use super::plan::read_candidates;
-use super::text_format::{TableFormat, read};
+use super::text_format::TableFormat;
 use crate::run::walk::{self, Observed};
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, RowDefaults};
@@ -188,7 +188,7 @@ fn table_like(folder: &Path, table: Table) -> Result<(TableFile, Option<AngleOrd
     match &campaign.file.observations[..] {
         [stated] => {
             let order = order_in_campaign(&campaign, stated)?;
-            Ok((read(table, &stated.reading())?, order))
+            Ok((table.read_as(&stated.reading())?, order))
         }
         [] => Err(error!("campaign-without-observations", campaign = name()).into()),
         several => {

@@ -309,7 +309,7 @@ fn are_rigid(table: &Table, a: &PointSet, b: &PointSet) -> bool {
 
 /// Returns three of the columns behind the first three that nearly agree with these: commanded and
 /// measured coordinates, or two measurements.
-fn copy_of(table: &Table, columns: &[usize]) -> Option<[usize; 3]> {
+fn repeated_point(table: &Table, columns: &[usize]) -> Option<[usize; 3]> {
     let set = |at: &[usize]| PointSet { tag: String::new(), columns: [0, 1, 2].map(|k| at.get(k).copied()) };
     let point = set(columns);
     let others = columns.get(3..)?.windows(3);
@@ -815,7 +815,7 @@ impl Interpretation {
                 let is_long = rest.len() > MOST_OF_POINT;
                 // behind a name, or in front of a direction, the first three are the point, unless
                 // the numbers are as many as those of an arm and a point
-                let copy = copy_of(table, rest);
+                let copy = repeated_point(table, rest);
                 let is_named = !self.has_no_text() && (rest.len() < FEWEST_OF_ARM || copy.is_some());
                 if !is_long || is_named || has_direction(table, &rest[3..]) {
                     self.point_at(&[x, y, z]);
