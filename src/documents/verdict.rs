@@ -276,9 +276,9 @@ impl Reason {
         (times > MISFIT).then_some(Self::ModelDoesNotFit { times, set })
     }
 
-    /// Errors at other poses that are unknown, if calibration poses decide: parameters absorb errors
-    /// of a model that does not fit, or errors at held-out poses are beyond one of the `limits` that
-    /// calibration poses meet.
+    /// Errors at other poses that are unknown, if calibration poses decide: parameters absorb
+    /// errors of a model that does not fit, or errors at held-out poses are beyond one of the
+    /// `limits` that calibration poses meet.
     fn from_left_out(accuracy: &AccuracyDocument, limits: &[&LimitVerdict], is_misfit: bool) -> Option<Self> {
         let set = deciding_set(accuracy).filter(|set| set.name == PoseSet::Calibration)?;
         let errors = set.error_statistics(ErrorQuantity::Position)?;

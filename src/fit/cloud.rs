@@ -291,8 +291,8 @@ impl<'a> Cloud<'a> {
         Err(error!("points-degenerate", element = element::name(name), spanned).into())
     }
 
-    /// Variance of a distance in normalised units: as stated, or of residuals with this weighted sum
-    /// of squares; `None` without redundancy.
+    /// Variance of a distance in normalised units: as stated, or of residuals with this weighted
+    /// sum of squares; `None` without redundancy.
     pub fn variance(&self, squares: f64, degrees_of_freedom: usize) -> Option<f64> {
         let stated = self.standard_uncertainty_mm.map(|u| (u / self.scale_mm).powi(2));
         stated.or_else(|| (degrees_of_freedom > 0).then(|| squares / degrees_of_freedom as f64))

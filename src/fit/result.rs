@@ -192,8 +192,8 @@ pub struct Fit {
 pub struct FitPrecision {
     /// Number of equations minus number of parameters.
     pub degrees_of_freedom: usize,
-    /// Covariance of the quantities; `None` without redundancy, unless the uncertainty of the points
-    /// is stated.
+    /// Covariance of the quantities; `None` without redundancy, unless the uncertainty of the
+    /// points is stated.
     pub covariance: Option<ElementCovariance>,
     /// Variance (mm²) of the distance of a point of mean weight, from which the covariance follows.
     pub variance_mm2: Option<f64>,
@@ -250,7 +250,8 @@ const COVERAGE: f64 = 0.954_499_736_103_642;
 const STATED_FACTOR: f64 = 2.0;
 /// Number of degrees of freedom beyond which a series gives Student's quantile to 1e-6.
 const MANY: usize = 2000;
-/// Normal quantile of a probability of 0.1 % that residuals exceed the stated uncertainty by chance.
+/// Normal quantile of a probability of 0.1 % that residuals exceed the stated uncertainty by
+/// chance.
 const SIGNIFICANT: f64 = 3.0902;
 
 /// Method of a fit, and how it ended.
@@ -278,8 +279,8 @@ pub(super) fn principal_uncertainty(larger: f64, smaller: f64, degrees_of_freedo
 /// Standard uncertainty (rad) of a principal direction from which the ratio of both spreads is not
 /// distinguishable from one (k = 2).
 const ALIKE: f64 = 0.25;
-/// Maximum expanded uncertainty (95 %) of a radius, relative to the radius, and of a direction (rad)
-/// without a warning.
+/// Maximum expanded uncertainty (95 %) of a radius, relative to the radius, and of a direction
+/// (rad) without a warning.
 const UNRELIABLE: f64 = 0.1;
 
 impl Fit {

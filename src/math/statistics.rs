@@ -342,7 +342,7 @@ mod tests {
         };
         let line: Vec<[f64; 3]> = (0..60).map(|_| along()).collect();
         assert!(repeated_rows(&line).is_empty());
-        // points without scatter, two places by turns, and one coordinate alone, which tells nothing
+        // points without scatter, two places by turns, and one coordinate alone show nothing
         assert!(repeated_rows(&[[1.0, 2.0, 3.0]; 30]).is_empty());
         let turns: Vec<[f64; 2]> = (0..30).map(|i| [f64::from(i % 2), -f64::from(i % 2)]).collect();
         assert!(repeated_rows(&turns).is_empty());

@@ -131,7 +131,7 @@ fn twincat_channels_meet_at_equal_times_with_their_scale_and_unit() {
     refused(
         SCOPE,
         &CHANNELS.replace("a_deg", "a_rad"),
-        &["error[column-unit-differs]", "`a` is in deg", "write `a_deg"],
+        &["error[column-unit-differs] column=a known=deg", "write `a_deg"],
     );
     refused(
         SCOPE,

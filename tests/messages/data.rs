@@ -193,7 +193,12 @@ const IDENTIFIED: &[Case] = &[
         &[(C, "[identify]", "[identify]\nhold = [\"base_*\", \"SMR_*\"]")],
         RUN,
     ),
-    ("parameters-weakly-identifiable", "warming-arm", &[(C, "[identify]", "[identify]\nhold = [\"q4_rz\"]")], RUN),
+    (
+        "parameters-weakly-identifiable",
+        "warming-arm",
+        &[(C, "[identify]", "[identify]\nhold = [\"q1_rx\", \"q4_rz\"]")],
+        RUN,
+    ),
     (
         "scale-unobserved",
         "contacts",

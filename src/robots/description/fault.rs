@@ -39,8 +39,8 @@ pub enum FaultKind {
     Missing(&'static str),
     /// A value is given in both of its units.
     StatedTwice(&'static str),
-    /// A twist or offset of a joint is in another unit than its key: degrees in a key of radians, or
-    /// a multiple of a quarter turn in radians in a key of degrees.
+    /// A twist or offset of a joint is in another unit than its key: degrees in a key of radians,
+    /// or a multiple of a quarter turn in radians in a key of degrees.
     AngleUnit {
         /// Key of the angle.
         key: &'static str,

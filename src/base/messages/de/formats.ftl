@@ -331,7 +331,7 @@ recording-time-missing = die Aufzeichnung hat keine Zeitspalte
     .expected = eine Spalte `time_s` oder die Abtastrate
     .hint = die Abtastrate des Messgeräts angeben: `--rate-hz 1000`, in einer Kampagne `rate_hz = 1000`
 
-row-repeats = diese Zeile entfernen: sie wiederholt Zeile { $line } Ziffer für Ziffer
+row-repeats = diese Zeile entfernen: sie hat die Koordinaten der Zeile { $line }, Ziffer für Ziffer
 
 state-sampling-rate = die Abtastrate angeben (`--rate-hz`): die Zeitstempel sind gröber als die Abtastung
 

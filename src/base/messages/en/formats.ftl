@@ -647,7 +647,7 @@ recording-time-missing = the recording has no time column
     .expected = a column `time_s`, or the sampling rate
     .hint = add the sampling rate of the instrument: `--rate-hz 1000`, in a campaign `rate_hz = 1000`
 
-row-repeats = remove this row: it repeats line { $line } digit for digit
+row-repeats = remove this row: it has the coordinates of line { $line }, digit for digit
 
 state-sampling-rate = add the sampling rate (`--rate-hz`): the time stamps are coarser than the sampling
 

@@ -331,7 +331,7 @@ recording-time-missing = l’enregistrement n’a pas de colonne de temps
     .expected = une colonne `time_s`, ou la fréquence d’échantillonnage
     .hint = indiquer la fréquence d’échantillonnage de l’instrument : `--rate-hz 1000`, dans une campagne `rate_hz = 1000`
 
-row-repeats = supprimer cette ligne : elle répète la ligne { $line } chiffre pour chiffre
+row-repeats = supprimer cette ligne : elle a les coordonnées de la ligne { $line }, chiffre pour chiffre
 
 state-sampling-rate = indiquer la fréquence d’échantillonnage (`--rate-hz`) : un horodatage plus grossier que l’échantillonnage ne permet pas de dater les échantillons
 

@@ -4,7 +4,7 @@
 use crate::dialect::{ColumnRole, quoted};
 use crate::logs::{ArrayFile, ArrayParts, LogKind};
 use crate::propose::coordinates::FEWEST_OF_POINTS;
-use crate::propose::headings::Heading;
+use crate::propose::headings::{Heading, Word};
 use crate::propose::lines::{fitted_unit_line, joint_entry, roles, unit_line};
 use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
 use crate::propose::several::{POSE_LINE, TARGET_LINE};
@@ -80,7 +80,7 @@ pub(crate) fn propose_arrays(
 const MOTIONS: [&str; 12] = ["a", "acc", "accel", "w", "omega", "gyro", "gyr", "f", "force", "torque", "tau", "mag"];
 
 /// Returns the array with the most parts, whose parts are joints or coordinates. Of several arrays
-/// of one size it is the first whose values show what they are.
+/// of one size it is the first measured one whose values show what they are.
 fn most_likely<'a>(arrays: &'a [ArrayParts], contents: &ArrayFile, format: LogKind) -> Option<&'a ArrayParts> {
     // an array without a name is a part of an object of a class, whose form only MATLAB knows
     let is_measured = |array: &&ArrayParts| {
@@ -91,7 +91,10 @@ fn most_likely<'a>(arrays: &'a [ArrayParts], contents: &ArrayFile, format: LogKi
     let named: Vec<&ArrayParts> = arrays.iter().filter(is_measured).collect();
     let size = |array: &ArrayParts| (array.parts.len(), array.count);
     let most = named.iter().map(|array| size(array)).max()?;
-    let alike: Vec<&ArrayParts> = named.into_iter().filter(|array| size(array) == most).collect();
+    let mut alike: Vec<&ArrayParts> = named.into_iter().filter(|array| size(array) == most).collect();
+    if alike.iter().any(|array| !is_commanded(array)) {
+        alike.retain(|array| !is_commanded(array));
+    }
     let shows = |array: &&&ArrayParts| {
         let parts: Vec<&str> = array.parts.iter().map(String::as_str).collect();
         read_columns(contents, format, &parts).is_ok_and(|table| by_values(&table, 0).is_some())
@@ -100,10 +103,19 @@ fn most_likely<'a>(arrays: &'a [ArrayParts], contents: &ArrayFile, format: LogKi
     alike.iter().take(examined).find(shows).or(alike.first()).copied()
 }
 
-/// Asks which of several arrays with as many columns contains the measurement.
+/// `true` if the name of an array means commanded values.
+fn is_commanded(array: &ArrayParts) -> bool {
+    let heading = Heading::parse(&array.name);
+    heading.has(Word::Commanded) && !heading.has(Word::Measured)
+}
+
+/// Asks which of several arrays with as many columns contains the measurement. Commanded values are
+/// none if the used array is measured.
 fn other_arrays(arrays: &[ArrayParts], used: &ArrayParts, found: &mut Interpretation) {
     let width = used.parts.len();
-    let others = arrays.iter().filter(|array| width > 1 && array.parts.len() == width && array.name != used.name);
+    let is_other = |array: &&ArrayParts| array.parts.len() == width && array.name != used.name;
+    let others = arrays.iter().filter(|array| width > 1 && is_other(array));
+    let others = others.filter(|array| is_commanded(used) || !is_commanded(array));
     let mut others: Vec<String> = others.map(|array| format!("`{}`", array.name)).collect();
     let more = others.len().saturating_sub(LISTED_ARRAYS);
     others.truncate(LISTED_ARRAYS);
@@ -277,8 +289,8 @@ mod tests {
         [0.5 + 0.1 * t.sin(), 0.2 * t.cos(), 0.9 - 0.01 * t, 0.0, half.sin(), 0.0, half.cos()]
     }
 
-    /// Of several arrays of one size the first whose values show a pose is proposed, as a question;
-    /// times and rates alone are no joints.
+    /// The first of several arrays of one size whose values show a measured pose is proposed, as a
+    /// question; times and rates alone are no joints.
     #[test]
     fn the_array_that_shows_a_pose_is_proposed_and_asked_about() {
         use crate::logs::arrays::{Content, NewArray};
@@ -286,7 +298,7 @@ mod tests {
         let poses: Vec<f64> = (0..20).flat_map(pose).collect();
         let joints: Vec<f64> = poses.iter().map(|v| 1.3 * v).collect();
         let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
-        for (name, values) in [("arm", &joints), ("hand", &poses), ("foot", &poses)] {
+        for (name, values) in [("arm", &joints), ("hand_cmd", &poses), ("hand", &poses), ("foot", &poses)] {
             archive.start_file(format!("{name}.npy"), zip::write::SimpleFileOptions::default()).unwrap();
             archive.write_all(&npy(values)).unwrap();
         }
