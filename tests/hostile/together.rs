@@ -201,7 +201,7 @@ fn tables_of_observations_are_refused_with_the_line_itself() {
         assert!(said.says(part), "{part:?} is not said:\n{said}");
     }
     // repeats in a column of another name are readings of one target that occur twice
-    let said = refused(PREXYT, &(head.replace("cycle", "run") + good + "1,2,K,1,2,3,4,5.01\n"));
+    let said = refused(PREXYT, &(head.replace("cycle", "run") + good + "1,2,K,1.01,2,3,4,5\n"));
     assert!(
         said.contains("observations.csv:3") && said.contains("[target-repeated]") && said.contains("column `cycle`"),
         "{said}"

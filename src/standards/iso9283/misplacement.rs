@@ -26,8 +26,9 @@ const AS_LARGE: f64 = 0.5;
 /// Maximum deviation after a motion of the frame, as a share of the deviation before, if that is as
 /// large as the extent.
 const BY_FRAME: f64 = 0.1;
-/// Maximum share after a motion that explains a smaller deviation. Independent errors of five poses are reduced by this
-/// factor once in 10¹⁰ tests; errors of a robot vary over the poses more than this.
+/// Maximum share after a motion that explains a smaller deviation. Independent errors of five poses
+/// are reduced by this factor once in 10¹⁰ tests; errors of a robot vary over the poses more than
+/// this.
 const BY_FRAME_ALONE: f64 = 0.02;
 /// Smallest deviation as a share of the extent that is compared with another frame.
 const LEAST_BY_FRAME: f64 = 0.01;
