@@ -671,7 +671,7 @@ mod tests {
         let units = |names: [&str; 2]| phrase!("name-without-unit", names).argument();
         assert_eq!(hint("alpha"), units(["`alpha_deg`", "`alpha_rad`"]));
         assert_eq!(hint("a"), units(["`a_mm`", "`a_m`"]));
-        assert_eq!(hint("nam"), phrase!("did-you-mean", name = "name").argument());
+        assert_eq!(hint("nome"), phrase!("did-you-mean", name = "name").argument());
     }
 
     #[test]
