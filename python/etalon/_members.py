@@ -1976,6 +1976,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "file": ("", ""),
         "format": ("", ""),
         "is_for_controllers": ("", True),
+        "omitted_effects": ("", []),
         "sha256": ("", None),
     },
     "WrittenParameter": {

@@ -3153,6 +3153,8 @@ class WrittenFile(Record):
     """Name of the format."""
     is_for_controllers: bool
     """`false` for a file that programs of a laboratory read, and no controller loads."""
+    omitted_effects: list[str]
+    """Effects that the format cannot contain; absent in output folders of earlier versions."""
     sha256: str | None
     """SHA-256 of the file; absent in output folders of earlier versions."""
 

@@ -148,7 +148,7 @@ def test_hints_of_tables_name_no_section_of_a_campaign():
         for line in path.read_text(encoding="utf-8").splitlines():
             if not line.startswith("#") and path.stem in ("stages", "documents", "identify", "fit", "formats"):
                 left |= {line.split(" = ")[0].strip() for _ in re.findall(r"(?:in|of) \[(?:identify|observations)\]", python_words(line))}
-    assert left == {"action-add-validation", "action-prove-effects"}
+    assert left == {"action-add-validation", "action-prove-effects", "action-prove-effects-first"}
 
 
 #: Options of other programs, and of commands that the test above does not list.
@@ -281,5 +281,5 @@ def test_a_check_warns_and_hints_of_a_campaign_are_keys(sample):
 
 def test_a_convention_is_named_with_the_valid_ones():
     sweeps = {"joint": ["q1"], "target": ["a"], "x_mm": [0.0], "y_mm": [0.0], "z_mm": [0.0]}
-    with pytest.raises(etalon.Error, match="`convention`: .*`poe`.*`dh`.*`mdh`"):
+    with pytest.raises(etalon.Error, match="`convention`: (?=.*`poe`)(?=.*`dh`)(?=.*`mdh`)"):
         etalon.axes(sweeps, convention="craig")

@@ -121,8 +121,10 @@ impl TableReading {
     /// Rejects columns that are given by the headings of the table instead of the names of etalon.
     fn check_direction(&self, sheet: &Sheet) -> std::result::Result<(), Message> {
         let has = |name: &str| sheet.headings().iter().any(|heading| heading.trim() == name);
+        // `-x_mm` is an expression of the column itself
+        let is_name = |text: &str| !text.starts_with(['-', '(']) && table::is_native_column(text);
         let inverted = |(name, source): (&'_ String, &'_ ColumnSource)| match source {
-            ColumnSource::Heading(heading) if has(name) && !has(heading) && table::is_native_column(heading) => {
+            ColumnSource::Heading(heading) if has(name) && !has(heading) && is_name(heading) => {
                 Some((heading.clone(), name.clone()))
             }
             _ => None,
