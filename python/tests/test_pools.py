@@ -135,6 +135,18 @@ def test_an_exception_of_progress_ends_a_search():
     assert found.split() == ["enough", "True"]
 
 
+def interrupted(script):
+    """Words that a script prints after Ctrl-C, which comes when it has printed that it begins."""
+    process = subprocess.Popen([sys.executable, "-c", HEAD + textwrap.dedent(script)], stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parent)
+    try:
+        assert process.stdout.readline().strip() == "begins"
+        process.send_signal(signal.SIGINT)
+        out, _ = process.communicate(timeout=60)
+    finally:
+        process.kill()
+    return out.split()
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals")
 def test_ctrl_c_ends_a_search():
     script = """
@@ -154,14 +166,7 @@ def test_ctrl_c_ends_a_search():
         # the module computes on
         print(identify() > 0)
     """
-    process = subprocess.Popen([sys.executable, "-c", HEAD + textwrap.dedent(script)], stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parent)
-    try:
-        assert process.stdout.readline().strip() == "begins"
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
-    finally:
-        process.kill()
-    assert out.split() == ["ended", "True"]
+    assert interrupted(script) == ["ended", "True"]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals")
@@ -174,11 +179,4 @@ def test_ctrl_c_ends_inverse_kinematics():
         except KeyboardInterrupt:
             print("ended")
     """
-    process = subprocess.Popen([sys.executable, "-c", HEAD + textwrap.dedent(script)], stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parent)
-    try:
-        assert process.stdout.readline().strip() == "begins"
-        process.send_signal(signal.SIGINT)
-        out, _ = process.communicate(timeout=60)
-    finally:
-        process.kill()
-    assert out.split() == ["ended"]
+    assert interrupted(script) == ["ended"]

@@ -61,13 +61,13 @@ const MOST_LISTED: usize = 20;
 /// All warnings about an element and its points, whichever fit is asked for: of the least-squares
 /// fit `fit`, and about outliers and repeated points among up to 20,000.
 pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
-    let foreign = foreign_points(fit, points, settings).map(|foreign| {
-        let (count, points) = (foreign.points.len(), listed(&foreign.points));
-        warning!("foreign-points", count, points, shift = foreign.shift)
+    let outlying = foreign_points(fit, points, settings).map(|found| {
+        let (count, points) = (found.points.len(), listed(&found.points));
+        warning!("foreign-points", count, points, shift = found.shift)
     });
     let few = points.len() <= CHECKED;
     let repeated = few.then(|| repeated(&(0..points.len()).map(|i| points.at(i)).collect::<Vec<_>>())).flatten();
-    fit.warnings.iter().cloned().chain(foreign).chain(repeated).collect()
+    fit.warnings.iter().cloned().chain(outlying).chain(repeated).collect()
 }
 
 /// Warning of points that repeat an earlier point digit for digit: copies are no measurements.

@@ -1,6 +1,7 @@
 //! Files of a second draw of strangers: each is read rightly, asked about, or refused.
 
 use super::{propose, propose_file};
+use etalon_base::message::Message;
 use etalon_documents::FormatsDocument;
 use std::fmt::Write;
 
@@ -38,12 +39,22 @@ fn holds(document: &FormatsDocument, lines: &str) {
 }
 
 /// Error of a file that no proposal is made for.
-fn refused(text: &str, id: &str) {
+fn refusal(text: &str) -> Message {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("f.txt");
     std::fs::write(&path, text).unwrap();
-    let problems = propose_file(&path).unwrap_err();
-    assert!(problems.0[0].is(id, &[]), "{problems}");
+    propose_file(&path).unwrap_err().0.remove(0)
+}
+
+fn refused(text: &str, id: &str) {
+    let message = refusal(text);
+    assert!(message.is(id, &[]), "{message}");
+}
+
+/// The file is known as one of a kind without points.
+fn without_points(text: &str, kind: &str) {
+    let message = refusal(text);
+    assert!(message.is("file-without-points", &[("kind", &kind)]), "{message}");
 }
 
 #[test]
@@ -214,11 +225,7 @@ fn files_without_points_are_refused_for_their_reason() {
         ("JOB     SAMPLE\nINST    NTS-350 Ver. 2008.07.08\nUNITS   M,G\nSTN     S2,1.636,\n", "south"),
         ("# Blender\no cube\nv 1.0 2.0 3.0\nv 1.0 2.0 4.0\nv 1.0 3.0 3.0\nf 1 2 3\n", "mesh"),
     ] {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("f.txt");
-        std::fs::write(&path, text).unwrap();
-        let problems = propose_file(&path).unwrap_err();
-        assert!(problems.0[0].is("file-without-points", &[("kind", &kind)]), "{problems}");
+        without_points(text, kind);
     }
     // words of a level contain no point
     let level = "110002+0000000G 83..58+00000000 \n110003+0000000G 32...8+02275233 331.08+00126139 390...+00000003 \n";
@@ -309,11 +316,7 @@ fn four_points_without_coordinates_are_joints_and_a_wide_table_is_transposed() {
         ("%\nG90\nG1 X1.5 Y2.5 Z3.5\nG1 X1.6 Y2.5 Z3.5\nM30\n", "gcode"),
         ("ISO-10303-21;\nDATA;\n#1=CARTESIAN_POINT('',(1.0,2.0,3.0));\n#2=CARTESIAN_POINT('',(1.5,2.0,3.0));\n", "cad"),
     ] {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("f.txt");
-        std::fs::write(&path, text).unwrap();
-        let problems = propose_file(&path).unwrap_err();
-        assert!(problems.0[0].is("file-without-points", &[("kind", &kind)]), "{problems}");
+        without_points(text, kind);
     }
 }
 
