@@ -276,7 +276,7 @@ def test_inverse_poses_are_named(arm):
     assert found.residuals.position_rms_mm < 0.06
     with pytest.raises(etalon.Error) as raised:
         etalon.identify(robot, observed(np.linalg.inv(measured)), **options)
-    assert "measured poses inverse" in raised.value.hint, str(raised.value)
+    assert "inverse of the measured poses" in raised.value.hint, str(raised.value)
 
 
 def test_exact_data_are_no_implausible_robot(arm):

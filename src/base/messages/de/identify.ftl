@@ -300,7 +300,7 @@ slip-points = { $change ->
        *[y] y der gemessenen Punkte umgekehrt
     }
 
-slip-poses-inverse = die gemessenen Posen umgekehrt (die Pose des Messgeräts im Koordinatensystem der Zielmarke)
+slip-poses-inverse = Inverse der gemessenen Posen (Pose des Messgeräts im Koordinatensystem der Zielmarke)
 slip-targets = die Zielmarken { $first } und { $second } vertauscht
 slip-fixtures-exchanged = die Punkte oder Flächen { $first } und { $second } vertauscht
 

@@ -564,7 +564,7 @@ slip-points = { $change ->
        *[y] y of the measured points reversed
     }
 
-slip-poses-inverse = the measured poses inverse (the pose of the instrument in the frame of the target)
+slip-poses-inverse = inverse of the measured poses (pose of the instrument in the frame of the target)
 slip-targets = the targets { $first } and { $second } swapped
 slip-fixtures-exchanged = the points or surfaces { $first } and { $second } exchanged
 

@@ -300,7 +300,7 @@ slip-points = { $change ->
        *[y] y des points mesurés inversé
     }
 
-slip-poses-inverse = les poses mesurées inversées (la pose de l’instrument dans le repère de la cible)
+slip-poses-inverse = inverse des poses mesurées (pose de l’instrument dans le repère de la cible)
 slip-targets = les cibles { $first } et { $second } interverties
 slip-fixtures-exchanged = les points ou surfaces { $first } et { $second } intervertis
 
