@@ -72,6 +72,12 @@ const CASES: &[Case] = &[
         MOTION,
     ),
     (
+        "few-passes least=10 count=1",
+        "",
+        &[("t.csv", "", "time_s,x_mm,y_mm,z_mm\n0,-1,0,0\n1,50,0,0\n2,101,0,0\n"), PATH],
+        MOTION,
+    ),
+    (
         "path-velocity-far",
         "",
         &[

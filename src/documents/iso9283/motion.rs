@@ -14,7 +14,7 @@ use etalon_standards::iso9283::motion::by_pose::{Course, Moves, Settling, course
 use etalon_standards::iso9283::motion::stream::Recording;
 use etalon_standards::iso9283::motion::{MotionSettings, Standing, standing};
 use etalon_standards::iso9283::path::velocity::PathVelocity;
-use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PassError, PathSettings};
+use etalon_standards::iso9283::path::{CORNER_RAD, Driven, PASSES, PassError, PathSettings};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -260,6 +260,10 @@ fn path_messages(driven: &Driven, path: &PathSettings) -> Vec<Message> {
     let mut messages = Vec::new();
     if driven.passes.incomplete > 0 {
         messages.push(warning!("passes-incomplete", count = driven.passes.incomplete));
+    }
+    let complete = driven.passes.complete.len();
+    if path.weave.is_none() && complete < PASSES {
+        messages.push(warning!("few-passes", least = PASSES, count = complete));
     }
     let compared = path.velocity_mm_s.is_some() && path.weave.is_none();
     if let Some(corner) = driven.central_corner().filter(|_| compared) {

@@ -188,6 +188,12 @@ passes-incomplete = { $count ->
     } begonnen und nicht beendet: ausgelassen
     .hint = prüfen, ob die Aufzeichnung abgeschnitten ist; bei stark verrundeten Ecken ein größeres near_mm angeben (`--near-mm`)
 
+few-passes = { $count ->
+        [one] 1 Durchlauf
+       *[other] { $count } Durchläufe
+    } der Bahn, weniger als { $least }
+    .hint = { $least } Durchläufe messen (ISO 9283) oder nach den Intervallen von AT und RT entscheiden
+
 corner-in-central-part = der mittlere Teil der Bahn enthält eine Ecke bei { FIXED($at_mm, 3) } mm
     .hint = eine Bahn ohne Ecke oder einen kürzeren mittleren Teil angeben: das Abbremsen an der Ecke beeinflusst AV, RV und FV
 

@@ -319,6 +319,16 @@ passes-incomplete = { $count ->
     } incomplete: excluded
     .hint = check whether the recording ends too early; if corners are rounded off widely, give a larger near_mm (`--near-mm`)
 
+# Means: The recording contains fewer passes of the path than ISO 9283 requires.
+# Matters: The intervals of AT and RT are wider.
+# Do: Measure 10 passes; otherwise use the intervals of AT and RT for the decision.
+# Example: 4 passes
+few-passes = { $count ->
+        [one] 1 pass
+       *[other] { $count } passes
+    } of the path, fewer than { $least }
+    .hint = measure { $least } passes (ISO 9283), or use the intervals of AT and RT for the decision
+
 # Means: The part of the path in which velocities are evaluated contains a corner.
 # Matters: If the robot slows down at the corner, AV, RV and FV are worse.
 # Do: Use a path without the corner, or a smaller central part.

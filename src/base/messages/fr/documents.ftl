@@ -182,6 +182,12 @@ passes-incomplete = { $count ->
     }
     .hint = vérifier si l’enregistrement est tronqué ; si les angles sont fortement arrondis, indiquer un near_mm plus grand (`--near-mm`)
 
+few-passes = { $count ->
+        [one] { $count } passage
+       *[other] { $count } passages
+    } de la trajectoire, moins de { $least }
+    .hint = mesurer { $least } passages (ISO 9283), ou décider d’après les intervalles de AT et RT
+
 corner-in-central-part = la partie centrale de la trajectoire contient un angle à { FIXED($at_mm, 3) } mm
     .hint = indiquer une trajectoire sans angle, ou une partie centrale plus courte : le ralentissement dans l’angle influe sur AV, RV et FV
 

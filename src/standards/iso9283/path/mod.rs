@@ -43,6 +43,8 @@ pub struct PathSettings {
 
 /// Minimum turn of the commanded path that counts as a corner.
 pub const CORNER_RAD: f64 = 30.0 * std::f64::consts::PI / 180.0;
+/// Number of passes that the standard requires for AT and RT (unverified).
+pub const PASSES: usize = 10;
 /// Number of simulated tests for an interval.
 const DRAWS: usize = 1000;
 
