@@ -560,3 +560,13 @@ fn bones_are_named_by_themselves() {
         }
     }
 }
+
+/// The time that is left until something is no time of the samples.
+#[test]
+fn a_time_that_is_left_is_no_time() {
+    for (name, is_time) in [("TimeToTarget", false), ("time remaining", false), ("time", true)] {
+        let row = |i: usize| format!("{},{}", 300 - i, cells(&xyz(i)));
+        let document = propose("r.csv", &table(&format!("{name},x_mm,y_mm,z_mm\n"), row));
+        assert_eq!(document.toml.contains("time_"), is_time, "{name}: {}", document.toml);
+    }
+}

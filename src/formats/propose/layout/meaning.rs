@@ -1044,7 +1044,9 @@ impl Interpretation {
                 () if whole && (first(Word::Cycle) || last(Word::Cycle)) && !has(self, Meaning::Cycle) => {
                     Meaning::Cycle
                 }
+                // `TimeToTarget` decreases: no time of the samples
                 () if (first(Word::Time) || last(Word::Time))
+                    && (column.is_ordered() || heading.is_only(&[Word::Time]))
                     && !has(self, Meaning::Time)
                     && !heading.has(Word::Distance) =>
                 {
