@@ -348,8 +348,7 @@ mod tests {
         }
     }
 
-    fn joints(big: bool, stamp: (i32, u32), names: &[&str], position: &[f64], velocity: &[f64]) -> Vec<u8> {
-        let mut message = Written::header(big, stamp.0, stamp.1);
+    fn joints(mut message: Written, names: &[&str], position: &[f64], velocity: &[f64]) -> Vec<u8> {
         message.put(&(names.len() as u32).to_le_bytes());
         for name in names {
             message.text(name);
@@ -403,13 +402,19 @@ mod tests {
     }
 
     fn sample(compression: &str) -> Vec<u8> {
+        let header = Written::header;
         archive(
             compression,
             &[
-                ("/js", JOINTS, "cdr", joints(false, (1_700_000_000, 5), &["a", "bee"], &[0.5, -0.25], &[1.0, 2.0])),
+                (
+                    "/js",
+                    JOINTS,
+                    "cdr",
+                    joints(header(false, 1_700_000_000, 5), &["a", "bee"], &[0.5, -0.25], &[1.0, 2.0]),
+                ),
                 ("/tf", "tf2_msgs/msg/TFMessage", "cdr", vec![0, 1, 0, 0]),
-                ("/js", JOINTS, "cdr", joints(true, (1_700_000_001, 0), &["bee", "a"], &[0.1, 3.0], &[])),
-                ("/js", JOINTS, "cdr", joints(false, (1_700_000_001, 7), &["gripper"], &[0.04], &[])),
+                ("/js", JOINTS, "cdr", joints(header(true, 1_700_000_001, 0), &["bee", "a"], &[0.1, 3.0], &[])),
+                ("/js", JOINTS, "cdr", joints(header(false, 1_700_000_001, 7), &["gripper"], &[0.04], &[])),
                 ("/p", "geometry_msgs/msg/PoseStamped", "cdr", pose([1.0, 2.0, 3.0, 0.0, 0.6, 0.0, 0.8])),
             ],
         )
@@ -439,19 +444,19 @@ mod tests {
         assert!(missing.is("topic-missing", &[("topic", &"/jss"), ("hint", &hint)]), "{missing}");
         assert!(error(&bytes, "/tf").is("topic-type-unknown", &[("message", &"tf2_msgs/msg/TFMessage")]));
         let one = |encoding, data| archive("", &[("/js", JOINTS, encoding, data)]);
-        let at = (1, 0);
-        let empty = one("cdr", joints(false, at, &["a", "b"], &[], &[1.0, 2.0]));
+        let at = || Written::header(false, 1, 0);
+        let empty = one("cdr", joints(at(), &["a", "b"], &[], &[1.0, 2.0]));
         assert!(error(&empty, "/js").is("topic-without-positions", &[("count", &1)]));
-        let short = one("cdr", joints(false, at, &["a", "b"], &[1.0], &[]));
+        let short = one("cdr", joints(at(), &["a", "b"], &[1.0], &[]));
         assert!(error(&short, "/js").is("joint-state-lengths-differ", &[("names", &2), ("positions", &1)]));
-        let twice = one("cdr", joints(false, at, &["a", "a"], &[1.0, 2.0], &[]));
+        let twice = one("cdr", joints(at(), &["a", "a"], &[1.0, 2.0], &[]));
         assert!(error(&twice, "/js").is("joint-state-name-twice", &[("joint", &"a")]));
-        let ros1 = one("ros1", joints(false, at, &["a"], &[1.0], &[]));
+        let ros1 = one("ros1", joints(at(), &["a"], &[1.0], &[]));
         assert!(error(&ros1, "/js").is("topic-encoding-unknown", &[("encoding", &"ros1")]));
-        let mut cut = joints(false, at, &["a"], &[1.0], &[]);
+        let mut cut = joints(at(), &["a"], &[1.0], &[]);
         cut.truncate(40);
         assert!(error(&one("cdr", cut), "/js").is("ros-message-malformed", &[("number", &1)]));
-        let mut huge = joints(false, at, &[], &[], &[]);
+        let mut huge = joints(at(), &[], &[], &[]);
         huge.truncate(20);
         huge.extend([0xff; 4]);
         assert!(error(&one("cdr", huge), "/js").is("ros-message-malformed", &[]));

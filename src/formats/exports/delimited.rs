@@ -190,7 +190,7 @@ fn begin<'a>(
     let form = &dialect.form;
     let of_sheet = || each_row(file, text, form).flatten().map(|row| row.fields.len()).max().unwrap_or(0);
     let least = if form.sheet.is_some() { of_sheet() } else { 0 };
-    let split = |line| split_line(file, line, form, least);
+    let split = |(number, line)| split_line(file, number, line, form, least);
     let mut lines = lexer::lines(text, form);
     let mut rows = lines.by_ref().filter_map(|line| split(line).map_err(|message| problems.0.push(message)).ok());
     let header = header(&mut rows, &dialect.header()).map_err(|message| vec![message.at(Place::file(file))])?;
@@ -205,7 +205,7 @@ fn begin<'a>(
 }
 
 /// Splits a numbered line into cells, and adds empty cells up to the number `least`.
-fn split_line<'t>(file: &str, (number, line): (usize, &'t str), form: &Form, least: usize) -> Result<Row<'t>, Message> {
+fn split_line<'t>(file: &str, number: usize, line: &'t str, form: &Form, least: usize) -> Result<Row<'t>, Message> {
     let mut row = lexer::row(file, number, line, form)?;
     row.fields.resize(least.max(row.fields.len()), Cow::Borrowed(""));
     Ok(row)
@@ -221,7 +221,7 @@ fn points(
 ) -> Result<Vec<Point>, Vec<Message>> {
     let form = &dialect.form;
     let Begun { reader, mut lines, least, .. } = begin(file, text, dialect, unit, problems)?;
-    let split = |line| split_line(file, line, form, least);
+    let split = |(number, line)| split_line(file, number, line, form, least);
     let plain = reader.plain();
     let (mut points, mut names) = (Vec::new(), Names::default());
     while let Some((number, line)) = lines.next() {

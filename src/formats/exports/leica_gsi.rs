@@ -210,7 +210,9 @@ fn row(text: &Text, line: usize, content: &str) -> Result<(Kind, Point), Message
     axes.into_iter().collect::<Result<Vec<_>, _>>()?;
     let direction = value(21, |word| word.angle_rad())?.zip(value(22, |word| word.angle_rad())?);
     match direction.zip(value(31, |word| word.length_m())?) {
-        Some((angles, distance)) => Ok((Kind::Polar, text.point(line, label, placed(angles, distance), Unit::Metre))),
+        Some(((horizontal, zenith), distance)) => {
+            Ok((Kind::Polar, text.point(line, label, placed(horizontal, zenith, distance), Unit::Metre)))
+        }
         None => {
             let is_station = word(84).is_some() && word(85).is_some();
             let kind = match () {
@@ -225,7 +227,7 @@ fn row(text: &Text, line: usize, content: &str) -> Result<(Kind, Point), Message
 
 /// Position of a horizontal direction from north, a zenith angle and a distance: east, north,
 /// height.
-fn placed((horizontal, zenith): (f64, f64), distance: f64) -> Vector {
+fn placed(horizontal: f64, zenith: f64, distance: f64) -> Vector {
     let flat = distance * zenith.sin();
     [flat * horizontal.sin(), flat * horizontal.cos(), distance * zenith.cos()]
 }

@@ -44,8 +44,8 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
         .collect();
     if !clocks.interpolate {
         let within = |t: i64| {
-            let before = spans.partition_point(|s| s.1 < t.saturating_sub(tolerance_ns));
-            spans.partition_point(|s| s.0 <= t.saturating_add(tolerance_ns)).saturating_sub(before)
+            let before = spans.partition_point(|s| s[1] < t.saturating_sub(tolerance_ns));
+            spans.partition_point(|s| s[0] <= t.saturating_add(tolerance_ns)).saturating_sub(before)
         };
         let several = times.iter().map(|&t| within(t)).enumerate().filter(|(_, rows)| *rows > 1).collect();
         report_several(targets, several, clocks, name, remarks);
@@ -63,13 +63,13 @@ pub(super) fn by_time(targets: &[Target], log: &JointLog, clocks: Clocks, remark
 }
 
 /// First and last time of each row of the log (ns); they differ for standstills only.
-fn spans(log: &JointLog) -> Result<Vec<(i64, i64)>> {
+fn spans(log: &JointLog) -> Result<Vec<[i64; 2]>> {
     let span = |end: usize| log.rows.iter().map(move |row| row.standing_s.map(|s| s[end]).or(row.time_s));
     let (from, to) = (nanoseconds(span(0), "log")?, nanoseconds(span(1), "log")?);
     if let Some(i) = from.windows(2).position(|w| w[1] <= w[0]) {
         return Err(error!("log-times-not-increasing", log = log.name, row = i + 2).into());
     }
-    Ok(from.into_iter().zip(to).collect())
+    Ok(from.into_iter().zip(to).map(<[i64; 2]>::from).collect())
 }
 
 /// Times in whole nanoseconds; `of` names the file in the error about a missing time.
@@ -80,25 +80,25 @@ fn nanoseconds(times_s: impl Iterator<Item = Option<f64>>, of: &str) -> Result<V
 }
 
 /// Time between a row and a time (ns).
-fn distance_ns(span: (i64, i64), t: i64) -> i64 {
-    span.0.saturating_sub(t).max(t.saturating_sub(span.1)).max(0)
+fn distance_ns([first, last]: [i64; 2], t: i64) -> i64 {
+    first.saturating_sub(t).max(t.saturating_sub(last)).max(0)
 }
 
-fn nearest(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
-    let after = spans.partition_point(|s| s.0 <= t);
+fn nearest(spans: &[[i64; 2]], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s[0] <= t);
     let beside = after.saturating_sub(1)..(after + 1).min(spans.len());
     let row = beside.min_by_key(|&i| distance_ns(spans[i], t))?;
     (distance_ns(spans[row], t) <= tolerance_ns).then_some(Met { row, other: None })
 }
 
 /// The previous and the next row, both within the tolerance.
-fn between(spans: &[(i64, i64)], t: i64, tolerance_ns: i64) -> Option<Met> {
-    let after = spans.partition_point(|s| s.0 < t);
-    if spans.get(after).is_some_and(|s| s.0 == t) {
+fn between(spans: &[[i64; 2]], t: i64, tolerance_ns: i64) -> Option<Met> {
+    let after = spans.partition_point(|s| s[0] < t);
+    if spans.get(after).is_some_and(|s| s[0] == t) {
         return Some(Met { row: after, other: None });
     }
     let before = after.checked_sub(1)?;
-    let (low, high) = (spans[before].0, spans.get(after)?.0);
+    let (low, high) = (spans[before][0], spans.get(after)?[0]);
     if t - low > tolerance_ns || high - t > tolerance_ns {
         return None;
     }

@@ -102,8 +102,8 @@ impl Speeds {
         Some(self.speeds_mm_s[before] + share * (self.speeds_mm_s[after] - self.speeds_mm_s[before]))
     }
 
-    fn span(&self) -> Option<(f64, f64)> {
-        Some((*self.times_s.first()?, *self.times_s.last()?))
+    fn span(&self) -> Option<[f64; 2]> {
+        Some([*self.times_s.first()?, *self.times_s.last()?])
     }
 
     /// Median time between neighbouring speeds.
@@ -184,7 +184,7 @@ pub fn offset_by_motion(measured: &[Track], logged: &[Way], rate: bool) -> Resul
     let count: usize = pairs.iter().map(|(m, _)| m.times_s.len()).sum();
     let span = |all: Vec<&Speeds>| {
         let spans = all.into_iter().filter_map(Speeds::span);
-        spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+        spans.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
     };
     let (all_measured, all_logged) = pairs.iter().copied().unzip();
     let (Some(of_measured), Some(of_log)) = (span(all_measured), span(all_logged)) else {
@@ -195,7 +195,7 @@ pub fn offset_by_motion(measured: &[Track], logged: &[Way], rate: bool) -> Resul
     }
     let starts = best_offsets(&pairs, of_measured, of_log)?;
     let clock_at = |offset_s: f64| {
-        let reference_s = (0.5 * (of_measured.0 + of_measured.1) - offset_s).clamp(of_log.0, of_log.1);
+        let reference_s = (0.5 * (of_measured[0] + of_measured[1]) - offset_s).clamp(of_log[0], of_log[1]);
         Clock { offset_s, rate: 0.0, reference_s }
     };
     let step_s = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(0.0, f64::max);
@@ -238,15 +238,15 @@ fn several(best: &MotionClock, tried: &[MotionClock], step_s: f64) -> Result<(),
 /// Offsets with the largest correlations, of all offsets at which half of the shorter recording
 /// lies within the longer one: first with mean speeds of equal intervals, then with shorter
 /// intervals about each of them.
-fn best_offsets(pairs: &[(&Speeds, &Speeds)], measured: (f64, f64), log: (f64, f64)) -> Result<Vec<f64>, Message> {
+fn best_offsets(pairs: &[(&Speeds, &Speeds)], measured: [f64; 2], log: [f64; 2]) -> Result<Vec<f64>, Message> {
     let finest = pairs.iter().map(|(m, l)| m.step_s().max(l.step_s())).fold(f64::INFINITY, f64::min);
-    let spans = [measured.1 - measured.0, log.1 - log.0];
+    let spans = [measured, log].map(|[first, last]| last - first);
     let step = finest.max(spans[0].max(spans[1]) / SPANS as f64);
     let binned: Vec<[Vec<f64>; 2]> =
-        pairs.iter().map(|(m, l)| [m.means(measured.0, step, spans[0]), l.means(log.0, step, spans[1])]).collect();
+        pairs.iter().map(|(m, l)| [m.means(measured[0], step, spans[0]), l.means(log[0], step, spans[1])]).collect();
     let half = (0.5 * spans[0].min(spans[1]) / step) as i64;
     let lags: Vec<i64> = (half - (spans[1] / step) as i64..=(spans[0] / step) as i64 - half).collect();
-    let offset = |k: usize| measured.0 - log.0 + step * lags[k] as f64;
+    let offset = |k: usize| measured[0] - log[0] + step * lags[k] as f64;
     let all: Vec<f64> = lags.iter().map(|lag| lagged(&binned, *lag)).collect();
     let best = (0..all.len()).max_by(|a, b| all[*a].total_cmp(&all[*b])).unwrap_or(0);
     if all.get(best).is_none_or(|value| *value < 0.5 * SMALLEST_CORRELATION) {

@@ -7,7 +7,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_formats::table::{COVARIANCES, Table, UNCERTAINTIES, XYZ};
 use etalon_formats::tables::joints::{joint_values, stated_modes};
 use etalon_identify::{
-    AssumedModes, Contradiction, Covariance, Measured, Observation, ObservationError, is_positive_definite,
+    AssumedModes, Contradiction, Covariance, Distances, Measured, Observation, ObservationError, is_positive_definite,
 };
 use etalon_robots::Robot;
 
@@ -57,8 +57,8 @@ pub fn grouped(
 }
 
 /// Returns a warning about assembly modes derived from the measurement.
-fn assumed_modes_warning(AssumedModes { positive, negative, least_clear: (pose, d) }: AssumedModes) -> Message {
-    let (near_mm, far_mm) = (d.near_mm, d.far_mm);
+fn assumed_modes_warning(assumed: AssumedModes) -> Message {
+    let AssumedModes { positive, negative, least_clear: (pose, Distances { near_mm, far_mm }) } = assumed;
     warning!("assembly-modes-assumed", count = positive + negative, positive, negative, pose, near_mm, far_mm)
 }
 
