@@ -3,7 +3,7 @@
 
 use super::{ExportInput, Exporter};
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{AnsweredBy, Message, Result};
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{ControllerErrors, ParameterStatus, ParametersDocument, PoseSet};
 use etalon_robots::Role;
@@ -31,7 +31,8 @@ impl Statement {
     /// Reason for not writing the file: the robot is less accurate with it than with nominal
     /// parameters.
     pub fn refusal(&self, format: &str) -> Option<Message> {
-        Some(error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?))
+        let message = error!("file-worse-than-nominal", format, reason = self.worse_than_nominal()?);
+        Some(message.answered_by(AnsweredBy::NextStep))
     }
 
     /// Both errors, if the error of the file is larger than with nominal parameters.

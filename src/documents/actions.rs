@@ -9,7 +9,7 @@ use crate::{
     Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Rank, Severity};
+use etalon_base::message::{AnsweredBy, Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
@@ -23,17 +23,6 @@ pub const MOST: usize = 5;
 const POSES: usize = 5;
 /// Maximum number of readings, in multiples of the present ones, that is advised for a decision.
 const MOST_REPEATS: f64 = 25.0;
-/// Ids of warnings that other actions contain.
-const COVERED: [&str; 8] = [
-    "outliers",
-    "robust-fit-disagrees-at-poses",
-    "few-cycles",
-    "instrument-too-coarse",
-    "file-near-nominal",
-    "effect-would-prove",
-    "limit-not-assessable",
-    "file-worse-than-nominal",
-];
 
 /// Next step with its reason.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -557,7 +546,7 @@ fn largest_source(
 
 /// Warning on which somebody has to decide.
 fn resolve(message: &Message) -> Option<Action> {
-    if message.rank != Rank::Decide || message.id.is_empty() || COVERED.contains(&&*message.id) {
+    if message.rank != Rank::Decide || message.id.is_empty() || message.answered_by == AnsweredBy::NextStep {
         return None;
     }
     let what = message.hint.clone().map_or_else(|| phrase!("action-resolve").into(), Worded::from);

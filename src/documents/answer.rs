@@ -189,12 +189,22 @@ pub struct FormatsDocument {
     pub join: Option<FormatsJoin>,
     /// Proposal as lines for campaign.toml, with reasons, doubts and questions as comments.
     pub toml: String,
-    /// `true` if the robot's names of its joints name the columns. Not in the file.
+    /// Facts for the proposals of other files. Not in the file.
     #[serde(skip)]
+    pub facts: ProposalFacts,
+}
+
+/// Facts about a proposal that other proposals need.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ProposalFacts {
+    /// `true` if the robot's names of its joints name the columns.
     pub joints_named: bool,
-    /// Largest residual (mm) of points that the nominal robot reproduces. Not in the file.
-    #[serde(skip)]
+    /// Largest residual (mm) of points that the nominal robot reproduces.
     pub reproduced_mm: Option<f64>,
+    /// `true` if a reason says that only the first rows were examined.
+    pub is_sampled: bool,
+    /// Doubt about commanded poses that a table of attained poses resolves.
+    pub without_attained: Option<Phrase>,
 }
 
 worded! {

@@ -11,7 +11,7 @@ use crate::stages::calibrate::identification::Unjudged;
 use crate::stages::candidates::configurations;
 use crate::stages::evaluate::errors::position_rms_mm;
 use crate::tasks::{Table, TableFormat};
-use etalon_base::message::{Message, Result};
+use etalon_base::message::{AnsweredBy, Message, Result};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::{error, phrase};
 use etalon_campaign::Campaign;
@@ -107,7 +107,7 @@ impl Session {
 fn waiting(messages: &[Message], language: &str) -> Watch {
     let wrong = messages.iter().find(|message| message.severity == etalon_base::message::Severity::Error);
     // before the first pose of a selection nothing is wrong
-    match wrong.filter(|message| !message.is("selection-without-pose", &[])) {
+    match wrong.filter(|message| message.answered_by != AnsweredBy::Measurements) {
         Some(message) => {
             let message = ShownMessage::new(message, language);
             Watch {

@@ -3,7 +3,7 @@
 
 use crate::stages::truncated;
 use etalon_base::catalogue::{Argument, Phrase};
-use etalon_base::message::{Message, Problems};
+use etalon_base::message::{AnsweredBy, Message, Problems};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::{ErrorQuantity, set_up_hint, warning_message};
@@ -74,7 +74,10 @@ pub(super) fn readings_to_check(robust: &RobustFit, robot: &dyn Robot) -> Messag
         true => {
             warning!("largest-residuals", readings = named(&robust.readings, NAMED.min(robust.readings.len()), robot))
         }
-        false => warning!("outliers", outliers = outliers(robust, robot)).to_decide().hint(phrase!("check-readings")),
+        false => warning!("outliers", outliers = outliers(robust, robot))
+            .to_decide()
+            .answered_by(AnsweredBy::NextStep)
+            .hint(phrase!("check-readings")),
     }
 }
 

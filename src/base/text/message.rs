@@ -31,6 +31,18 @@ pub enum Rank {
     Routine,
 }
 
+/// Part of the program that answers a message besides its reader.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AnsweredBy {
+    /// No part.
+    #[default]
+    Nobody,
+    /// A next step of the verdict, which says the same.
+    NextStep,
+    /// The next measurements.
+    Measurements,
+}
+
 /// Place of a message: a file, optionally a line and columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Place {
@@ -80,6 +92,9 @@ pub struct Message {
     /// Next action.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
+    /// Part of the program that answers the message. Not in documents.
+    #[serde(skip)]
+    pub answered_by: AnsweredBy,
 }
 
 /// Error message of an id of the catalogue: `error!("unit-missing", key = "unit")`. A variable
@@ -193,17 +208,25 @@ impl Message {
     pub fn new(severity: Severity, text: Phrase) -> Self {
         let Phrase { id, arguments } = text;
         let rank = if severity == Severity::Error { Rank::Decide } else { Rank::Know };
-        let (what, around) = (String::new(), Vec::new());
-        let message = Self { severity, rank, id, arguments, what, around, place: None, expected: None, hint: None };
+        let message = Self { severity, rank, id, arguments, ..Self::error("") };
         let Texts { what, expected, hint } = message.texts("en");
         Self { what, expected, hint, ..message }
     }
 
     /// An error with a text that is not in the catalogue.
     pub fn error(what: impl Into<String>) -> Self {
-        let (severity, rank, what) = (Severity::Error, Rank::Decide, what.into());
-        let (id, arguments, around) = (Cow::Borrowed(""), Arguments::new(), Vec::new());
-        Self { severity, rank, id, arguments, what, around, place: None, expected: None, hint: None }
+        Self {
+            id: Cow::Borrowed(""),
+            arguments: Arguments::new(),
+            around: Vec::new(),
+            severity: Severity::Error,
+            rank: Rank::Decide,
+            what: what.into(),
+            place: None,
+            expected: None,
+            hint: None,
+            answered_by: AnsweredBy::Nobody,
+        }
     }
 
     /// A warning with a text that is not in the catalogue.
@@ -276,6 +299,11 @@ impl Message {
     /// Ranks the message as given for completeness.
     pub fn routine(self) -> Self {
         Self { rank: Rank::Routine, ..self }
+    }
+
+    /// Names the part of the program that answers the message.
+    pub fn answered_by(self, answered_by: AnsweredBy) -> Self {
+        Self { answered_by, ..self }
     }
 
     /// Adds the place.

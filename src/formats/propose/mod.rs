@@ -205,7 +205,7 @@ fn propose_corrected(
         };
         return Err(here(message).into());
     }
-    if is_cut && !document.reasons.iter().any(|reason| reason.phrase().is_some_and(|of| of.id == "because-sampled")) {
+    if is_cut && !document.facts.is_sampled {
         document.because(phrase!("because-sampled", rows = document.rows));
         let reason = document.reasons.last().map_or("", Worded::english);
         document.toml = document.toml.replacen('\n', &format!("\n# because {reason}\n"), 1);
@@ -304,7 +304,7 @@ fn propose_known_format(
     let (mut table, mut found) = points_alone(&points, unit);
     if let Some(correct) = correct {
         let remarks = correct(&mut table, &mut found);
-        (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+        (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
         remarks.reasons.into_iter().for_each(|reason| document.because(reason));
         remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
     }
@@ -376,7 +376,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
             let mut table = Table::read(text, guess);
             let mut found = Interpretation::new(&table);
             found.unit_of_head(&mut table, guess);
-            if let Some(fractions) = found.fractions {
+            if let Some(fractions) = found.clock.fractions {
                 fractions.add(&mut table);
             }
             (table, found)
@@ -415,7 +415,8 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
         return document;
     };
     let remarks = remarks.unwrap_or_default();
-    (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+    (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+    document.facts.is_sampled = table.sampled;
     reasons(best, table).into_iter().chain(remarks.reasons).for_each(|reason| document.because(reason));
     let is_measured = |kind: &str| found.is_beside_log && ["recording", "poses", "commanded"].contains(&kind);
     let native = native::recognise(&proposal, &found.joint_columns()).filter(|table| !is_measured(table.kind));
@@ -482,11 +483,11 @@ fn reasons(best: &Guess, table: &Table) -> Vec<Phrase> {
         }
         None => phrase!("because-columns", read, rows, columns = best.numeric.iter().filter(|n| **n).count()),
     };
-    let (fractions, numbers, mark) = (best.fractions, best.numbers, best.form.decimal().name());
+    let (fractions, numbers, mark) = (best.numbers.fractions, best.numbers.all, best.form.decimal().name());
     let mut reasons = vec![fields, phrase!("because-decimal-marks", fractions, numbers, mark)];
-    if let Some(row) = &best.names {
+    if let Some(row) = &best.named.row {
         let is = if names(best).is_some() { "header" } else { "last" };
-        reasons.push(phrase!("because-line", line = best.head.line.unwrap_or(row.line), is));
+        reasons.push(phrase!("because-line", line = best.named.head.line.unwrap_or(row.line), is));
     }
     if let Some(stated) = best.stated_units.first() {
         reasons.push(phrase!("because-unit-stated", line = stated.line, how = stated.how));
@@ -519,18 +520,18 @@ fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
         })
         .collect();
     let mark = best.form.decimal().name();
-    if best.fractions == 0 {
+    if best.numbers.fractions == 0 {
         doubts.push(phrase!("doubt-decimal-mark", mark));
-    } else if best.threes == best.fractions && best.form.thousands.is_none() {
+    } else if best.numbers.threes == best.numbers.fractions && best.form.thousands.is_none() {
         doubts.push(phrase!("doubt-thousands-mark", mark));
     }
-    if let Some(line) = best.head.line.filter(|_| best.head.is_of_groups) {
+    if let Some(line) = best.named.head.line.filter(|_| best.named.head.is_of_groups) {
         doubts.push(phrase!("doubt-groups-alone", line));
     }
     if let Some(line) = best.unread.filter(|_| !rows_may_differ) {
         doubts.push(phrase!("doubt-rows-not-read", count = best.rows - best.read, line));
     }
-    if let (Some(row), None) = (&best.names, names(best)) {
+    if let (Some(row), None) = (&best.named.row, names(best)) {
         let (words, columns) = (row.fields.len(), best.numeric.len());
         if row.fields.iter().any(|f| f.contains(char::is_alphabetic)) && words > 1 {
             doubts.push(phrase!("doubt-words-of-header", line = row.line, words, columns));

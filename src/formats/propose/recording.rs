@@ -67,7 +67,7 @@ pub(super) fn propose_recording(
     }
     if is_named {
         document.because(phrase!("because-joints-named"));
-        document.joints_named = true;
+        document.facts.joints_named = true;
     } else if document.kind == "log" {
         document.ask(phrase!("ask-joint-states"));
     }

@@ -266,7 +266,7 @@ fn leave_stationary(parts: &mut [Part], found: &mut [(usize, Keys, Option<Join>)
 /// Settles the unit of a clock that no heading gives by the duration of another file whose times
 /// have a unit.
 fn compare_clocks(parts: &mut [Part]) {
-    let open = |part: &Part| part.read.as_ref().is_some_and(|(_, found)| found.time_unit_open);
+    let open = |part: &Part| part.read.as_ref().is_some_and(|(_, found)| found.clock.question.is_some());
     let duration = |times: &[f64]| Some(times.last()? - times.first()?).filter(|span| *span > 0.0);
     let known = |part: &Part| match &part.motion {
         Some(motion) => duration(motion.times_s()),
@@ -302,8 +302,9 @@ fn poses(parts: &mut [Part]) -> Option<String> {
     if let Some([attained, commanded]) = tables {
         parts[commanded].document.kind = "commanded".to_owned();
         parts[attained].document.kind = "poses".to_owned();
-        // the remark that no column was measured
-        parts[commanded].withdraw_doubt("doubt-all-commanded");
+        let document = &mut parts[commanded].document;
+        let settled = document.facts.without_attained.take();
+        document.doubts.retain(|doubt| settled.is_none() || doubt.phrase() != settled.as_ref());
         for at in BTreeSet::from([attained, commanded]) {
             parts[at].document.because(phrase!("because-test-of-poses"));
         }
@@ -402,7 +403,7 @@ fn table_of_poses(table: &Table, found: &Interpretation, set: &PointSet, is_comm
     for (axis, at) in ["x", "y", "z"].into_iter().zip(set.columns) {
         at.into_iter().for_each(|at| column(format!("{axis}_{}", unit(at)), at));
     }
-    let angles = if is_commanded && found.commanded_beside.is_some() { Vec::new() } else { found.rotation_columns() };
+    let angles = if is_commanded && found.commanded.beside.is_some() { Vec::new() } else { found.rotation_columns() };
     for (name, at) in ["a", "b", "c"].into_iter().zip(angles) {
         column(format!("{name}_{}", unit(at)), at);
     }
@@ -762,7 +763,7 @@ impl Part {
         }
         let (table, found) = self.read.as_ref()?;
         let times = &table.columns[found.first(Meaning::Time)?].values;
-        let factor = seconds_per(found.time_unit);
+        let factor = seconds_per(found.clock.unit);
         let columns = found.joint_columns();
         let joints = (0..table.rows).map(|row| columns.iter().map(|at| table.columns[*at].values[row]).collect());
         let mut motion = Motion::new(times.iter().map(|time| factor * time).collect(), joints.collect())?;
@@ -775,7 +776,7 @@ impl Part {
         let (table, found) = self.read.as_ref()?;
         let mut times: Vec<f64> = match found.first(Meaning::Time) {
             Some(at) => {
-                let factor = seconds_per(found.time_unit);
+                let factor = seconds_per(found.clock.unit);
                 table.columns[at].values.iter().map(|time| factor * time).collect()
             }
             None => {
@@ -811,15 +812,19 @@ impl Part {
     /// Writes the unit of the times that the duration of another file shows.
     fn state_clock(&mut self) {
         let (Some(unit), Some((_, found))) = (self.clock, &mut self.read) else { return };
-        (found.time_unit, found.time_unit_open) = (Some(unit), false);
+        found.clock.unit = Some(unit);
+        let question = found.clock.question.take();
         self.document.toml = self.document.toml.replace("time_UNIT", &format!("time_{unit}"));
-        self.withdraw("ask-time-unit");
+        self.withdraw(question.as_ref());
     }
 
     /// Leaves out the times of a log, whose unit is open, if no join needs them.
     fn leave_clock(&mut self) {
-        let Some((table, found)) = self.read.as_ref().filter(|(_, found)| found.time_unit_open) else { return };
+        let Some((table, found)) = self.read.as_ref().filter(|(_, found)| found.clock.question.is_some()) else {
+            return;
+        };
         let Some(at) = found.first(Meaning::Time) else { return };
+        let question = found.clock.question.clone();
         let named = table.columns[at].name.as_deref().map(quoted).into_iter().chain([(at + 1).to_string()]);
         let called = table.called(at);
         for source in named {
@@ -827,19 +832,14 @@ impl Part {
             self.document.toml = self.document.toml.replace(&entry, "");
         }
         if !self.document.toml.contains("time_UNIT") {
-            self.withdraw("ask-time-unit");
+            self.withdraw(question.as_ref());
             self.doubt(phrase!("doubt-columns-not-read", columns = vec![called], more = 0));
         }
     }
 
-    /// Removes a doubt that the other file settles.
-    fn withdraw_doubt(&mut self, id: &str) {
-        self.document.doubts.retain(|doubt| doubt.phrase().is_none_or(|phrase| phrase.id != id));
-    }
-
     /// Removes a question that is answered.
-    fn withdraw(&mut self, id: &str) {
-        let is_asked = |question: &Worded| question.phrase().is_some_and(|phrase| phrase.id == id);
+    fn withdraw(&mut self, answered: Option<&Phrase>) {
+        let is_asked = |question: &Worded| answered.is_some() && question.phrase() == answered;
         for question in self.document.questions.iter().filter(|question| is_asked(question)) {
             let line = format!("# QUESTION: {}\n", printable(&question.to_string()));
             self.document.toml = self.document.toml.replace(&line, "");

@@ -4,6 +4,8 @@ use super::demo::{Documents, point};
 use super::demo_iso9283;
 use crate::campaign::contents;
 use crate::*;
+use etalon_base::message::AnsweredBy;
+use etalon_base::warning;
 use etalon_documents::{
     Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule, DisplayedPose, Effect,
     EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck,
@@ -253,6 +255,17 @@ fn outlying_poses_are_measured_again_the_worst_first_and_steps_follow_their_gain
     documents.parameters.robust.as_mut().unwrap().parameters.push(changed);
     let all = actions(&documents);
     assert!(place(&all, ActionKind::MeasureAgain) < place(&all, ActionKind::Load), "{all:?}");
+}
+
+#[test]
+fn a_warning_is_a_step_unless_a_step_says_the_same() {
+    for (answered_by, expected) in [(AnsweredBy::Nobody, 1), (AnsweredBy::NextStep, 0)] {
+        let mut documents = measured();
+        let warning = warning!("few-cycles", least = 30, count = 1, poses = 3).to_decide();
+        documents.parameters.messages = vec![warning.answered_by(answered_by)];
+        let all = kinds(&actions(&documents));
+        assert_eq!(all.iter().filter(|kind| **kind == ActionKind::Resolve).count(), expected, "{all:?}");
+    }
 }
 
 #[test]

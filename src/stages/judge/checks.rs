@@ -2,7 +2,7 @@
 //! poses; and of targets against their given positions.
 
 use crate::stages::truncated;
-use etalon_base::message::Message;
+use etalon_base::message::{AnsweredBy, Message};
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{phrase, warning};
@@ -110,6 +110,7 @@ pub fn robust_message(robot: &dyn Robot, found: &RobustComparison) -> Option<Mes
         false => {
             warning!("robust-fit-disagrees-at-poses", parameter = name, over_u, limit, poses = truncated(poses, NAMED))
                 .to_decide()
+                .answered_by(AnsweredBy::NextStep)
                 .hint(phrase!("check-readings"))
         }
     })

@@ -36,7 +36,7 @@ use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Measured, Observation, Settings};
 use etalon_robots::Robot;
 use measured::measured_rows;
-use row::{fixed_rows, partial_rows};
+use row::{RowError, fixed_rows, partial_rows};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The kinds of rows. To add one: its module with a [`RowKind`], and its line here; a new column of
@@ -226,17 +226,6 @@ pub(super) fn moving_base(robot: &dyn Robot) -> Option<Message> {
 struct Unstated<'a>(BTreeMap<&'static str, Vec<&'a Row<'a>>>);
 
 impl<'a> Unstated<'a> {
-    /// Takes the row if its uncertainty is missing, and returns the other problems.
-    fn without(&mut self, row: &'a Row<'a>, problems: Problems) -> Problems {
-        let (missing, others): (Vec<Message>, Vec<Message>) =
-            problems.0.into_iter().partition(|message| message.id == UNCERTAINTY_MISSING);
-        for message in missing {
-            let angle = message.is(UNCERTAINTY_MISSING, &[("column", &"urot_deg")]);
-            self.0.entry(if angle { "urot_deg" } else { "u_mm" }).or_default().push(row);
-        }
-        Problems(others)
-    }
-
     /// One message for each column, with the number of rows and the first three; rows without some
     /// of their coordinates are named as such.
     fn messages(&self, table: &Table) -> Vec<Message> {
@@ -299,8 +288,6 @@ fn partial_remark(table: &Table, rows: &[Row]) -> Option<Message> {
 /// Rows with whole positions for each row with single coordinates that is probably a gap.
 const FEW_AMONG: usize = 10;
 
-/// Id of the message about a row without uncertainty.
-const UNCERTAINTY_MISSING: &str = "uncertainty-missing";
 /// Number of rows that a message about rows of one cause names.
 const FIRST_ROWS: usize = 3;
 
@@ -334,8 +321,10 @@ pub fn observed(
     let mut without_uncertainty = Unstated::default();
     for row in &rows {
         let before = settings.conditions.len();
-        if let Err(more) = row.add_to(&mut settings, robot) {
-            problems.0.extend(without_uncertainty.without(row, more).at(&table.place(row.index)).0);
+        match row.add_to(&mut settings, robot) {
+            Ok(()) => {}
+            Err(RowError::Unstated(column)) => without_uncertainty.0.entry(column).or_default().push(row),
+            Err(RowError::Wrong(more)) => problems.0.extend(more.at(&table.place(row.index)).0),
         }
         let added = settings.conditions[before..].iter().filter(|c| c.kind.is_orientation());
         let orientation = Written { order: row.order, ..row.orientation };

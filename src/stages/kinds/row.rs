@@ -4,7 +4,7 @@ use super::cells::{Cells, Others, STATION, check_fixed, names};
 use super::{KINDS, RowDefaults, RowKind, kind};
 use crate::stages::orientations::{AngleOrder, Written, written};
 use etalon_base::error;
-use etalon_base::message::Result;
+use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_formats::table::{COVARIANCES, Table, UNCERTAINTIES, XYZ};
@@ -12,8 +12,10 @@ use etalon_formats::tables::joints::joint_values;
 use etalon_identify::{Condition, Settings};
 use etalon_robots::Robot;
 
-/// Columns of uncertainties of all coordinates and of all rotations.
-const UNCERTAINTIES_OF_ROW: [&str; 2] = ["u_mm", "urot_deg"];
+/// Column of the uncertainty of all coordinates.
+const OF_LENGTH: &str = "u_mm";
+/// Column of the uncertainty of all rotations.
+const OF_ROTATION: &str = "urot_deg";
 
 /// Numeric columns that only some kinds need, in the order in which they are written.
 pub fn numbers() -> Vec<&'static str> {
@@ -27,7 +29,21 @@ pub fn numbers() -> Vec<&'static str> {
 
 /// Columns of all kinds, except the columns of positions. The target is one of these columns.
 pub fn columns<'a>() -> Vec<&'a str> {
-    ["kind"].into_iter().chain(names()).chain(numbers()).chain(UNCERTAINTIES_OF_ROW).collect()
+    ["kind"].into_iter().chain(names()).chain(numbers()).chain([OF_LENGTH, OF_ROTATION]).collect()
+}
+
+/// Reason why a row is no observation.
+pub(super) enum RowError {
+    /// Its standard uncertainty is missing, in the column of this name.
+    Unstated(&'static str),
+    /// Its cells are wrong.
+    Wrong(Problems),
+}
+
+impl From<Problems> for RowError {
+    fn from(problems: Problems) -> Self {
+        Self::Wrong(problems)
+    }
 }
 
 /// A row of a table; missing numbers are NaN, and missing names empty.
@@ -114,7 +130,7 @@ impl<'t> Row<'t> {
     }
 
     /// Adds the data of the row to `settings`, unless it is only the position of a target.
-    pub fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> Result<()> {
+    pub(super) fn add_to(&self, settings: &mut Settings, robot: &mut dyn Robot) -> std::result::Result<(), RowError> {
         let kind = kind(&self.cells.kind)?;
         if let Some(name) = &self.cells.station {
             self.seen_whole(kind, name)?;
@@ -124,7 +140,7 @@ impl<'t> Row<'t> {
             if !kind.facts().is_of_targets {
                 check_fixed(name, robot)?;
             }
-            settings.known.push(kind.known(self, positive(self.u_mm, false)?, robot)?);
+            settings.known.push(kind.known(self, positive(self.u_mm, OF_LENGTH)?, robot)?);
             return Ok(());
         };
         let observed = kind.observed(self, robot)?;
@@ -132,12 +148,13 @@ impl<'t> Row<'t> {
             return Ok(());
         }
         if self.joints.iter().any(|q| !q.is_finite()) {
-            return Err(error!("joint-value-missing").into());
+            return Err(Problems::from(error!("joint-value-missing")).into());
         }
         let target = target_index(kind, &self.cells.target, robot)?;
         for (kind, own) in observed {
-            let of_row = if kind.is_angle() { self.u_rotation_rad } else { self.u_mm };
-            let standard_uncertainty = positive(if own.is_nan() { of_row } else { own }, kind.is_angle())?;
+            let (of_row, column) =
+                if kind.is_angle() { (self.u_rotation_rad, OF_ROTATION) } else { (self.u_mm, OF_LENGTH) };
+            let standard_uncertainty = positive(if own.is_nan() { of_row } else { own }, column)?;
             let (cycle, joints) = (self.cycle, self.joints.clone());
             settings.conditions.push(Condition { pose, cycle, joints, target, kind, standard_uncertainty });
         }
@@ -169,15 +186,12 @@ pub fn target_index(kind: &dyn RowKind, name: &str, robot: &dyn Robot) -> Result
     Ok(found.ok_or_else(|| error!("not-of-this-robot", name, kind = "target"))?)
 }
 
-fn positive(standard_uncertainty: f64, is_angle: bool) -> Result<f64> {
-    let column = if is_angle { "urot_deg" } else { "u_mm" };
+/// Returns the standard uncertainty in a column if it is positive.
+fn positive(standard_uncertainty: f64, column: &'static str) -> std::result::Result<f64, RowError> {
     match standard_uncertainty {
         u if u > 0.0 && u.is_finite() => Ok(u),
-        u if !u.is_nan() => Err(error!("uncertainty-not-positive", column, value = u).into()),
-        _ => {
-            Err(error!("uncertainty-missing", column, count = 1, by = "pose", rows = Vec::<String>::new(), more = 0)
-                .into())
-        }
+        u if !u.is_nan() => Err(Problems::from(error!("uncertainty-not-positive", column, value = u)).into()),
+        _ => Err(RowError::Unstated(column)),
     }
 }
 

@@ -50,13 +50,8 @@ pub struct Guess<'t> {
     pub form: Form,
     /// Number of rows before the data.
     pub header: usize,
-    /// Last row before the data, or the last comment before the data if it has a word for each
-    /// column.
-    pub names: Option<Row<'t>>,
-    /// `true` if the names are in a comment.
-    pub commented: bool,
-    /// Names and units of the columns, of all rows that state them.
-    pub head: Head,
+    /// Names of the columns.
+    pub named: Named<'t>,
     /// Units of lengths that the lines above the data state.
     pub stated_units: Vec<StatedUnit>,
     /// Smallest and largest number of fields of a row that is read: the last fields of a row may be
@@ -72,13 +67,20 @@ pub struct Guess<'t> {
     pub unread: Option<usize>,
     /// For each column `true` if all its cells are numbers or mean "not measured".
     pub numeric: Vec<bool>,
+    /// Evidence of the numbers for the decimal mark.
+    pub numbers: NumberCounts,
+    score: f64,
+}
+
+/// Counts of the numbers of a text.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberCounts {
     /// Count of numbers.
-    pub numbers: usize,
+    pub all: usize,
     /// Count of numbers with a decimal mark.
     pub fractions: usize,
     /// Count of numbers with exactly three digits behind the decimal mark.
     pub threes: usize,
-    score: f64,
 }
 
 impl Guess<'_> {
@@ -196,12 +198,9 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         .map(|fields| fields.clone().all(holds) && fields.clone().any(is_number));
     form.header = Some(Header::Rows(header));
     let numeric: Vec<bool> = numeric.collect();
-    let Named { names, commented, head } = Named::new(sample, &form, &all[..header], first, numeric.len());
     Some(Guess {
         header,
-        names,
-        commented,
-        head,
+        named: Named::new(sample, &form, &all[..header], first, numeric.len()),
         stated_units: Vec::new(),
         widths: [least, most],
         first,
@@ -209,19 +208,22 @@ fn guess(sample: &str, mut form: Form) -> Option<Guess<'_>> {
         read: good.len(),
         unread: data.iter().find(|row| !is_read(row)).map(|row| row.line),
         numeric,
-        numbers: used.len(),
-        fractions,
-        threes,
+        numbers: NumberCounts { all: used.len(), fractions, threes },
         score,
         form,
     })
 }
 
-/// Names of the columns: of the last row above the data, or of a comment.
-struct Named<'t> {
-    names: Option<Row<'t>>,
-    commented: bool,
-    head: Head,
+/// Names of the columns.
+#[derive(Clone, Debug)]
+pub struct Named<'t> {
+    /// Last row before the data, or the last comment before the data if it has a word for each
+    /// column.
+    pub row: Option<Row<'t>>,
+    /// `true` if the names are in a comment.
+    pub commented: bool,
+    /// Names and units of the columns, of all rows that state them.
+    pub head: Head,
 }
 
 impl<'t> Named<'t> {
@@ -235,9 +237,9 @@ impl<'t> Named<'t> {
         match comment.and_then(|comment| named_by_comment(sample, form, comment, first, columns)) {
             Some(row) => {
                 let head = Head::new(std::slice::from_ref(&row), columns, blanks);
-                Self { names: Some(row), commented: true, head }
+                Self { row: Some(row), commented: true, head }
             }
-            None => Self { names, commented: false, head },
+            None => Self { row: names, commented: false, head },
         }
     }
 }
@@ -314,7 +316,7 @@ fn named_by_comment<'t>(text: &'t str, form: &Form, comment: &str, first: usize,
 
 /// Returns the names of all columns, if the head has a name for each.
 pub fn names(guess: &Guess) -> Option<Vec<String>> {
-    guess.head.names.clone()
+    guess.named.head.names.clone()
 }
 
 /// Splits a time of day from the difference of its zone from UTC in minutes (ISO 8601: `+02:00`).

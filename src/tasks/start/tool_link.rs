@@ -90,9 +90,9 @@ fn evidence(beside: &Path, name: &str, chain: &TreeChain, files: &[PathBuf]) -> 
         joints.iter().all(named)
     };
     let count = |document: &FormatsDocument| document.columns.iter().filter(|column| column.joint.is_some()).count();
-    let rms_mm = documents.iter().filter_map(|document| document.reproduced_mm).reduce(f64::max);
+    let rms_mm = documents.iter().filter_map(|document| document.facts.reproduced_mm).reduce(f64::max);
     Ok(Evidence {
-        named: documents.iter().any(|document| document.joints_named || headings(document)),
+        named: documents.iter().any(|document| document.facts.joints_named || headings(document)),
         counted: documents.iter().any(|document| count(document) == joints.len()),
         rms_mm,
         still: joints.iter().rev().take_while(|joint| still.iter().any(|name| name == *joint)).count(),

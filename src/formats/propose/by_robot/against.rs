@@ -211,7 +211,7 @@ fn trials(robot: &dyn Robot, table: &Table, found: &Interpretation) -> Vec<Trial
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         _ => None,
     };
-    let mut points: Vec<[usize; 3]> = found.points.iter().chain(&found.commanded).filter_map(whole).collect();
+    let mut points: Vec<[usize; 3]> = found.points.iter().chain(&found.commanded.alone).filter_map(whole).collect();
     if !named {
         points.extend(consecutive(table, 3).into_iter().filter_map(|all| <[usize; 3]>::try_from(all).ok()));
     }
@@ -253,7 +253,7 @@ fn apply(
         found.take(at, Meaning::Target, phrase!("why-targets-fit"));
         remarks.reasons.push(phrase!("robot-finds-targets", column = table.called(at)));
     }
-    let placed = found.points.iter().chain(&found.commanded).any(|set| set.columns == trial.points.map(Some));
+    let placed = found.points.iter().chain(&found.commanded.alone).any(|set| set.columns == trial.points.map(Some));
     if !placed {
         for taken in &mut found.taken {
             if matches!(taken.meaning, Meaning::Point(..)) {
@@ -267,7 +267,7 @@ fn apply(
     }
     let mut kept: Vec<PointSet> = Vec::new();
     let sets: Vec<(PointSet, bool)> = found.points.iter().map(|set| (set.clone(), true)).collect();
-    let called = found.commanded.iter().map(|set| (set.clone(), false));
+    let called = found.commanded.alone.iter().map(|set| (set.clone(), false));
     let sets: Vec<(PointSet, bool)> = sets.into_iter().chain(called).collect();
     for (set, measured) in sets {
         let [Some(x), Some(y), Some(z)] = set.columns else {
@@ -294,7 +294,8 @@ fn apply(
     }
     let before = std::mem::replace(&mut found.points, kept);
     let now = |number: usize| found.points.iter().position(|set| Some(set) == before.get(number));
-    found.turned_points = found.turned_points.iter().filter_map(|(n, at)| Some((now(*n)?, *at))).collect();
+    found.orientations.of_points =
+        found.orientations.of_points.iter().filter_map(|(n, at)| Some((now(*n)?, *at))).collect();
     remarks
 }
 

@@ -83,7 +83,8 @@ impl Measured<'_> {
         let rows = self.rows(columns);
         let forms = std::iter::once(None).chain(AngleOrder::all().into_iter().map(Some));
         let units = [("deg", 1f64.to_radians()), ("rad", 1.0)];
-        let units = units.into_iter().filter(|(unit, _)| found.rotation.unit.is_none_or(|stated| stated == *unit));
+        let units =
+            units.into_iter().filter(|(unit, _)| found.orientations.rotation.unit.is_none_or(|stated| stated == *unit));
         let tried = units.flat_map(|unit| forms.clone().map(move |form| (unit, form)));
         let misfit = |((unit, factor), form): ((&'static str, f64), Option<AngleOrder>)| {
             let body = |three: &[f64; 3]| {
@@ -99,7 +100,7 @@ impl Measured<'_> {
             return None;
         }
         let order = form.map_or_else(|| ROTATION_VECTOR.to_owned(), |order| order.to_string());
-        found.rotation = RotationForm { order: Some(order.clone()), unit: Some(unit) };
+        found.orientations.rotation = RotationForm { order: Some(order.clone()), unit: Some(unit) };
         found.settle(Evidence::Orientations);
         let kind = if form.is_some() { "angles" } else { "vector" };
         Some(phrase!("robot-orders-angles", kind, order, unit, misfit_deg = best.to_degrees()))

@@ -45,7 +45,7 @@ pub(crate) fn propose_arrays(
     other_arrays(&arrays, widest, &mut found);
     if let Some(correct) = correct {
         let remarks = correct(&mut table, &mut found);
-        (document.joints_named, document.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
+        (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
         remarks.reasons.into_iter().for_each(|reason| document.because(reason));
         remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
     }
@@ -60,7 +60,8 @@ pub(crate) fn propose_arrays(
                 document.ask(phrase!("ask-unit"));
             }
             let sets = 0..found.points.len();
-            sets.map(|set| export_lines(file, widest, (&table, &found, set), unit)).collect()
+            let head = format!("[[export]]\nfile = {}\n", quoted(file));
+            sets.map(|set| head.clone() + &array_lines(widest, &table, &found, set, unit)).collect()
         }
         None => {
             let joints = found.joint_columns();
@@ -225,26 +226,26 @@ fn by_values(table: &Table, first: usize) -> Option<Interpretation> {
     (found.points.len() == 1 && (is_turned || is_directed)).then_some(found)
 }
 
-/// Lines of an export of an array, with its column of times.
-fn export_lines(
-    file: &str,
+/// Lines of an export about the points `set` of an array, with its column of times.
+fn array_lines(
     array: &ArrayParts,
-    (table, found, set): (&Table, &Interpretation, usize),
+    table: &Table,
+    found: &Interpretation,
+    set: usize,
     unit: Option<&'static str>,
 ) -> String {
     let roles = roles(found, set);
     let named = roles.iter().zip(&table.columns).filter(|(role, _)| **role != ColumnRole::Skip);
     let columns: Vec<String> = named
         .map(|(role, column)| {
-            let is_open = *role == ColumnRole::TimeS && found.time_unit_open;
+            let is_open = *role == ColumnRole::TimeS && found.clock.question.is_some();
             let name = if is_open { "time_UNIT" } else { role.name() };
             format!("{name} = {}", quoted(column.name.as_deref().unwrap_or_default()))
         })
         .collect();
     let is_timed = found.first(Meaning::Time).is_some();
     format!(
-        "[[export]]\nfile = {}\nformat = {{ sheet = {}, header = 1, columns = {{ {} }} }}\n{}{TARGET_LINE}{}",
-        quoted(file),
+        "format = {{ sheet = {}, header = 1, columns = {{ {} }} }}\n{}{TARGET_LINE}{}",
         quoted(&array.name),
         columns.join(", "),
         if unit.is_some() { fitted_unit_line(unit) } else { unit_line(None) },
@@ -256,7 +257,7 @@ fn export_lines(
 fn log_lines(file: &str, format: &str, table: &Table, found: &Interpretation) -> String {
     let name = |at: usize| table.columns[at].name.as_deref();
     let time = found.first(Meaning::Time).and_then(name).map(|time| {
-        let unit = if found.time_unit_open { "UNIT" } else { found.time_unit.unwrap_or("s") };
+        let unit = if found.clock.question.is_some() { "UNIT" } else { found.clock.unit.unwrap_or("s") };
         format!("time_{unit} = {}", quoted(time))
     });
     let joint = |(k, at): (usize, usize)| {

@@ -537,7 +537,7 @@ impl Interpretation {
 
     /// Gives each point the quaternion of its body; a quaternion of another body is not taken.
     pub(crate) fn own_orientations(&mut self) {
-        let quaternions = std::mem::take(&mut self.quaternions);
+        let quaternions = std::mem::take(&mut self.orientations.quaternions);
         let mut left: Vec<(String, [usize; 4])> = quaternions.clone();
         for number in 0..self.points.len() {
             let of_point: Vec<String> = body(&self.points[number].tag).into_iter().map(str::to_owned).collect();
@@ -560,19 +560,19 @@ impl Interpretation {
                 self.doubt(phrase!("doubt-orientation-of-body", body = tag));
             }
             if number > 0 {
-                self.turned_points.push((number, columns));
+                self.orientations.of_points.push((number, columns));
             } else {
-                self.quaternions.push((tag, columns));
+                self.orientations.quaternions.push((tag, columns));
             }
         }
         if self.points.is_empty() {
-            self.quaternions = quaternions;
+            self.orientations.quaternions = quaternions;
             return;
         }
         for (k, at) in left.iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
             self.take(*at, Meaning::OtherOrientation(k), phrase!("why-other-body"));
         }
-        for (k, at) in self.turned_points.clone().iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
+        for (k, at) in self.orientations.of_points.clone().iter().flat_map(|(_, columns)| columns.iter().enumerate()) {
             self.take(*at, Meaning::OtherOrientation(k), phrase!("why-heading-and-four"));
         }
     }
@@ -596,15 +596,15 @@ impl Interpretation {
     fn judge(&mut self, sets: &[Set], table: &Table) {
         self.ask_about_sets(table);
         let one = |kind: Kind| sets.iter().find(|set| set.kind == kind).map(|set| set.points.clone());
-        self.commanded_beside = one(Kind::Commanded).filter(|_| !self.points.is_empty());
+        self.commanded.beside = one(Kind::Commanded).filter(|_| !self.points.is_empty());
         if self.points.is_empty()
             && let Some(commanded) = one(Kind::Commanded)
         {
-            self.difference = one(Kind::Difference);
-            if self.difference.is_some() {
+            self.commanded.difference = one(Kind::Difference);
+            if self.commanded.difference.is_some() {
                 self.ask(phrase!("ask-sign-of-difference"));
             }
-            self.commanded = Some(commanded);
+            self.commanded.alone = Some(commanded);
         }
         let left: Vec<String> = sets
             .iter()

@@ -123,7 +123,7 @@ pub(crate) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         Meaning::Target => ColumnRole::Target,
         Meaning::Pose => ColumnRole::Pose,
         Meaning::Cycle => ColumnRole::Cycle,
-        Meaning::Time => match found.time_unit {
+        Meaning::Time => match found.clock.unit {
             None | Some("s") => ColumnRole::TimeS,
             Some("ms") => ColumnRole::TimeMs,
             Some("us") => ColumnRole::TimeUs,
@@ -136,7 +136,7 @@ pub(crate) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         Meaning::ExpandedUncertainty(axis) if expanded => U95[axis.min(2)],
         Meaning::Quaternion(k) if set == 0 && has_point => ColumnRole::ORIENTATIONS[0][k.min(3)],
         Meaning::Rotation(k) if set == 0 && has_point => {
-            let form = if found.rotation.unit == Some("rad") { 2 } else { 1 };
+            let form = if found.orientations.rotation.unit == Some("rad") { 2 } else { 1 };
             ColumnRole::ORIENTATIONS[form][k.min(2)]
         }
         Meaning::Matrix(i, j) if matrix => ColumnRole::ORIENTATIONS[3][(3 * i + j).min(8)],
@@ -157,7 +157,7 @@ pub(crate) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
         if again { ColumnRole::Skip } else { role }
     };
     let mut roles: Vec<ColumnRole> = found.taken.iter().map(|taken| once(role(taken.meaning))).collect();
-    let of_point = found.turned_points.iter().filter(|(number, _)| *number == set);
+    let of_point = found.orientations.of_points.iter().filter(|(number, _)| *number == set);
     for (k, at) in of_point.flat_map(|(_, columns)| columns.iter().enumerate()) {
         roles[*at] = ColumnRole::ORIENTATIONS[0][k];
     }
@@ -172,7 +172,9 @@ impl Proposal<'_> {
         let polar = roles(found, 0).iter().any(|role| role.is_angle());
         let has_point = !found.points.is_empty() || polar;
         match (joints.len() >= 2, has_point) {
-            (_, false) if found.commanded.is_some() && found.difference.is_some() => self.computed(document, &joints),
+            (_, false) if found.commanded.alone.is_some() && found.commanded.difference.is_some() => {
+                self.computed(document, &joints)
+            }
             (true, false) => match found.first(Meaning::Distance) {
                 Some(distance) => self.distances(document, &joints, distance),
                 None => {
@@ -216,7 +218,8 @@ impl Proposal<'_> {
 
     /// Returns the heading of a column, if a campaign can name the column by it.
     fn heading(&self, at: usize) -> Option<&str> {
-        let header = self.best.names.as_ref().filter(|_| !self.best.commented && names(self.best).is_some())?;
+        let header =
+            self.best.named.row.as_ref().filter(|_| !self.best.named.commented && names(self.best).is_some())?;
         let name = header.fields.get(at)?.as_ref();
         let once = header.fields.iter().filter(|field| *field == name).count() == 1;
         // a heading that blanks split is not one field
@@ -226,7 +229,7 @@ impl Proposal<'_> {
 
     /// Returns the sum of whole seconds and their fractions, if this is the column of the seconds.
     fn seconds(&self, at: usize) -> Option<String> {
-        let Fractions { seconds, column, per_second } = self.found.fractions.filter(|of| of.seconds == at)?;
+        let Fractions { seconds, column, per_second } = self.found.clock.fractions.filter(|of| of.seconds == at)?;
         let [seconds, fractions] =
             [seconds, column].map(|at| self.heading(at).map_or_else(|| format!("${}", at + 1), str::to_owned));
         Some(format!("{seconds} + {fractions} / {per_second}"))
@@ -262,8 +265,8 @@ impl Proposal<'_> {
     fn dialect(&self, set: usize) -> Dialect {
         let roles = roles(self.found, set);
         let several = self.found.points.len() > 1;
-        let is_computed = self.found.fractions.is_some();
-        let columns = match several || is_computed || roles.len() > LISTED && !self.best.commented {
+        let is_computed = self.found.clock.fractions.is_some();
+        let columns = match several || is_computed || roles.len() > LISTED && !self.best.named.commented {
             // fields without a heading that only some rows have
             false => {
                 let mut all = roles.clone();
@@ -292,7 +295,7 @@ impl Proposal<'_> {
         });
         let coverage_factor = roles.iter().any(|role| role.is_expanded()).then_some(2.0);
         let is_turned = roles.iter().any(|role| matches!(role, ColumnRole::RxDeg | ColumnRole::RxRad));
-        let rotation = self.found.rotation.order.clone().filter(|_| is_turned);
+        let rotation = self.found.orientations.rotation.order.clone().filter(|_| is_turned);
         Dialect { form: self.best.form.clone(), columns, angle_unit, coverage_factor, rotation, ..Dialect::default() }
     }
 
@@ -311,10 +314,10 @@ impl Proposal<'_> {
                 written = written.replace(&format!("{before}{from}{behind}"), &format!("{before}{to}{behind}"));
             }
         };
-        if self.found.time_unit_open {
+        if self.found.clock.question.is_some() {
             open("time", "s");
         }
-        if is_turned && self.found.rotation.unit.is_none() {
+        if is_turned && self.found.orientations.rotation.unit.is_none() {
             ["rx", "ry", "rz"].iter().for_each(|name| open(name, "deg"));
         }
         match is_open {
@@ -442,7 +445,8 @@ impl Proposal<'_> {
 
     /// Returns the question of blocks: the headings stand above the rows of each of them again.
     fn blocks(&self) -> Option<Phrase> {
-        let row = self.best.names.as_ref().filter(|row| row.fields.iter().any(|f| f.contains(char::is_alphabetic)))?;
+        let row =
+            self.best.named.row.as_ref().filter(|row| row.fields.iter().any(|f| f.contains(char::is_alphabetic)))?;
         let heading = self.text.lines().nth(row.line.checked_sub(1)?)?.trim();
         let again = self.text.lines().enumerate().skip(row.line).filter(|(_, line)| line.trim() == heading);
         let lines: Vec<usize> = again.map(|(at, _)| at + 1).collect();
@@ -459,7 +463,9 @@ impl Proposal<'_> {
             let unread = match taken.meaning {
                 Meaning::Unknown => true,
                 Meaning::Count => !named,
-                Meaning::OtherOrientation(_) => !self.found.turned_points.iter().any(|(_, at)| at.contains(&i)),
+                Meaning::OtherOrientation(_) => {
+                    !self.found.orientations.of_points.iter().any(|(_, at)| at.contains(&i))
+                }
                 Meaning::Uncertainty(_)
                 | Meaning::ExpandedUncertainty(_)
                 | Meaning::Scatter
@@ -469,7 +475,7 @@ impl Proposal<'_> {
                 | Meaning::Elevation => has_point && roles.get(i) == Some(&ColumnRole::Skip),
                 _ => false,
             };
-            let unread = unread && self.found.fractions.is_none_or(|of| of.column != i);
+            let unread = unread && self.found.clock.fractions.is_none_or(|of| of.column != i);
             let column = &self.table.columns[i];
             let name = || column.name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
             (unread && column.is_numeric()).then(|| format!("{}{}", i + 1, name()))
@@ -568,8 +574,8 @@ impl Proposal<'_> {
         for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
             columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
         }
-        let angle = self.found.rotation.unit.unwrap_or("UNIT");
-        let order = self.found.rotation.order.as_deref();
+        let angle = self.found.orientations.rotation.unit.unwrap_or("UNIT");
+        let order = self.found.orientations.rotation.order.as_deref();
         let names = if order == Some(ROTATION_VECTOR) { ["rx", "ry", "rz"] } else { ["a", "b", "c"] };
         match turned.len() {
             4 => columns
@@ -645,7 +651,8 @@ impl Proposal<'_> {
 
     /// Returns the lines of joints, a commanded point and its difference from the measured point.
     fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
-        let (Some(commanded), Some(difference)) = (&self.found.commanded, &self.found.difference) else {
+        let (Some(commanded), Some(difference)) = (&self.found.commanded.alone, &self.found.commanded.difference)
+        else {
             return String::new();
         };
         document.kind = "export".to_owned();
@@ -700,9 +707,11 @@ impl Proposal<'_> {
     /// Returns the remark on a table without joints and measured points.
     fn commanded(&self, document: &mut FormatsDocument) -> String {
         document.kind = "unknown".to_owned();
-        if self.found.commanded.is_some() {
+        if self.found.commanded.alone.is_some() {
             document.kind = "commanded".to_owned();
-            document.doubt(phrase!("doubt-all-commanded"));
+            let doubt = phrase!("doubt-all-commanded");
+            document.facts.without_attained = Some(doubt.clone());
+            document.doubt(doubt);
         }
         format!(
             "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",
@@ -733,8 +742,8 @@ impl Proposal<'_> {
                 Meaning::Cycle => "cycle".to_owned(),
                 Meaning::Label => "label".to_owned(),
                 Meaning::Time => {
-                    let unit = unit_of(at).or(self.found.time_unit).filter(|u| ["s", "ms", "us", "ns"].contains(u));
-                    let open = if kind.is_none() && self.found.time_unit_open { "UNIT" } else { "s" };
+                    let unit = unit_of(at).or(self.found.clock.unit).filter(|u| ["s", "ms", "us", "ns"].contains(u));
+                    let open = if kind.is_none() && self.found.clock.question.is_some() { "UNIT" } else { "s" };
                     format!("time_{}", unit.unwrap_or(open))
                 }
                 _ => match unit_of(at) {

@@ -134,6 +134,39 @@ pub(crate) struct RotationForm {
     pub unit: Option<&'static str>,
 }
 
+/// Commanded point of each row.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CommandedPoint {
+    /// Commanded point, from which the measured point is computed with the difference.
+    pub alone: Option<PointSet>,
+    /// Commanded point beside a measured one.
+    pub beside: Option<PointSet>,
+    /// Difference between commanded and measured point.
+    pub difference: Option<PointSet>,
+}
+
+/// Columns of orientations.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Orientations {
+    /// Quaternions: words of their headings, and columns, the scalar first.
+    pub quaternions: Vec<(String, [usize; 4])>,
+    /// Quaternions of further measured points: number of the point, and columns.
+    pub of_points: Vec<(usize, [usize; 4])>,
+    /// Form of the columns of a rotation.
+    pub rotation: RotationForm,
+}
+
+/// Column of times.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Clock {
+    /// Unit, if the heading or the values state one.
+    pub unit: Option<&'static str>,
+    /// Question about a unit that neither states.
+    pub question: Option<Phrase>,
+    /// Whole seconds and their fractions in two columns.
+    pub fractions: Option<Fractions>,
+}
+
 /// Interpretation of a table.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Interpretation {
@@ -141,26 +174,14 @@ pub(crate) struct Interpretation {
     pub taken: Vec<Taken>,
     /// Measured points.
     pub points: Vec<PointSet>,
-    /// Commanded point, from which the measured point is computed with the difference.
-    pub commanded: Option<PointSet>,
-    /// Commanded point beside a measured one.
-    pub commanded_beside: Option<PointSet>,
-    /// Difference between commanded and measured point.
-    pub difference: Option<PointSet>,
+    /// Commanded points.
+    pub commanded: CommandedPoint,
     /// Words of the headings of all sets of coordinates, without the axis.
     pub bodies: Vec<String>,
-    /// Quaternions: words of their headings, and columns, the scalar first.
-    pub quaternions: Vec<(String, [usize; 4])>,
-    /// Quaternions of further measured points: number of the point, and columns.
-    pub turned_points: Vec<(usize, [usize; 4])>,
-    /// Form of the columns of a rotation.
-    pub rotation: RotationForm,
-    /// Unit of the column of times, if its heading or its values state one.
-    pub time_unit: Option<&'static str>,
-    /// `true` if the unit of the times is not known.
-    pub time_unit_open: bool,
-    /// Whole seconds and their fractions in two columns.
-    pub fractions: Option<Fractions>,
+    /// Orientations of the measured points.
+    pub orientations: Orientations,
+    /// Times of the rows.
+    pub clock: Clock,
     /// Names of the joints in robot.toml; empty if no robot was given.
     pub joint_names: Vec<String>,
     /// Columns of joints that count in the opposite direction.
@@ -177,11 +198,11 @@ pub(crate) struct Interpretation {
 #[derive(Clone, Debug)]
 pub(crate) struct Doubt {
     pub text: Phrase,
-    /// Evidence that resolves the doubt, if the nominal robot can give any.
+    /// Evidence that resolves the doubt, if any can.
     settled_by: Option<Evidence>,
 }
 
-/// Evidence of a nominal robot that reproduces the points.
+/// Evidence that resolves doubts: of a nominal robot that reproduces the points, or of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Evidence {
     /// Columns and order of the joints.
@@ -189,6 +210,8 @@ pub(crate) enum Evidence {
     /// Orientations of the flange, which fit one order of the components of a quaternion, or one
     /// form of three numbers of a rotation.
     Orientations,
+    /// Column of an angle from the vertical or the horizontal.
+    VerticalAngle,
 }
 
 impl Interpretation {
@@ -197,7 +220,7 @@ impl Interpretation {
         self.doubts.push(Doubt { text, settled_by: None });
     }
 
-    /// Adds a doubt that the kinematics of the robot can resolve.
+    /// Adds a doubt that this evidence can resolve.
     pub fn doubt_until(&mut self, evidence: Evidence, text: Phrase) {
         self.doubts.push(Doubt { text, settled_by: Some(evidence) });
     }
@@ -322,7 +345,7 @@ impl Interpretation {
 
     /// Returns the commanded point of each row.
     pub fn commanded_point(&self) -> Option<&PointSet> {
-        self.commanded.as_ref().or(self.commanded_beside.as_ref())
+        self.commanded.alone.as_ref().or(self.commanded.beside.as_ref())
     }
 
     /// Returns the columns of the joints in order.
@@ -490,7 +513,7 @@ impl Interpretation {
     /// Finds the quaternions: four columns each, by their headings or by their values.
     fn quaternion(&mut self, table: &Table) {
         while self.next_quaternion(table) {}
-        if self.quaternions.is_empty() {
+        if self.orientations.quaternions.is_empty() {
             while self.quaternion_by_values(table) {}
         }
     }
@@ -537,7 +560,7 @@ impl Interpretation {
                 for (k, at) in all.into_iter().enumerate() {
                     self.take(at, Meaning::Quaternion(k), why.clone());
                 }
-                self.quaternions.push((tag.trim().to_owned(), all));
+                self.orientations.quaternions.push((tag.trim().to_owned(), all));
                 return true;
             }
         }
@@ -563,7 +586,7 @@ impl Interpretation {
                     && all.iter().all(|at| table.columns[*at].largest() > UNUSED)
             };
             // further quaternions are named
-            let unsure = named.is_none() && !repeated && (!self.quaternions.is_empty() || !varies());
+            let unsure = named.is_none() && !repeated && (!self.orientations.quaternions.is_empty() || !varies());
             if table.rows < FEWEST_ROWS || !table.are_unit(all) || unsure {
                 continue;
             }
@@ -576,8 +599,8 @@ impl Interpretation {
                 ordered[k] = at;
             }
             let words = &table.columns[ordered[1]].heading.words;
-            self.quaternions.push((words[..words.len().saturating_sub(1)].join(" "), ordered));
-            if named.is_none() && self.quaternions.len() == 1 {
+            self.orientations.quaternions.push((words[..words.len().saturating_sub(1)].join(" "), ordered));
+            if named.is_none() && self.orientations.quaternions.len() == 1 {
                 let columns: Vec<String> = all.iter().map(|at| table.called(*at)).collect();
                 let used = if repeated { "last" } else { "first" };
                 self.ask_until(Evidence::Orientations, phrase!("ask-quaternion-order", columns, used));
@@ -972,7 +995,8 @@ impl Interpretation {
                 self.take(at, Meaning::Rotation(k), phrase!("why-heading"));
             }
             let units = all.map(|at| table.columns[at].heading.unit);
-            self.rotation.unit = units[0].filter(|unit| units == [units[0]; 3] && ["deg", "rad"].contains(unit));
+            self.orientations.rotation.unit =
+                units[0].filter(|unit| units == [units[0]; 3] && ["deg", "rad"].contains(unit));
             self.ask_until(Evidence::Orientations, phrase!("ask-rotation"));
         }
         while let Some(all) = FORMS.into_iter().find_map(|form| self.rotation_at(table, form, &commanded)) {
@@ -1079,7 +1103,7 @@ impl Interpretation {
         let of = |meaning: Meaning| self.first(meaning);
         let polar = of(Meaning::Azimuth).is_some() && of(Meaning::Distance).is_some();
         if polar && self.points.is_empty() && of(Meaning::Zenith).or(of(Meaning::Elevation)).is_none() {
-            self.doubt(phrase!("doubt-polar"));
+            self.doubt_until(Evidence::VerticalAngle, phrase!("doubt-polar"));
         }
     }
 
@@ -1132,8 +1156,8 @@ impl Interpretation {
 
     /// Takes whole seconds that have their fractions in a second column for the time.
     fn whole_seconds(&mut self, table: &Table) {
-        self.fractions = Fractions::new(table);
-        let Some(Fractions { seconds, .. }) = self.fractions else { return };
+        self.clock.fractions = Fractions::new(table);
+        let Some(Fractions { seconds, .. }) = self.clock.fractions else { return };
         for taken in self.taken.iter_mut().filter(|taken| taken.meaning == Meaning::Time) {
             *taken = Taken { meaning: Meaning::Unknown, why: None };
         }
@@ -1148,10 +1172,10 @@ impl Interpretation {
         let is_of_time = |unit: &&'static str| ["s", "ms", "us", "ns"].contains(unit);
         let in_words = |word: &String| unit_word(word).filter(is_of_time).filter(|_| word.len() > 1);
         let known = column.heading.unit.filter(is_of_time).or_else(|| column.heading.words.iter().find_map(in_words));
-        self.time_unit = known.or_else(|| column.epoch_unit());
-        if self.time_unit.is_some() {
+        self.clock.unit = known.or_else(|| column.epoch_unit());
+        if self.clock.unit.is_some() {
             if known.is_none()
-                && let Some(unit) = self.time_unit
+                && let Some(unit) = self.clock.unit
                 && let Some(why) = self.taken[at].why.take()
             {
                 self.taken[at].why = Some(phrase!("why-epoch", why, unit));
@@ -1161,9 +1185,10 @@ impl Interpretation {
         if column.has_step_of_seconds() {
             return;
         }
-        self.time_unit_open = true;
         let (column, step) = (table.called(at), column.usual_step());
-        self.ask(phrase!("ask-time-unit", column, step));
+        let question = phrase!("ask-time-unit", column, step);
+        self.clock.question = Some(question.clone());
+        self.ask(question);
     }
 
     /// Proposes a running number with gaps, or out of order, as the number of the pose, with a
@@ -1230,8 +1255,7 @@ impl Interpretation {
         let is_zenith = mean.abs() > 0.5 * quarter;
         let meaning = if is_zenith { Meaning::Zenith } else { Meaning::Elevation };
         self.take(at, meaning, phrase!("why-vertical"));
-        let is_polar = |doubt: &Doubt| doubt.text.id == "doubt-polar";
-        self.doubts.retain(|doubt| !is_polar(doubt));
+        self.settle(Evidence::VerticalAngle);
         let (column, zenith) = (table.called(at), if is_zenith { "yes" } else { "no" });
         self.doubt(phrase!("doubt-vertical-angle", column, zenith));
     }

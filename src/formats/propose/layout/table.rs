@@ -54,7 +54,7 @@ impl Table {
     pub fn read(text: &str, guess: &Guess) -> Self {
         let width = guess.numeric.len();
         let names = names(guess).unwrap_or_default();
-        let unit = |i: usize| guess.head.units.get(i).copied().flatten();
+        let unit = |i: usize| guess.named.head.units.get(i).copied().flatten();
         let mut columns: Vec<Column> = (0..width.min(MOST_COLUMNS))
             .map(|i| {
                 let name = names.get(i).map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
@@ -62,8 +62,8 @@ impl Table {
                 if unit(i).is_some() {
                     (heading.unit, heading.bare_metre) = (unit(i), false);
                 }
-                heading.other_quantity |= guess.head.others.contains(&i);
-                let group = guess.head.groups.get(i).cloned().flatten();
+                heading.other_quantity |= guess.named.head.others.contains(&i);
+                let group = guess.named.head.groups.get(i).cloned().flatten();
                 Column { name, heading, group, clock: true, ..Column::default() }
             })
             .collect();

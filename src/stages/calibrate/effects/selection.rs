@@ -14,15 +14,14 @@ use crate::stages::table_file::in_campaign;
 use crate::stages::truncated;
 use etalon_base::angle_order::AngleOrder;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Place, Problems, Result};
+use etalon_base::message::{AnsweredBy, Message, Place, Problems, Result};
 use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
-use etalon_campaign::{Campaign, Identify, Selection, Selections, StatedPoses};
+use etalon_campaign::{Campaign, Identify, Selection, Selections};
 use etalon_documents::{FramePose, FramesDocument, WorldFrame};
 use etalon_identify::{FrameError, Settings};
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
-use toml::Spanned;
 
 /// Data of a campaign for an identification.
 #[derive(Clone, Copy)]
@@ -187,16 +186,12 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &B
         }
     }
     let numbered = || indices(poses, all);
-    let without_pose = |poses_stated: &Spanned<StatedPoses>, set: &str| {
-        let hint = measured(poses);
-        error!("selection-without-pose", set).at(campaign.place(poses_stated)).hint(hint)
-    };
     if !numbered().any(|(i, pose)| selections.calibrates(pose, i)) {
-        problems.0.push(without_pose(&identify.calibration, "calibration"));
+        problems.0.push(without_pose("calibration", poses).at(campaign.place(&identify.calibration)));
     }
     if let Some(text) = &identify.validation {
         if !numbered().any(|(i, pose)| selections.validates(pose, i)) {
-            problems.0.push(without_pose(text, "validation"));
+            problems.0.push(without_pose("validation", poses).at(campaign.place(text)));
         }
         let shared: Vec<String> = numbered()
             .filter(|&(i, pose)| selections.calibrates(pose, i) && selections.validates(pose, i))
@@ -218,6 +213,11 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &B
         problems.0.push(found.at(campaign.place(&table.poses)));
     }
     problems.check().map(|_| ())
+}
+
+/// Error about a selection of which no pose is measured.
+fn without_pose(set: &str, poses: &BTreeSet<PoseName>) -> Message {
+    error!("selection-without-pose", set).answered_by(AnsweredBy::Measurements).hint(measured(poses))
 }
 
 /// Warning about series without a calibration pose.
@@ -242,8 +242,7 @@ fn series_problems(
         let shared = of.iter().filter(|(_, of)| of.contains(&number) && of.iter().any(|other| *other < number));
         let shared: Vec<String> = shared.map(|(pose, _)| pose.to_string()).collect();
         let problem = if !of.iter().any(|(_, of)| of.contains(&number)) {
-            let hint = measured(poses);
-            error!("selection-without-pose", set = "series").hint(hint)
+            without_pose("series", poses)
         } else if !shared.is_empty() {
             error!("series-overlap", poses = truncated(shared, 20))
         } else {
