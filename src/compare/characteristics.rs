@@ -28,7 +28,7 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
         trends.extend(positions(&place, all, &same));
         trends.extend(repeatability(&place, &same));
     }
-    let homings: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.homing.as_ref()).collect();
+    let homings: Vec<&Iso9283Pose> = all.iter().filter_map(|d| d.robot.homing.as_ref()).collect();
     if homings.len() == all.len() {
         trends.extend(repeatability(&phrase!("homing"), &homings));
     } else if !homings.is_empty() {

@@ -598,6 +598,14 @@ pub struct PointError {
     /// known.
     #[serde(default)]
     pub joints: Vec<f64>,
+    /// Control of the reading by other readings.
+    #[serde(flatten)]
+    pub control: ReadingControl,
+}
+
+/// Control of a reading by other readings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReadingControl {
     /// Reliability of the reading, as controlled by the other readings of the calibration; absent
     /// for validation poses.
     #[serde(default)]
@@ -622,6 +630,6 @@ impl PointError {
     /// Divisor of the error in statistics: 1, or [`counted_share`] if the reading places its own
     /// target.
     pub fn statistics_divisor(&self) -> Option<f64> {
-        self.own_redundancy.map_or(Some(1.0), counted_share)
+        self.control.own_redundancy.map_or(Some(1.0), counted_share)
     }
 }

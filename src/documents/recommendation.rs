@@ -24,12 +24,9 @@ pub struct RecommendationDocument {
     /// Recommendation in words.
     #[serde(flatten, with = "RecommendationMeaning")]
     pub meaning: Vec<Worded>,
-    /// Number of calibration poses.
-    pub poses: usize,
-    /// Number of folds; each is predicted from the others.
-    pub folds: usize,
-    /// Number of repetitions with other folds.
-    pub repeats: usize,
+    /// Extent of the cross-validation.
+    #[serde(flatten)]
+    pub extent: CrossValidationExtent,
     /// Effects in the order of trial. Accepted effects are part of every later step.
     pub steps: Vec<EffectStep>,
     /// Every identified parameter of the robot itself.
@@ -41,6 +38,17 @@ pub struct RecommendationDocument {
     pub recommended: ParametersDocument,
     /// Warnings, with remedies.
     pub messages: Vec<Message>,
+}
+
+/// Extent of a cross-validation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct CrossValidationExtent {
+    /// Number of calibration poses.
+    pub poses: usize,
+    /// Number of folds; each is predicted from the others.
+    pub folds: usize,
+    /// Number of repetitions with other folds.
+    pub repeats: usize,
 }
 
 worded! {

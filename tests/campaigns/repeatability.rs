@@ -71,9 +71,9 @@ fn play_alone_is_found_exactly() {
     }
     close(v.vap_mm, 1e-3 * (36.0f64 + 1600.0 + 64.0).sqrt(), 1e-9);
     // lifted by +13, -13, +13, -13 um: four times that from the plane of the others, but for the robot's own errors
-    assert_eq!(document.coplanarity_of_four.len(), 4);
-    document.coplanarity_of_four.iter().for_each(|p| close(p.distance_mm, 0.052, 1e-4));
-    assert!(document.homing.unwrap().rp_mm.unwrap() < 1e-9);
+    assert_eq!(document.robot.coplanarity_of_four.len(), 4);
+    document.robot.coplanarity_of_four.iter().for_each(|p| close(p.distance_mm, 0.052, 1e-4));
+    assert!(document.robot.homing.unwrap().rp_mm.unwrap() < 1e-9);
 }
 
 /// Table 2.1 in µm: sphere, circle, RP in space and in the plane, x, y, z. A scatter of 30 visits is known to 13 %: of 35
@@ -102,7 +102,7 @@ fn the_sample_repeats_about_as_the_thesis_robot_did() {
         println!("P{} {found:.1?}, thesis {expected:?}", p.pose);
         found.iter().zip(expected).for_each(|(f, e)| assert!((f / e - 1.0).abs() < 0.4, "P{}: {f} {e}", p.pose));
     }
-    assert!(document.homing.as_ref().unwrap().rp_mm.unwrap() < 0.002);
+    assert!(document.robot.homing.as_ref().unwrap().rp_mm.unwrap() < 0.002);
     // 2.7 um of a coordinate are 4.68 um of a position, a quarter of 18.7 um: P1 scatters more, the others less
     let verdicts: Vec<Option<bool>> = document.poses.iter().map(|p| p.quarter_rule_met).collect();
     assert_eq!(verdicts, [Some(true), Some(false), Some(false), Some(false), Some(false)]);

@@ -170,7 +170,7 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
         let differs =
             |(d, e): (&Iso9283Drift, &Iso9283Drift)| (d.dap_mm - e.dap_mm).abs() + (d.drp_mm - e.drp_mm).abs();
         assert!(found.drifts.iter().zip(&same.drifts).map(differs).all(|d| d < 1e-9), "{:?}", found.drifts);
-        assert!(!found.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
+        assert!(!found.robot.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
         assert!(judged(&shown, "largest pose accuracy", "pass"), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
         assert!(html.contains("Largest vAP: "));

@@ -85,7 +85,7 @@ fn robots_approaches_and_cycles_are_told_apart() {
     let of_a: String = both.lines().filter(|line| !line.contains(",B,")).map(|line| line.to_owned() + "\n").collect();
     let (one, _) = answer(&of_a);
     assert!(all.poses == one.poses && all.distances == one.distances && all.drifts == one.drifts);
-    assert!((all.exchangeability_mm.unwrap() - 0.5).abs() < 0.01 && one.exchangeability_mm.is_none());
+    assert!((all.robot.exchangeability_mm.unwrap() - 0.5).abs() < 0.01 && one.robot.exchangeability_mm.is_none());
     assert!(all.conventions.iter().any(|c| c.english() == "2 robots: all results except exchangeability refer to `A`"));
 
     // two ways a cycle: sets of drift are of cycles, and what is no RP of the standard is said

@@ -52,17 +52,9 @@ pub struct Iso9283Document {
     pub approach_phrases: BTreeMap<String, Phrase>,
     /// Drift of each pose, if sets are given.
     pub drifts: Vec<Iso9283Drift>,
-    /// Largest distance between the barycentres of two robots at any pose, with several robots.
-    pub exchangeability_mm: Option<f64>,
-    /// Peak to valley of the mean positions about their plane, with z and at least four poses.
-    pub coplanarity_mm: Option<f64>,
-    /// Distances of the mean positions of four poses, each from the plane of the other three, if a
-    /// campaign names four poses.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub coplanarity_of_four: Vec<Iso9283OutOfPlane>,
-    /// Homings as visits of one pose with number 0, if a campaign has homings.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub homing: Option<Iso9283Pose>,
+    /// Characteristics of the whole robot.
+    #[serde(flatten)]
+    pub robot: Iso9283Robot,
     /// All visits of a campaign; visits of one pose are in the order of recording.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub visits: Vec<Iso9283Visit>,
@@ -74,6 +66,22 @@ pub struct Iso9283Document {
     pub reference: Vec<Iso9283Epoch>,
     /// Remarks and warnings.
     pub messages: Vec<Message>,
+}
+
+/// Characteristics of the whole robot, not of a pose.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Iso9283Robot {
+    /// Largest distance between the barycentres of two robots at any pose, with several robots.
+    pub exchangeability_mm: Option<f64>,
+    /// Peak to valley of the mean positions about their plane, with z and at least four poses.
+    pub coplanarity_mm: Option<f64>,
+    /// Distances of the mean positions of four poses, each from the plane of the other three, if a
+    /// campaign names four poses.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub coplanarity_of_four: Vec<Iso9283OutOfPlane>,
+    /// Homings as visits of one pose with number 0, if a campaign has homings.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub homing: Option<Iso9283Pose>,
 }
 
 worded! {
@@ -105,10 +113,11 @@ impl Iso9283Document {
                 Some(size) => all(drifts(test, size)?),
                 None => Vec::new(),
             },
-            exchangeability_mm: exchanged(robots)?,
-            coplanarity_mm: flatness(test)?,
-            coplanarity_of_four: Vec::new(),
-            homing: None,
+            robot: Iso9283Robot {
+                exchangeability_mm: exchanged(robots)?,
+                coplanarity_mm: flatness(test)?,
+                ..Iso9283Robot::default()
+            },
             visits: Vec::new(),
             limits: Vec::new(),
             reference: Vec::new(),
@@ -136,8 +145,7 @@ impl Iso9283Document {
             approaches: Vec::new(),
             approach_phrases: BTreeMap::new(),
             drifts: Vec::new(),
-            exchangeability_mm: None,
-            coplanarity_mm: None,
+            robot: Iso9283Robot { exchangeability_mm: None, coplanarity_mm: None, ..self.robot },
             reference: Vec::new(),
             ..self
         }

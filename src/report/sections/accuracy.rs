@@ -33,7 +33,7 @@ pub(super) fn distances(tested: &Characteristics, words: &Words) -> Option<Secti
 
 /// Differences between robots of one type (7.7).
 pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option<Section> {
-    let um = number::fixed(1e3 * tested.poses.as_ref()?.exchangeability_mm?, 1);
+    let um = number::fixed(1e3 * tested.poses.as_ref()?.robot.exchangeability_mm?, 1);
     let mut section = Section::new("exchangeability", tr!(words, "exchangeability"));
     section.push(Block::text(tr!(words, "exchangeability-between-robots", distance = um)));
     section.on_terminal().whole()

@@ -94,7 +94,7 @@ const CLAUSES: [Clause; 16] = [
         name: || phrase!("clause-exchangeability"),
         symbols: &["E"],
         verified: Verified::Program,
-        is_tested: |t| poses(t, |d| d.exchangeability_mm.is_some()),
+        is_tested: |t| poses(t, |d| d.robot.exchangeability_mm.is_some()),
     },
     Clause {
         number: "8.2",

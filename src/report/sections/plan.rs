@@ -221,7 +221,6 @@ fn error(place: &StudiedPlace, words: &Words) -> PointError {
         before_deg: None,
         after_deg: None,
         joints: Vec::new(),
-        reliability: None,
-        own_redundancy: None,
+        control: Default::default(),
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         "µm",
         |p| um(p.distance_mm),
     );
-    section.table(tr!(words, "coplanarity"), "", Table::new(words, &document.coplanarity_of_four, columns));
+    section.table(tr!(words, "coplanarity"), "", Table::new(words, &document.robot.coplanarity_of_four, columns));
     section.push(Block::Table(robot_characteristics(document, words)));
     section.push(Block::Table(attained(document, words)));
     section.on_terminal().whole()
@@ -87,7 +87,7 @@ pub(super) struct Named<'a> {
 /// Poses of a document, and homing.
 pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
     let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
-    let homing = document.homing.iter().map(|pose| Named { name: term(words, phrase!("report-homing")), pose });
+    let homing = document.robot.homing.iter().map(|pose| Named { name: term(words, phrase!("report-homing")), pose });
     poses.chain(homing).collect()
 }
 
@@ -309,9 +309,9 @@ struct Whole {
 fn robot_characteristics(document: &Iso9283Document, words: &Words) -> Table {
     let one = |what, pose, mm| Whole { what, pose, mm };
     let mut rows = Vec::new();
-    rows.extend(document.exchangeability_mm.map(|v| one(phrase!("head-exchangeability"), None, v)));
-    rows.extend(document.coplanarity_mm.map(|v| one(phrase!("coplanarity-peak-to-valley"), None, v)));
-    let four = document.coplanarity_of_four.iter();
+    rows.extend(document.robot.exchangeability_mm.map(|v| one(phrase!("head-exchangeability"), None, v)));
+    rows.extend(document.robot.coplanarity_mm.map(|v| one(phrase!("coplanarity-peak-to-valley"), None, v)));
+    let four = document.robot.coplanarity_of_four.iter();
     rows.extend(four.map(|p| one(phrase!("mean-from-plane"), Some(p.pose), p.distance_mm)));
     let columns = Columns::<Whole>::new()
         .sheet(phrase!("head-characteristic"), "", |r| term(words, r.what.clone()))

@@ -10,8 +10,8 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_documents::{
-    EffectStep, HeldOutErrors, LeastDetectable, LoadVerdict, ParameterVerdict, RecommendationDocument, Statistics,
-    VerificationDocument, VerificationPlanDocument, VerificationVerdict,
+    CrossValidationExtent, EffectStep, HeldOutErrors, LeastDetectable, LoadVerdict, ParameterVerdict,
+    RecommendationDocument, Statistics, VerificationDocument, VerificationPlanDocument, VerificationVerdict,
 };
 
 /// Verdict on whether the parameters still apply.
@@ -119,17 +119,9 @@ fn left_out(document: &RecommendationDocument, words: &Words) -> Section {
 /// Sections on effects in the order of trial, and on the evidence for each parameter.
 pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -> Vec<Section> {
     let p = |p: Option<f64>| numbers(p.map(number::probability));
-    let mut effects = Section::new(
-        "effects",
-        tr!(
-            words,
-            "effects-cross-validated",
-            poses = document.poses,
-            folds = document.folds,
-            repeats = document.repeats
-        ),
-    )
-    .on_terminal();
+    let CrossValidationExtent { poses, folds, repeats } = document.extent;
+    let title = tr!(words, "effects-cross-validated", poses, folds, repeats);
+    let mut effects = Section::new("effects", title).on_terminal();
     let name = |s: &EffectStep| match s.effect {
         Some(effect) => format!("+ {}", words.tr(&effect.phrase())),
         None => tr!(words, "base-and-targets"),
@@ -190,9 +182,7 @@ mod tests {
             campaign: None,
             loading: None,
             meaning: Vec::new(),
-            poses: 8,
-            folds: 5,
-            repeats: 1,
+            extent: CrossValidationExtent { poses: 8, folds: 5, repeats: 1 },
             steps: Vec::new(),
             parameters: Vec::new(),
             held_out: HeldOutErrors { none: errors(0.9), all: errors(0.1), recommended: errors(0.1) },

@@ -23,8 +23,7 @@ pub(crate) fn point(pose: i64, at_mm: Vector, before_mm: Vector, after_mm: Vecto
         before_deg: None,
         after_deg: None,
         joints: vec![],
-        reliability: None,
-        own_redundancy: None,
+        control: Default::default(),
     }
 }
 
@@ -157,8 +156,7 @@ fn errors() -> Vec<PointError> {
                 before_deg: Some(0.1 + draw()),
                 after_deg: Some(draw()),
                 joints: vec![],
-                reliability: None,
-                own_redundancy: None,
+                control: Default::default(),
             });
         }
     }

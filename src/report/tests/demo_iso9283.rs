@@ -45,7 +45,7 @@ pub(crate) fn whole() -> Characteristics {
         drp_mm: 0.0,
         settled_after: None,
     }];
-    poses.exchangeability_mm = Some(0.0321);
+    poses.robot.exchangeability_mm = Some(0.0321);
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
     poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
     let limit = |name, limit, value, conformity| {
@@ -122,10 +122,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
             .into_iter()
             .collect(),
         drifts: vec![],
-        exchangeability_mm: None,
-        coplanarity_mm: None,
-        coplanarity_of_four: vec![],
-        homing: None,
+        robot: Default::default(),
         visits,
         limits: vec![],
         reference: vec![],

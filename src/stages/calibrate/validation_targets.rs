@@ -107,12 +107,12 @@ impl ValidationTargets {
         let mut of_errors = Vec::new();
         for (o, of_targets) in self.observations.iter().zip(&placed.observations) {
             for (shown, r) in o.shows(arm).iter().zip(of_targets.iter().flatten()) {
-                redundancies.extend_at(group(shown), *r);
+                extend_at(&mut redundancies, group(shown), *r);
                 of_errors.push(*r);
             }
         }
         for (c, r) in self.settings.conditions.iter().zip(&placed.conditions) {
-            c.shows(arm).iter().for_each(|shown| redundancies.extend_at(group(shown), *r));
+            c.shows(arm).iter().for_each(|shown| extend_at(&mut redundancies, group(shown), *r));
             if !c.kind.is_orientation() && !matches!(c.kind, Kind::Joint(_)) {
                 of_errors.push(*r);
             }
@@ -135,21 +135,15 @@ impl ValidationTargets {
     ) -> Vec<PointError> {
         let own = self.with_readings(&Sets::default());
         let mut errors = point_errors(robot, &own, before, after);
-        errors.iter_mut().zip(&locations.of_errors).for_each(|(error, r)| error.own_redundancy = Some(*r));
+        errors.iter_mut().zip(&locations.of_errors).for_each(|(error, r)| error.control.own_redundancy = Some(*r));
         errors
     }
 }
 
 /// Adds a number to the list at an index, if there is one.
-trait ExtendAt {
-    fn extend_at(&mut self, place: Option<usize>, number: f64);
-}
-
-impl ExtendAt for Vec<Vec<f64>> {
-    fn extend_at(&mut self, place: Option<usize>, number: f64) {
-        if let Some(list) = place.and_then(|k| self.get_mut(k)) {
-            list.push(number);
-        }
+fn extend_at(lists: &mut [Vec<f64>], place: Option<usize>, number: f64) {
+    if let Some(list) = place.and_then(|k| lists.get_mut(k)) {
+        list.push(number);
     }
 }
 

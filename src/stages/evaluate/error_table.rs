@@ -3,7 +3,7 @@
 use etalon_base::error;
 use etalon_base::message::Result;
 use etalon_base::pose::Vector;
-use etalon_documents::{ErrorQuantity, PointError, PoseSet, ReadingReliability};
+use etalon_documents::{ErrorQuantity, PointError, PoseSet, ReadingControl, ReadingReliability};
 use etalon_formats::table::{Table, Values, XYZ};
 use std::borrow::Cow;
 
@@ -29,9 +29,9 @@ pub fn to_table(errors: &[PointError], joints: &[String]) -> Table {
     for (k, name) in joints.iter().enumerate() {
         table.set(name, real(&|e| Some(e.joints.get(k).copied().unwrap_or(f64::NAN))));
     }
-    table.set(OWN_REDUNDANCY, real(&|e| e.own_redundancy));
+    table.set(OWN_REDUNDANCY, real(&|e| e.control.own_redundancy));
     for (name, number) in RELIABILITY {
-        table.set(name, real(&|e| e.reliability.map(number)));
+        table.set(name, real(&|e| e.control.reliability.map(number)));
     }
     table
 }
@@ -95,8 +95,10 @@ pub fn from_table(table: &Table) -> Result<Vec<PointError>> {
         before_deg: Some(before_deg[i]).filter(|d| d.is_finite()),
         after_deg: Some(after_deg[i]).filter(|d| d.is_finite()),
         joints: joints.iter().map(|values| values[i]).collect(),
-        reliability: reliability(i),
-        own_redundancy: own.get(i).copied().filter(|r| r.is_finite()),
+        control: ReadingControl {
+            reliability: reliability(i),
+            own_redundancy: own.get(i).copied().filter(|r| r.is_finite()),
+        },
     };
     Ok((0..table.height()).map(error).collect())
 }

@@ -84,8 +84,7 @@ impl BeforeAfter<'_> {
                             before_deg: Some(b[2].to_degrees()),
                             after_deg: Some(a[2].to_degrees()),
                             joints: logged(robot, &o.joints),
-                            reliability: None,
-                            own_redundancy: None,
+                            control: Default::default(),
                         });
                     }
                     None => all.extend(self.target_errors(o, set)),
@@ -128,8 +127,7 @@ impl BeforeAfter<'_> {
             before_deg: None,
             after_deg: None,
             joints: logged(robot, &condition.joints),
-            reliability: None,
-            own_redundancy: None,
+            control: Default::default(),
         });
     }
 
@@ -166,8 +164,7 @@ impl BeforeAfter<'_> {
             before_deg: turned(&b, i),
             after_deg: turned(&a, i),
             joints: logged(robot, &o.joints),
-            reliability: None,
-            own_redundancy: None,
+            control: Default::default(),
         };
         (0..seen.len()).map(error).collect()
     }
@@ -270,8 +267,7 @@ mod tests {
             before_deg: None,
             after_deg: None,
             joints: vec![7.0],
-            reliability: None,
-            own_redundancy: None,
+            control: Default::default(),
         };
         let mut errors = [error(1, "b"), error(2, "C"), error(3, "a")];
         assert!(with_times(&mut errors, &times));

@@ -43,9 +43,9 @@ pub fn evaluate(
         let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings };
         let homing = Iso9283Document::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
-        document.homing = homing;
+        document.robot.homing = homing;
     }
-    document.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
+    document.robot.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
     document.visits = gathered.in_order;
     Ok(document)
 }

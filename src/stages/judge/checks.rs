@@ -123,13 +123,13 @@ pub fn with_reliability(robot: &dyn Robot, found: &Reliability, errors: &mut [Po
     for readings in &found.readings {
         if robot.platform().is_none() {
             for reading in readings.iter().flatten() {
-                errors.by_ref().take(1).for_each(|e| e.reliability = Some((*reading).into()));
+                errors.by_ref().take(1).for_each(|e| e.control.reliability = Some((*reading).into()));
             }
             continue;
         }
         let [Some(a), Some(b)] = readings[..] else { continue };
         errors.by_ref().take(1).for_each(|e| {
-            e.reliability = Some(ReadingReliability {
+            e.control.reliability = Some(ReadingReliability {
                 redundancy: a.redundancy.min(b.redundancy),
                 w: a.w.max(b.w),
                 detectable_mm: a.detectable_mm.max(b.detectable_mm),
@@ -240,8 +240,7 @@ mod tests {
                 before_deg: None,
                 after_deg: None,
                 joints: joints.clone(),
-                reliability: None,
-                own_redundancy: None,
+                control: Default::default(),
             })
         };
         (0..40).flat_map(&mut pose).collect()

@@ -64,7 +64,7 @@ fn every_kind_of_observation_is_judged() {
         assert!(gains && errors.recommended.rms < 1.1 * errors.all.rms, "{sample}: {errors:?} {:?}", answer.steps);
         for step in accepted {
             let readings = answer.recommended.residuals.count as f64;
-            let left_in = readings * (1.0 - 1.0 / answer.folds as f64);
+            let left_in = readings * (1.0 - 1.0 / answer.extent.folds as f64);
             let n = step.identified as f64;
             let expected = ((1.0 + n / left_in) / (1.0 - n / readings)).sqrt();
             let ratio = step.held_out_rms_mm / step.rms_mm / expected;
