@@ -11,7 +11,7 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{
     RobotHead, UrdfJoint, nominal_text, parse_robot, parse_urdf_robot, read_robot, screws_text, table_text, urdf_text,
 };
-use etalon_robots::{AxisTable, ChainJoint, JointChain, JointRange, Robot, Role, modified_table, standard_table};
+use etalon_robots::{AxisTable, ChainJoint, JointChain, JointRange, Robot, Role, TableConvention};
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
@@ -97,19 +97,20 @@ fn converted(robot: &dyn Robot, to: Target) -> Result<(String, Vec<Message>)> {
     let gains: Vec<f64> = chain.joints.iter().map(|joint| joint.gain).collect();
     let chain = chain.near_arm();
     let (axes, flange) = chain.axes();
-    let table = match to {
-        Target::Mdh => Some(modified_table(&axes, &flange)),
-        Target::Dh => Some(standard_table(&axes, &flange)),
+    let convention = match to {
+        Target::Mdh => Some(TableConvention::Modified),
+        Target::Dh => Some(TableConvention::Standard),
         Target::Poe | Target::Urdf => None,
     };
+    let table = convention.map(|convention| convention.table(&axes, &flange));
     comments.extend(table.iter().flat_map(constant_frames));
     let head = RobotHead { name: robot.model(), comments: &comments, limits: &limits };
-    let text = match (to, &table) {
+    let text = match (to, convention.zip(table.as_ref())) {
         (Target::Urdf, _) => urdf(&chain, head, &names, &mut messages),
         (_, None) => screws_text(head, &axes, &flange) + &nominal_text(&gains, &[]),
-        (_, Some(table)) => {
+        (_, Some((convention, table))) => {
             messages.extend(not_held(table));
-            table_text(head, to == Target::Mdh, table) + &nominal_text(&gains, &table.tilts)
+            table_text(head, convention, table) + &nominal_text(&gains, &table.tilts)
         }
     };
     let [base, end] = table.map_or([Pose::identity(); 2], |table| [table.base, table.flange]);

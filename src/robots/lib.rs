@@ -32,7 +32,8 @@ pub use published::{PUBLISHED, PublishedArm};
 pub use reference::{ReferencePose, reference_pose, reference_poses};
 pub use serial::Serial;
 pub use tables::{
-    AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, frame, link_frames, modified_table, standard_table,
+    AxisLine, AxisTable, LostTilt, NEAR_PARALLEL_RAD, TableConvention, frame, link_frames, modified_table,
+    standard_table,
 };
 pub use urdf::{Link, Mimic, Tree, TreeChain, TreeJoint};
 

@@ -5,7 +5,7 @@
 //! bending are common to all conventions.
 
 use super::chain::{self, Coefficient, Element, Motion, Prepared, TURNED_MM, Term};
-use super::tables::{AxisLine, error_axes, link_frames};
+use super::tables::{AxisLine, TableConvention, error_axes, link_frames};
 use super::{
     AXES, ChainJoint, Circumstance, Definition, Effect, FreeBase, Joint, JointChain, JointRange, Kinematics, Loads,
     OptionalParameter, Outline, Parameter, Parametrised, Quantity, Robot, Role, State, base_and_targets, meaning,
@@ -845,10 +845,11 @@ fn z_to(direction: Vector) -> Pose {
 
 /// Drawing of a link between two joints with its Denavit-Hartenberg parameters, exaggerated for
 /// visibility.
-pub(super) fn drawn_link(modified: bool, parallel: bool) -> Sketch {
+pub(super) fn drawn_link(convention: TableConvention, parallel: bool) -> Sketch {
     const TWIST: f64 = 0.9;
     const OFFSET: f64 = 0.7;
     let (a, d, arc) = (160.0, 90.0, 45.0);
+    let modified = convention == TableConvention::Modified;
     let title = match modified {
         true => meaning("sketch-link-mdh"),
         false => meaning("sketch-link-dh"),

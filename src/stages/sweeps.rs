@@ -16,7 +16,7 @@ use etalon_identify::axes::{
     SweepFault, SweepReading, axis_slip, compared, joint_axis, joint_slip, start_gap,
 };
 use etalon_identify::{ASSUMED_MM, Extent, UncertaintyBound};
-use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role, modified_table, standard_table};
+use etalon_robots::{AxisTable, Joint, Parameter, Quantity, Role};
 use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 
@@ -40,6 +40,15 @@ impl TableConvention {
             Self::Poe => "poe",
             Self::Mdh => "mdh",
             Self::Dh => "dh",
+        }
+    }
+
+    /// Convention of the table; `None` for screw axes.
+    fn table_convention(self) -> Option<etalon_robots::TableConvention> {
+        match self {
+            Self::Poe => None,
+            Self::Mdh => Some(etalon_robots::TableConvention::Modified),
+            Self::Dh => Some(etalon_robots::TableConvention::Standard),
         }
     }
 }
@@ -448,11 +457,8 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     if model.measured.iter().any(|m| m.rest.is_empty()) {
         comments.push(phrase!("axes-comment-zero").to_string());
     }
-    let rows = match stated.convention {
-        TableConvention::Poe => None,
-        TableConvention::Mdh => Some(modified_table(&model.axes, &model.flange)),
-        TableConvention::Dh => Some(standard_table(&model.axes, &model.flange)),
-    };
+    let convention = stated.convention.table_convention();
+    let rows = convention.map(|convention| convention.table(&model.axes, &model.flange));
     // base and flange are free; a table may have its own
     let (base, flange) = rows.as_ref().map_or((Pose::identity(), Pose::identity()), |rows| (rows.base, rows.flange));
     let into_base = base.inverse();
@@ -465,16 +471,16 @@ fn described(table: &SweepTable, stated: &SweepsStated, model: &AxesModel, messa
     }
     let name = phrase!("axes-robot-name").to_string();
     let head = RobotHead { name: &name, comments: &comments, limits: &[] };
-    let robot_toml = match &rows {
+    let robot_toml = match convention.zip(rows.as_ref()) {
         None => screws_text(head, &model.axes, &model.flange),
-        Some(rows) => {
+        Some((convention, rows)) => {
             messages.extend(tilts_not_held(rows, &table.joints));
-            table_text(head, stated.convention == TableConvention::Mdh, rows)
+            table_text(head, convention, rows)
         }
     };
-    let derived = match stated.convention {
-        TableConvention::Poe => Some(model.screw_parameters()),
-        convention => model.table_parameters(convention == TableConvention::Mdh),
+    let derived = match convention {
+        None => Some(model.screw_parameters()),
+        Some(convention) => model.table_parameters(convention),
     };
     let (parameters, covariance) = derived.map(parameters).unwrap_or_default();
     let robot_toml = robot_toml + &tolerances(&parameters);

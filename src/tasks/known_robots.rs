@@ -161,7 +161,7 @@ impl KnownRobot {
         text.extend(self.note.iter().map(|note| format!("# {note}\n")));
         let _ = writeln!(text, "name = {title:?}");
         if let Some(arm) = published {
-            let convention = if arm.modified { "mdh" } else { "dh" };
+            let convention = arm.convention.key();
             let _ = writeln!(text, "model = \"serial\"\nconvention = \"{convention}\"\njoint = [");
             for (i, [alpha, a, theta, d]) in arm.rows.iter().enumerate() {
                 let _ = writeln!(

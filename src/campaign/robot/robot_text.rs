@@ -1,7 +1,7 @@
 //! Text of a robot.toml of a serial arm, from its axes.
 
 use etalon_base::pose::Pose;
-use etalon_robots::{AxisLine, AxisTable, LostTilt};
+use etalon_robots::{AxisLine, AxisTable, LostTilt, TableConvention};
 use std::fmt::Write;
 
 /// Decimals of lengths (mm), of angles (deg) and of directions: below the resolution of any
@@ -70,10 +70,10 @@ pub fn screws_text(about: RobotHead, axes: &[AxisLine], flange: &Pose) -> String
     text + "]\n"
 }
 
-/// robot.toml of a Denavit-Hartenberg table: modified (`mdh`) or standard (`dh`).
-pub fn table_text(about: RobotHead, modified: bool, table: &AxisTable) -> String {
+/// robot.toml of a Denavit-Hartenberg table.
+pub fn table_text(about: RobotHead, convention: TableConvention, table: &AxisTable) -> String {
     let [lengths, angles] = DECIMALS;
-    let mut text = head(about.name, about.comments, if modified { "mdh" } else { "dh" });
+    let mut text = head(about.name, about.comments, convention.key());
     text += "joint = [\n";
     for (i, joint) in table.joints.iter().enumerate() {
         let [alpha, theta] = [joint.alpha_rad, joint.theta_rad].map(|v| number(v.to_degrees(), angles));

@@ -3,7 +3,7 @@
 
 use super::AxesModel;
 use etalon_base::angle::Turn;
-use etalon_robots::{AxisTable, Effect, Parameter, Quantity, Robot, Role, Serial, modified_table, standard_table};
+use etalon_robots::{AxisTable, Effect, Parameter, Quantity, Robot, Role, Serial, TableConvention};
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// Parameters of a robot that the axes determine, and parameters that a convention fixes: base
@@ -26,20 +26,23 @@ pub struct DerivedParameters {
 const FIXED: [f64; 2] = [1e-6, 1e-8];
 
 impl AxesModel {
-    /// Parameters of the table in modified or standard convention; `None` without joints.
-    pub fn table_parameters(&self, modified: bool) -> Option<DerivedParameters> {
-        let table = table(modified, self);
+    /// Parameters of the table in a convention; `None` without joints.
+    pub fn table_parameters(&self, convention: TableConvention) -> Option<DerivedParameters> {
+        let table = convention.table(&self.axes, &self.flange);
         if table.joints.is_empty() {
             return None;
         }
-        let robot = Serial::from_axis_table(modified, &table.joints, &["target".to_owned()]);
+        let robot = Serial::from_axis_table(convention, &table.joints, &["target".to_owned()]);
         let listed: Vec<usize> =
             (0..robot.parameters().len()).filter(|&i| is_of_axes(&robot.parameters()[i])).collect();
         let values: Vec<f64> = listed.iter().map(|&i| robot.parameters()[i].nominal).collect();
-        let mut all = self.covariance_of_table(modified, &table, &listed, &values);
+        let mut all = self.covariance_of_table(convention, &table, &listed, &values);
         for tilt in &table.tilts {
             // the link of a row is before its axis in modified convention, otherwise behind it
-            let ends = if modified { [tilt.row.wrapping_sub(1), tilt.row] } else { [tilt.row, tilt.row + 1] };
+            let ends = match convention {
+                TableConvention::Modified => [tilt.row.wrapping_sub(1), tilt.row],
+                TableConvention::Standard => [tilt.row, tilt.row + 1],
+            };
             let u = ends.iter().filter_map(|end| self.uncertainties.get(*end)).map(|u| u[0].powi(2)).sum::<f64>();
             let name = format!("beta_{}", tilt.row + 1);
             if let Some(k) = listed.iter().position(|&i| robot.parameters()[i].name == name) {
@@ -64,12 +67,18 @@ impl AxesModel {
     }
 
     /// Covariance of the parameters `listed` about their values.
-    fn covariance_of_table(&self, modified: bool, table: &AxisTable, listed: &[usize], values: &[f64]) -> DMatrix<f64> {
+    fn covariance_of_table(
+        &self,
+        convention: TableConvention,
+        table: &AxisTable,
+        listed: &[usize],
+        values: &[f64],
+    ) -> DMatrix<f64> {
         self.covariance_of_axes(&|axes, flange| {
-            let mut changed = if modified { modified_table(axes, flange) } else { standard_table(axes, flange) };
+            let mut changed = convention.table(axes, flange);
             // a change does not decide what is near-parallel
             changed.joints.iter_mut().zip(&table.joints).for_each(|(row, of)| row.parallel = of.parallel);
-            let robot = Serial::from_axis_table(modified, &changed.joints, &["target".to_owned()]);
+            let robot = Serial::from_axis_table(convention, &changed.joints, &["target".to_owned()]);
             let parameters = robot.parameters();
             let difference = |(&i, value): (&usize, &f64)| {
                 let changed = parameters[i].nominal;
@@ -87,13 +96,6 @@ impl AxesModel {
 /// `true` for zeros and geometry of the arm.
 fn is_of_axes(p: &Parameter) -> bool {
     p.role == Role::Robot && matches!(p.effect, Effect::Zeros | Effect::Geometry)
-}
-
-fn table(modified: bool, model: &AxesModel) -> AxisTable {
-    match modified {
-        true => modified_table(&model.axes, &model.flange),
-        false => standard_table(&model.axes, &model.flange),
-    }
 }
 
 impl DerivedParameters {

@@ -4,7 +4,7 @@
 use crate::{Effects, Observation, Prior, Settings, Status, identify};
 use etalon_base::noise::Noise;
 use etalon_base::pose::{Pose, minus, norm};
-use etalon_robots::{Robot, Serial, SerialJoint, modified_table, standard_table};
+use etalon_robots::{Robot, Serial, SerialJoint, TableConvention, modified_table, standard_table};
 use nalgebra::DMatrix;
 
 /// Row of a modified table: alpha (deg), a (mm), theta (deg), d (mm), and `true` for a prismatic
@@ -98,7 +98,7 @@ fn table(rows: &[Row], parallel: impl Fn(usize) -> bool, targets: &[String]) -> 
         parallel: parallel(k),
     };
     let joints: Vec<SerialJoint> = rows.iter().enumerate().map(joint).collect();
-    Serial::from_axis_table(true, &joints, targets)
+    Serial::from_axis_table(TableConvention::Modified, &joints, targets)
 }
 
 /// Flange of an arm with errors of every row: length, offset and zero, and the tilts of the axis
@@ -163,8 +163,8 @@ fn arms_have_the_same_residuals_in_each_convention() {
         let nominal = table(rows, |_| false, &names);
         let (axes, home) = nominal.joint_chain(&nominal.nominal()).unwrap().axes();
         let robots = [
-            Serial::from_axis_table(true, &modified_table(&axes, &home).joints, &names),
-            Serial::from_axis_table(false, &standard_table(&axes, &home).joints, &names),
+            Serial::from_axis_table(TableConvention::Modified, &modified_table(&axes, &home).joints, &names),
+            Serial::from_axis_table(TableConvention::Standard, &standard_table(&axes, &home).joints, &names),
             Serial::from_axes(&axes, &home, &names),
         ];
         let found = robots.map(|robot| {

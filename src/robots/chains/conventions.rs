@@ -9,7 +9,7 @@ use crate::chain::Motion;
 use crate::keys::{Description, Reader, Stated};
 use crate::published::PUBLISHED;
 use crate::serial::{ArmBuilder, Body, Drive, Effects, drawn_link};
-use crate::tables::{AxisLine, NEAR_PARALLEL_RAD};
+use crate::tables::{AxisLine, NEAR_PARALLEL_RAD, TableConvention};
 use crate::{
     At, Fault, FaultKind, Faults, Joint, JointFault, JointRef, Key, Model, Parameter, Quantity, Robot, Role, Serial,
     meaning, wrong_targets,
@@ -439,27 +439,6 @@ const THETA: &str = meaning("meaning-joint-offset");
 const D: &str = meaning("meaning-link-offset");
 const BETA: &str = meaning("meaning-hayati-angle");
 
-/// Position of the link in a row of a Denavit-Hartenberg table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum TableConvention {
-    /// Link before the joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d) (Craig).
-    Modified,
-    /// Link after the joint: Rz(theta + q) Tz(d) Tx(a) Rx(alpha) [Ry(beta)].
-    Standard,
-}
-
-impl TableConvention {
-    /// The other table convention.
-    fn other(self) -> Self {
-        if self == Self::Modified { Self::Standard } else { Self::Modified }
-    }
-
-    /// Name of the convention.
-    fn name(self) -> &'static str {
-        if self == Self::Modified { "modified" } else { "standard" }
-    }
-}
-
 /// Nominal Denavit-Hartenberg parameters of one joint, in either convention.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SerialJoint {
@@ -500,11 +479,8 @@ impl Serial {
         Self::from_table(TableConvention::Modified, joints, targets, &effects)
     }
 
-    /// Creates an arm of `joints` in modified (Craig) or else standard Denavit-Hartenberg
-    /// parameters,
-    /// with `targets` on its last link.
-    pub fn from_axis_table(modified: bool, joints: &[SerialJoint], targets: &[String]) -> Self {
-        let convention = if modified { TableConvention::Modified } else { TableConvention::Standard };
+    /// Creates an arm of `joints` in Denavit-Hartenberg parameters, with `targets` on its last link.
+    pub fn from_axis_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String]) -> Self {
         Self::from_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
     }
 
@@ -521,7 +497,7 @@ impl Serial {
         let what = phrase!("table-read-as", convention = other.name());
         let mut others = vec![(what, Self::from_table_alone(other, joints, targets, &rigid))];
         for arm in PUBLISHED {
-            let joints = arm.instead(convention == TableConvention::Modified, joints);
+            let joints = arm.instead(convention, joints);
             let other = joints.map(|joints| Self::from_table_alone(convention, &joints, targets, effects));
             others.extend(other.map(|other| (phrase!("published-arm", title = arm.title), other)));
         }
@@ -577,7 +553,7 @@ impl Serial {
                 link(&mut arm);
             }
         }
-        let link = drawn_link(modified, joints.iter().any(|j| j.parallel));
+        let link = drawn_link(convention, joints.iter().any(|j| j.parallel));
         let arm = arm.finish(joints.iter().map(|j| j.prismatic), effects);
         // no link exists without joints
         if joints.is_empty() { arm } else { arm.with_link(link) }

@@ -663,10 +663,10 @@ fn decomposed(rows: &[f64], n: usize) -> (DVector<f64>, Vec<DVector<f64>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{AxisLine, Kinematics, PUBLISHED, SerialJoint};
+    use crate::{AxisLine, Kinematics, PUBLISHED, SerialJoint, TableConvention};
     use std::f64::consts::PI;
 
-    fn table(modified: bool, rows: &[[f64; 4]], limits: Option<f64>) -> Serial {
+    fn table(convention: TableConvention, rows: &[[f64; 4]], limits: Option<f64>) -> Serial {
         let joint = |&[alpha, a_mm, theta, d_mm]: &[f64; 4]| SerialJoint {
             alpha_rad: f64::to_radians(alpha),
             a_mm,
@@ -676,13 +676,13 @@ mod tests {
             parallel: false,
         };
         let joints: Vec<SerialJoint> = rows.iter().map(joint).collect();
-        let arm = Serial::from_axis_table(modified, &joints, &["tool".to_owned()]);
+        let arm = Serial::from_axis_table(convention, &joints, &["tool".to_owned()]);
         arm.with_limits(vec![limits.map(|limit| [-limit, limit]); rows.len()])
     }
 
     fn published(name: &str, limits: Option<f64>) -> Serial {
         let arm = PUBLISHED.iter().find(|arm| arm.name == name).unwrap();
-        table(arm.modified, arm.rows, limits)
+        table(arm.convention, arm.rows, limits)
     }
 
     fn ur5e(limits: Option<f64>) -> Serial {

@@ -1,7 +1,7 @@
 //! Arms whose Denavit-Hartenberg parameters their makers publish. A table may
 //! belong to another arm by mistake.
 
-use crate::SerialJoint;
+use crate::{SerialJoint, TableConvention};
 
 /// A published table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,8 +10,8 @@ pub struct PublishedArm {
     pub name: &'static str,
     /// Name of the maker and the robot.
     pub title: &'static str,
-    /// `true` for modified (Craig), `false` for standard parameters.
-    pub modified: bool,
+    /// Convention of the rows.
+    pub convention: TableConvention,
     /// Parameters alpha (deg), a (mm), theta (deg) and d (mm) of each joint.
     pub rows: &'static [[f64; 4]],
 }
@@ -23,7 +23,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur3",
         title: "Universal Robots UR3",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 151.9],
             [0.0, -243.65, 0.0, 0.0],
@@ -36,7 +36,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur5",
         title: "Universal Robots UR5",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 89.159],
             [0.0, -425.0, 0.0, 0.0],
@@ -49,7 +49,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur10",
         title: "Universal Robots UR10",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 127.3],
             [0.0, -612.0, 0.0, 0.0],
@@ -62,7 +62,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur3e",
         title: "Universal Robots UR3e",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 151.85],
             [0.0, -243.55, 0.0, 0.0],
@@ -75,7 +75,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur5e",
         title: "Universal Robots UR5e",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 162.5],
             [0.0, -425.0, 0.0, 0.0],
@@ -88,7 +88,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur10e",
         title: "Universal Robots UR10e",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 180.7],
             [0.0, -612.7, 0.0, 0.0],
@@ -101,7 +101,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur16e",
         title: "Universal Robots UR16e",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 180.7],
             [0.0, -478.4, 0.0, 0.0],
@@ -114,7 +114,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "ur20",
         title: "Universal Robots UR20",
-        modified: false,
+        convention: TableConvention::Standard,
         rows: &[
             [90.0, 0.0, 0.0, 236.3],
             [0.0, -862.0, 0.0, 0.0],
@@ -127,7 +127,7 @@ pub const PUBLISHED: [PublishedArm; 9] = [
     PublishedArm {
         name: "panda",
         title: "Franka Emika Panda / Franka Research 3",
-        modified: true,
+        convention: TableConvention::Modified,
         rows: &[
             [0.0, 0.0, 0.0, 333.0],
             [-90.0, 0.0, 0.0, 0.0],
@@ -147,8 +147,8 @@ const SAME_MM: f64 = 1.0;
 impl PublishedArm {
     /// Returns the joints of this arm, if a table of the same twists and motions with other lengths
     /// is `stated`.
-    pub(crate) fn instead(&self, modified: bool, stated: &[SerialJoint]) -> Option<Vec<SerialJoint>> {
-        if self.modified != modified || self.rows.len() != stated.len() {
+    pub(crate) fn instead(&self, convention: TableConvention, stated: &[SerialJoint]) -> Option<Vec<SerialJoint>> {
+        if self.convention != convention || self.rows.len() != stated.len() {
             return None;
         }
         let joint = |(&[alpha, a_mm, theta, d_mm], stated): (&[f64; 4], &SerialJoint)| SerialJoint {
@@ -188,12 +188,12 @@ mod tests {
         };
         let joints: Vec<SerialJoint> = ur5e.rows.iter().map(joint).collect();
         let may_be = |joints: &[SerialJoint]| {
-            let others = PUBLISHED.iter().filter(|arm| arm.instead(false, joints).is_some());
+            let others = PUBLISHED.iter().filter(|arm| arm.instead(TableConvention::Standard, joints).is_some());
             others.map(|arm| arm.name).collect::<Vec<_>>()
         };
         assert_eq!(may_be(&joints), ["ur3", "ur5", "ur10", "ur3e", "ur10e", "ur16e", "ur20"]);
         assert!(may_be(&joints[..5]).is_empty());
-        let arm = Serial::from_axis_table(false, &joints, &["T".to_owned()]);
+        let arm = Serial::from_axis_table(TableConvention::Standard, &joints, &["T".to_owned()]);
         // the other convention, and seven arms with the same parameters
         let others = arm.alternatives();
         assert_eq!(others.len(), 8);

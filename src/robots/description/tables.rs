@@ -20,6 +20,40 @@ const STRAIGHT_RAD: f64 = 1e-11;
 /// Sine of the angle below which two axes are exactly parallel.
 const EXACTLY: f64 = 1e-9;
 
+/// Position of the link in a row of a Denavit-Hartenberg table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TableConvention {
+    /// Link before the joint: Rx(alpha) Tx(a) [Ry(beta)] Rz(theta + q) Tz(d) (Craig).
+    Modified,
+    /// Link after the joint: Rz(theta + q) Tz(d) Tx(a) Rx(alpha) [Ry(beta)].
+    Standard,
+}
+
+impl TableConvention {
+    /// The other table convention.
+    pub(crate) fn other(self) -> Self {
+        if self == Self::Modified { Self::Standard } else { Self::Modified }
+    }
+
+    /// Name of the convention.
+    pub(crate) fn name(self) -> &'static str {
+        if self == Self::Modified { "modified" } else { "standard" }
+    }
+
+    /// Value of the key `convention` in robot.toml.
+    pub fn key(self) -> &'static str {
+        if self == Self::Modified { "mdh" } else { "dh" }
+    }
+
+    /// Table of axes and flange in the base frame at joint values zero.
+    pub fn table(self, axes: &[AxisLine], flange: &Pose) -> AxisTable {
+        match self {
+            Self::Modified => modified_table(axes, flange),
+            Self::Standard => standard_table(axes, flange),
+        }
+    }
+}
+
 /// Axis of a joint in the base frame at joint values zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisLine {
@@ -328,7 +362,7 @@ pub fn modified_table(axes: &[AxisLine], flange: &Pose) -> AxisTable {
         let (axis, (x, foot)) = (&lines[k + 1], next(k));
         let theta_rad = angle(link.end_x(lines[k].direction), x, axis.direction);
         let d_mm = dot(minus(foot, link.feet[1]), axis.direction);
-        row(link, theta_rad, d_mm, axis.prismatic, link.parallel && k > 0)
+        SerialJoint { parallel: link.parallel && k > 0, ..row(link, axis, theta_rad, d_mm) }
     };
     AxisTable {
         joints: links.iter().enumerate().map(row).collect(),
@@ -363,7 +397,7 @@ pub fn standard_table(axes: &[AxisLine], flange: &Pose) -> AxisTable {
         let (axis, (x, foot)) = (&lines[k], before(k));
         let theta_rad = angle(x, link.x, axis.direction);
         let d_mm = dot(minus(link.feet[0], foot), axis.direction);
-        row(link, theta_rad, d_mm, axis.prismatic, link.parallel && k + 1 < axes.len())
+        SerialJoint { parallel: link.parallel && k + 1 < axes.len(), ..row(link, axis, theta_rad, d_mm) }
     };
     let joints = links.iter().enumerate().map(row).collect();
     let end = links.len() - 1;
@@ -413,15 +447,16 @@ pub fn link_frames(axes: &[AxisLine], flange: &Pose) -> Vec<Pose> {
     frames
 }
 
-fn row(link: &Link, theta_rad: f64, d_mm: f64, prismatic: bool, parallel: bool) -> SerialJoint {
+/// Row of a table of the joint about or along an axis.
+fn row(link: &Link, axis: &AxisLine, theta_rad: f64, d_mm: f64) -> SerialJoint {
     let clean = |v: f64, least: f64| if v.abs() < least { 0.0 } else { v };
     SerialJoint {
         alpha_rad: clean(link.alpha_rad, 1e-12),
         a_mm: link.a_mm,
         theta_rad: clean(theta_rad, 1e-12),
         d_mm: clean(d_mm, 1e-9),
-        prismatic,
-        parallel,
+        prismatic: axis.prismatic,
+        parallel: link.parallel,
     }
 }
 
@@ -443,9 +478,10 @@ mod tests {
     use crate::{Robot, Serial};
     use etalon_base::noise::Noise;
 
-    fn drawn(noise: &mut Noise, n: usize, parallel: bool, sliding: bool) -> Vec<AxisLine> {
+    fn drawn(noise: &mut Noise, trial: u64) -> Vec<AxisLine> {
+        let (parallel, sliding) = (trial.is_multiple_of(2), trial.is_multiple_of(3));
         let mut axes: Vec<AxisLine> = Vec::new();
-        for i in 0..n {
+        for i in 0..1 + trial as usize % 7 {
             let v = |noise: &mut Noise, size: f64| [0; 3].map(|_| noise.uniform(size));
             let direction = match axes.last() {
                 Some(last) if parallel && i % 3 == 2 => last.direction,
@@ -470,22 +506,22 @@ mod tests {
     fn tables_and_axes_move_alike() {
         for trial in 0..200 {
             let mut noise = Noise::new(5, trial);
-            let axes = drawn(&mut noise, 1 + trial as usize % 7, trial % 2 == 0, trial % 3 == 0);
+            let axes = drawn(&mut noise, trial);
             let turn = [0; 3].map(|_| noise.uniform(2.0));
             let flange =
                 Pose { translation_mm: [0; 3].map(|_| noise.uniform(900.0)), ..Pose::from_rotation_vector(turn) };
             let q: Vec<f64> = axes.iter().map(|a| noise.uniform(if a.prismatic { 200.0 } else { 3.0 })).collect();
-            for (convention, table) in [(true, modified_table(&axes, &flange)), (false, standard_table(&axes, &flange))]
-            {
+            for convention in [TableConvention::Modified, TableConvention::Standard] {
+                let table = convention.table(&axes, &flange);
                 let arm = Serial::from_axis_table(convention, &table.joints, &["T".to_owned()]);
                 let chain = table.base.then(&arm.direct(&arm.nominal(), &q)).then(&table.flange);
                 let wrong = differ(&chain, &direct(&axes, &flange, &q));
-                assert!(wrong < 1e-6, "trial {trial}, modified {convention}: {wrong} mm, {table:?}");
+                assert!(wrong < 1e-6, "trial {trial}, {convention:?}: {wrong} mm, {table:?}");
                 assert!(table.tilts.is_empty(), "{table:?}");
             }
             // and back: the axes of the arm that the table builds
             let table = modified_table(&axes, &flange);
-            let arm = Serial::from_axis_table(true, &table.joints, &["T".to_owned()]);
+            let arm = Serial::from_axis_table(TableConvention::Modified, &table.joints, &["T".to_owned()]);
             let (back, _) = arm.joint_chain(&arm.nominal()).unwrap().axes();
             for (axis, back) in axes.iter().zip(&back) {
                 let back = back.moved(&table.base);
@@ -516,7 +552,7 @@ mod tests {
             row(half, 0.0, 0.0, 0.0, false),
             row(-half, 0.0, 0.0, 72.0, false),
         ];
-        let arm = Serial::from_axis_table(true, &joints, &["T".to_owned()]);
+        let arm = Serial::from_axis_table(TableConvention::Modified, &joints, &["T".to_owned()]);
         let (axes, flange) = arm.joint_chain(&arm.nominal()).unwrap().axes();
         let table = modified_table(&axes, &flange);
         assert_eq!((table.base, table.flange), (Pose::identity(), Pose::identity()));

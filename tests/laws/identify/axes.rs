@@ -7,7 +7,7 @@ use etalon::identify::axes::{
     AxesModel, AxesSettings, DerivedParameters, JointAxis, Sweep, SweepReading, axis_slip, joint_axis,
 };
 use etalon::identify::{Identification, Observation, Prior, Settings, identify};
-use etalon::robots::{AxisLine, Quantity, Robot, Serial, modified_table, standard_table};
+use etalon::robots::{AxisLine, Quantity, Robot, Serial, TableConvention, modified_table, standard_table};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -172,7 +172,8 @@ impl Convention {
     fn parameters(self, model: &AxesModel) -> DerivedParameters {
         match self {
             Self::Screws => model.screw_parameters(),
-            table => model.table_parameters(table == Self::Modified).unwrap(),
+            Self::Modified => model.table_parameters(TableConvention::Modified).unwrap(),
+            Self::Standard => model.table_parameters(TableConvention::Standard).unwrap(),
         }
     }
 
@@ -180,8 +181,12 @@ impl Convention {
         let names: Vec<String> = (0..targets).map(|t| format!("T{t}")).collect();
         let (axes, flange) = (&model.axes, &model.flange);
         match self {
-            Self::Modified => Serial::from_axis_table(true, &modified_table(axes, flange).joints, &names),
-            Self::Standard => Serial::from_axis_table(false, &standard_table(axes, flange).joints, &names),
+            Self::Modified => {
+                Serial::from_axis_table(TableConvention::Modified, &modified_table(axes, flange).joints, &names)
+            }
+            Self::Standard => {
+                Serial::from_axis_table(TableConvention::Standard, &standard_table(axes, flange).joints, &names)
+            }
             Self::Screws => Serial::from_axes(axes, flange, &names),
         }
     }

@@ -4,7 +4,7 @@
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::{RobotHead, nominal_text, parse_robot, screws_text, table_text};
-use etalon::robots::{AxisLine, Circumstance, Effect, Quantity, Robot, Role, modified_table, standard_table};
+use etalon::robots::{AxisLine, Circumstance, Effect, Quantity, Robot, Role, TableConvention};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -65,14 +65,12 @@ impl Arm {
             ..*axis
         };
         let axes: Vec<AxisLine> = self.axes.iter().zip(along_mm).map(moved).collect();
-        let table = match convention {
-            "mdh" => Some(modified_table(&axes, &self.flange)),
-            "dh" => Some(standard_table(&axes, &self.flange)),
-            _ => None,
-        };
-        let text = match &table {
+        let convention =
+            [TableConvention::Modified, TableConvention::Standard].into_iter().find(|of| of.key() == convention);
+        let table = convention.map(|convention| convention.table(&axes, &self.flange));
+        let text = match convention.zip(table.as_ref()) {
             None => screws_text(head, &axes, &self.flange),
-            Some(table) => table_text(head, convention == "mdh", table) + &nominal_text(&[], &table.tilts),
+            Some((convention, table)) => table_text(head, convention, table) + &nominal_text(&[], &table.tilts),
         };
         let [base, flange] = table.as_ref().map_or([Pose::identity(); 2], |table| [table.base, table.flange]);
         // centres of masses: in the base, or in the frame behind the joint

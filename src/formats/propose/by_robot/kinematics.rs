@@ -549,7 +549,7 @@ fn origin(robot: &dyn Robot, sample: &Sample, residual: &Residual) -> Origin {
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
-    use etalon_robots::{Serial, SerialJoint};
+    use etalon_robots::{Serial, SerialJoint, TableConvention};
 
     fn arm() -> Serial {
         let joint = |(alpha, a_mm, theta, d_mm): (f64, f64, f64, f64)| SerialJoint {
@@ -568,7 +568,7 @@ mod tests {
             (90.0, 0.0, 0.0, 0.0),
             (-90.0, 0.0, 180.0, 72.0),
         ];
-        Serial::from_axis_table(true, &rows.map(joint), &["T".to_owned()])
+        Serial::from_axis_table(TableConvention::Modified, &rows.map(joint), &["T".to_owned()])
     }
 
     /// Rows of drawn joints (deg), and points of a target in a turned world, multiplied by `scale`
