@@ -11,7 +11,7 @@ use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_documents::{ErrorQuantity, PointError};
 use etalon_formats::cdr::CdrWriter;
 use etalon_formats::mcap::{MessageType, RecordingWriter};
-use etalon_robots::{Joint, Quantity};
+use etalon_robots::{Joint, MODELS, Quantity};
 
 /// Recording of a run.
 pub(super) struct Recording;
@@ -56,7 +56,8 @@ fn is_position(error: &PointError) -> bool {
 
 /// Name of the frame in which a position is given: the centre `C` of a platform is in the base.
 fn frame(given: &ExportInput, target: &str) -> &'static str {
-    let is_centre = target == "C" && given.robot.is_none_or(|robot| robot.platform().is_some());
+    let model = MODELS.into_iter().find(|model| model.name == given.parameters.robot);
+    let is_centre = target == "C" && model.is_some_and(|model| model.has_platform);
     if is_centre { "base" } else { "world" }
 }
 

@@ -56,6 +56,7 @@ pub(super) fn travel_mm(keys: &mut Reader) -> Option<[f64; 3]> {
 
 impl<const FULL: bool> Description for Table<FULL> {
     const STATES_GEOMETRY: bool = false;
+    const HAS_PLATFORM: bool = true;
 
     fn read(keys: &mut Reader) -> Self {
         Self(travel_mm(keys))

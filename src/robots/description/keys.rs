@@ -285,6 +285,8 @@ pub struct Model {
     pub name: &'static str,
     /// `true` if the keys give the geometry, so that nominal parameters are optional.
     pub states_geometry: bool,
+    /// `true` if errors are about the centre of a platform.
+    pub has_platform: bool,
     keys: fn() -> Vec<Key>,
     build: Build,
 }
@@ -295,6 +297,7 @@ impl Model {
         Self {
             name,
             states_geometry: D::STATES_GEOMETRY,
+            has_platform: D::HAS_PLATFORM,
             keys: || Reader::keys(D::read),
             build: |values, targets| Reader::read(values, D::read).build(targets),
         }
@@ -315,6 +318,8 @@ impl Model {
 pub(crate) trait Description: Sized {
     /// `true` if the description gives the geometry, so that nominal parameters are optional.
     const STATES_GEOMETRY: bool = true;
+    /// `true` if errors are about the centre of a platform.
+    const HAS_PLATFORM: bool = false;
 
     /// Reads the description.
     fn read(keys: &mut Reader) -> Self;
