@@ -189,14 +189,14 @@ fn spelled(text: &str) -> (Vec<String>, usize) {
 }
 
 /// The folders of the crates in `src`, and `src` itself for the program.
-fn crates() -> Vec<PathBuf> {
+pub fn crates() -> Vec<PathBuf> {
     let src = root().join("src");
     let folders = std::fs::read_dir(&src).unwrap().flatten().map(|entry| entry.path());
     folders.filter(|path| path.join("Cargo.toml").exists()).chain([src.clone()]).collect()
 }
 
 /// Every file of a crate by the path of its module; files of tests alone are left out.
-fn modules(root: &Path) -> BTreeMap<String, PathBuf> {
+pub fn modules(root: &Path) -> BTreeMap<String, PathBuf> {
     fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
         for entry in std::fs::read_dir(folder).unwrap().flatten() {
             let path = entry.path();

@@ -167,13 +167,13 @@ impl Calls {
     }
 }
 
-/// Removes modules of tests.
-fn drop_tests(all: &mut Vec<TokenTree>) {
+/// Removes modules and functions of tests.
+pub fn drop_tests(all: &mut Vec<TokenTree>) {
     const OF_TESTS: [&str; 2] = ["[cfg(test)]", "[cfg(all(test,feature=\"schemas\"))]"];
     let is_test = |window: &[TokenTree]| {
         window[0].to_string() == "#"
             && OF_TESTS.contains(&&*window[1].to_string().replace(' ', ""))
-            && window[2].to_string() == "mod"
+            && ["mod", "pub"].contains(&&*window[2].to_string())
     };
     while let Some(at) = all.windows(3).position(is_test) {
         let is_body = |token: &TokenTree| matches!(token, TokenTree::Group(g) if g.delimiter() == Delimiter::Brace);

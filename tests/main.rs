@@ -16,6 +16,7 @@ mod messages;
 mod plain;
 mod prose;
 mod reference;
+mod signatures;
 mod support;
 
 pub(crate) use support::reference_data;

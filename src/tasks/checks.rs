@@ -29,12 +29,9 @@ pub(super) fn check_expanded(option: &str, stated_um: Option<f64>) -> Result<()>
     }
 }
 
-/// Rejects an option without another, on which it depends.
-pub(super) fn check_beside(option: &str, stated: bool, other: &str, other_stated: bool) -> Result<()> {
-    match stated && !other_stated {
-        false => Ok(()),
-        true => Err(error!("option-of-call-refused", reason = format!("`{option}` needs `{other}`")).into()),
-    }
+/// Error about an option without another, on which it depends.
+pub(super) fn needs(option: &str, other: &str) -> Problems {
+    error!("option-of-call-refused", reason = format!("`{option}` needs `{other}`")).into()
 }
 
 /// Order of the angles of an option.

@@ -1,7 +1,7 @@
 //! Task of `etalon identify`.
 
 use super::bound::BoundOption;
-use super::checks::{angle_order, check_beside, check_uncertainty};
+use super::checks::{angle_order, check_uncertainty, needs};
 use super::inputs::Inputs;
 use super::model::ModelOptions;
 use super::text_format::TableFormat;
@@ -129,8 +129,10 @@ impl IdentifyOptions {
     fn check(&self) -> Result<()> {
         check_uncertainty("--standard-uncertainty-um", self.standard_uncertainty_um)?;
         check_uncertainty("--common-uncertainty-um", self.common_uncertainty_um)?;
-        let (common, standard) = (self.common_uncertainty_um.is_some(), self.standard_uncertainty_um.is_some());
-        check_beside("common_uncertainty_um", common, "standard_uncertainty_um", standard)
+        match self.common_uncertainty_um.is_some() && self.standard_uncertainty_um.is_none() {
+            true => Err(needs("common_uncertainty_um", "standard_uncertainty_um")),
+            false => Ok(()),
+        }
     }
 
     fn settings(&self) -> Settings {

@@ -1,6 +1,6 @@
 //! Task of `etalon iso9283 pose`.
 
-use super::checks::{check_beside, check_expanded, check_positive};
+use super::checks::{check_expanded, check_positive, needs};
 use super::inputs::Table;
 use super::text_format::TableFormat;
 use crate::stages::iso9283::assessed_limits;
@@ -91,7 +91,9 @@ impl PoseOptions {
         check_expanded("--expanded-uncertainty-um", self.expanded_uncertainty_um)?;
         check_positive("--ap-limit-mm", self.ap_limit_mm)?;
         check_positive("--rp-limit-mm", self.rp_limit_mm)?;
-        check_beside("ap_limit_mm", self.ap_limit_mm.is_some(), "commanded", tables.commanded.is_some())?;
+        if self.ap_limit_mm.is_some() && tables.commanded.is_none() {
+            return Err(needs("ap_limit_mm", "commanded"));
+        }
         if self.drift_set.is_some_and(|size| size < 2) {
             return Err(error!("drift-set-too-small", option = "--drift-set").into());
         }
