@@ -19,7 +19,7 @@ pub use field::{Component, Corrected, FieldInput, FieldRefusal, FieldTrial, Held
 pub use judge::{
     Judgement, OrientationReading, ReadingSlips, Untested, WrongCoordinate, allowed_mm, far_problem, judge,
     moved_between, nominal_reading_slips, reading_slips, set_up_contradicted, set_up_error, set_up_far, set_up_problem,
-    tolerance_effect_mm,
+    tolerance_effect_mm, untested_changes,
 };
 pub use judgement::beyond::Extrapolation;
 pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, OpenSetUp, UncertaintyBound};

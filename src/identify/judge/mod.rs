@@ -26,6 +26,7 @@ use crate::solution::placing::{PLAIN, UNEXPLAINED, measured_parameters, spread_m
 use crate::solution::scatter::observed_noise_mm;
 use crate::warning::{SetUpError, Subject, Warning};
 use crate::{Observation, Settings};
+use changes::Listing;
 use data::Data;
 use elsewhere::Elsewhere;
 use etalon_base::catalogue::Phrase;
@@ -289,40 +290,106 @@ pub fn judge(
     Judgement { named: pair.or(judged.named), ..judged }
 }
 
-/// Returns the judgement by hypotheses with this number of mistakes, one or two.
-fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mistakes: u8) -> Judgement {
-    let subset = data.subset(robot);
-    if data.poses().len() < FEWEST || !data.has_places() || fit::free_parameters(robot, &subset).is_none() {
-        return Judgement::default();
+/// Mistakes that these data do not show, as [`judge`] lists them: sufficient for a set-up that
+/// explains its data, of which no change is named. Changes that are never listed are not fitted.
+pub fn untested_changes(robot: &dyn Robot, observations: &[Observation], settings: &Settings) -> Vec<Untested> {
+    // changes are listed by the place of the flange
+    if robot.free_base().is_none() {
+        return Vec::new();
     }
-    let stated = Case::located(robot, subset.clone(), false);
-    let as_stated = stated.as_ref().and_then(|case| case.fit(robot));
-    let probes = subset.elsewhere(robot);
-    let table = Table { robot, data, tried: [&subset, &probes], readings };
-    // the data may not distinguish a change that brings the nominal robot as near as the given
-    // set-up
-    let as_near = stated.as_ref().map_or(f64::NEG_INFINITY, |stated| stated.near + WORSE.ln());
-    let explained = stated.as_ref().filter(|_| as_stated.as_ref().is_some_and(is_possible));
-    let limit = explained.map(|stated| stated.near + HOPELESS.ln());
-    let mut tried = match mistakes {
-        1 => fitted(robot, table.single(), as_near, limit),
-        _ => fitted(robot, table.pairs(), f64::NEG_INFINITY, limit),
-    };
-    if let Some(stated) = stated.as_ref().filter(|_| mistakes == 1) {
-        tried.extend(wrong_nominal(robot, stated));
+    let data = Data::new(robot, observations, settings);
+    let Some(stated) = Stated::new(robot, &data, &[]) else { return Vec::new() };
+    if !stated.is_possible() {
+        return Vec::new();
     }
-    let elsewhere = stated.as_ref().map(|case| Elsewhere { robot, data: &case.data, joints: probes.joints() });
-    Verdict { as_stated: as_stated.as_ref(), elsewhere }.judgement(robot, tried, mistakes)
+    let tried = stated.fitted(stated.table().single(), stated.as_near(), |slip| slip.listing != Listing::Never);
+    stated.verdict().judgement(robot, tried, 1).untested
 }
 
-/// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than `as_near`;
-/// those beyond `limit` are given up. Of several ways to make the same data, only the first is
-/// fitted.
-fn fitted(robot: &dyn Robot, mut all: Vec<Slip>, as_near: f64, limit: Option<f64>) -> Vec<(Slip, Fitted)> {
+/// Returns the judgement by hypotheses with this number of mistakes, one or two.
+fn judge_by(robot: &dyn Robot, data: &Data, readings: &[OrientationReading], mistakes: u8) -> Judgement {
+    let Some(stated) = Stated::new(robot, data, readings) else { return Judgement::default() };
+    let mut tried = match mistakes {
+        1 => stated.fitted(stated.table().single(), stated.as_near(), |_| true),
+        _ => stated.fitted(stated.table().pairs(), f64::NEG_INFINITY, |_| true),
+    };
+    if let Some(case) = stated.case.as_ref().filter(|_| mistakes == 1) {
+        tried.extend(wrong_nominal(robot, case));
+    }
+    stated.verdict().judgement(robot, tried, mistakes)
+}
+
+/// A set-up as given, with the data on which its changes are tried.
+struct Stated<'a> {
+    robot: &'a dyn Robot,
+    data: &'a Data,
+    readings: &'a [OrientationReading],
+    subset: Data,
+    /// Poses elsewhere.
+    probes: Data,
+    /// `None` if the nominal robot has no pose at the joint values.
+    case: Option<Case>,
+    fit: Option<Fitted>,
+}
+
+impl<'a> Stated<'a> {
+    /// Fits the set-up as given; `None` if the data cannot be judged.
+    fn new(robot: &'a dyn Robot, data: &'a Data, readings: &'a [OrientationReading]) -> Option<Self> {
+        let subset = data.subset(robot);
+        if data.poses().len() < FEWEST || !data.has_places() || fit::free_parameters(robot, &subset).is_none() {
+            return None;
+        }
+        let case = Case::located(robot, subset.clone(), false);
+        let fit = case.as_ref().and_then(|case| case.fit(robot));
+        let probes = subset.elsewhere(robot);
+        Some(Self { robot, data, readings, subset, probes, case, fit })
+    }
+
+    fn table(&self) -> Table<'_> {
+        let Self { robot, data, readings, subset, probes, .. } = self;
+        Table { robot: *robot, data, tried: [subset, probes], readings }
+    }
+
+    /// `true` if a robot within its tolerances explains the set-up as given.
+    fn is_possible(&self) -> bool {
+        self.fit.as_ref().is_some_and(is_possible)
+    }
+
+    /// Cost below which the data may not distinguish a change from the set-up as given.
+    fn as_near(&self) -> f64 {
+        self.case.as_ref().map_or(f64::NEG_INFINITY, |case| case.near + WORSE.ln())
+    }
+
+    /// Fits of the hypotheses that bring the nominal robot nearest, and of those nearer than
+    /// `as_near`, as far as they are `wanted`; hopeless ones are given up. Of several ways to make
+    /// the same data, only the first is fitted.
+    fn fitted(&self, mut all: Vec<Slip>, as_near: f64, wanted: impl Fn(&Slip) -> bool) -> Vec<(Slip, Fitted)> {
+        let explained = self.case.as_ref().filter(|_| self.is_possible());
+        let limit = explained.map(|case| case.near + HOPELESS.ln());
+        nearest(&mut all, as_near);
+        all.retain(wanted);
+        fits(self.robot, all, limit)
+    }
+
+    fn verdict(&self) -> Verdict<'_> {
+        let case = self.case.as_ref();
+        let elsewhere =
+            case.map(|case| Elsewhere { robot: self.robot, data: &case.data, joints: self.probes.joints() });
+        Verdict { as_stated: self.fit.as_ref(), elsewhere }
+    }
+}
+
+/// Keeps the hypotheses that bring the nominal robot nearest, and the hypotheses nearer than
+/// `as_near`.
+fn nearest(all: &mut Vec<Slip>, as_near: f64) {
     all.sort_by(|a, b| a.case.near.total_cmp(&b.case.near));
     all.dedup_by(|later, first| later.is_same(first));
     let alike = all.iter().take_while(|slip| slip.case.near < as_near).count();
     all.truncate(alike.clamp(FITS, MOST_FITS));
+}
+
+/// Fits of hypotheses; hypotheses beyond `limit` are given up.
+fn fits(robot: &dyn Robot, all: Vec<Slip>, limit: Option<f64>) -> Vec<(Slip, Fitted)> {
     let fitted = |slip: Slip| slip.case.fit_within(slip.robot(robot), limit).map(|fitted| (slip, fitted));
     all.into_par_iter().filter_map(fitted).collect()
 }
@@ -367,7 +434,7 @@ impl Verdict<'_> {
     fn untested(&self, slip: &Slip, fitted: &Fitted) -> Option<Untested> {
         let stated = self.as_stated.filter(|stated| is_possible(stated))?;
         let alike = is_possible(fitted) && explains_as_well(stated.gain_over(fitted));
-        if !alike || slip.listing == changes::Listing::Never || self.is_named(slip, fitted, 1) {
+        if !alike || slip.listing == Listing::Never || self.is_named(slip, fitted, 1) {
             return None;
         }
         let differs = self.elsewhere.as_ref()?.flange_difference(slip, [&stated.values, &fitted.values])?;
@@ -605,22 +672,43 @@ mod tests {
         }
     }
 
+    /// A joint that hardly moves shows neither its sign nor its offset: the list of a set-up that
+    /// explains its data is the list of the whole judgement, which names nothing.
+    #[test]
+    fn changes_that_the_data_do_not_show_are_listed_without_the_others() {
+        let (robot, _) = arm(1, 1);
+        let (nominal, mut noise) = (robot.nominal(), Noise::new(67, 1));
+        let pose = |pose: i64| {
+            let joints = [1.5, 1.5, 1.5, 1.5, 2e-3, 1.5].map(|range| noise.uniform(range)).to_vec();
+            let at = robot.position(&nominal, &joints, 0).map(|v| v + noise.gaussian(0.02));
+            Observation { pose: pose.into(), cycle: 1, joints, targets: vec![Some(at)], ..Observation::default() }
+        };
+        let observations: Vec<Observation> = (1..=40).map(pose).collect();
+        let settings = Settings { prior: crate::Prior::TOLERANCES, ..stated(0.02) };
+        let judged = judge(&robot, &observations, &settings, &[]);
+        let reversed = phrase!("slip-reversed", joint = format!("`{}`", robot.joints()[4].name));
+        assert!(judged.named.is_none() && judged.untested.iter().any(|u| u.change == reversed), "{judged:?}");
+        assert_eq!(untested_changes(&robot, &observations, &settings), judged.untested);
+    }
+
     /// A change that is given up would neither be named nor be listed as untested.
     #[test]
     fn changes_that_are_given_up_explain_nothing() {
         let robot = Prexyt::default();
         let (observations, settings) = (measured(&robot, 0.0), stated(0.003));
         let data = Data::new(&robot, &observations, &settings);
-        let subset = data.subset(&robot);
-        let stated = Case::located(&robot, subset.clone(), false).expect("located");
-        let as_stated = stated.fit(&robot).expect("fitted");
-        let probes = subset.elsewhere(&robot);
-        let table = Table { robot: &robot, data: &data, tried: [&subset, &probes], readings: &[] };
-        let all = fitted(&robot, table.single(), f64::NEG_INFINITY, None);
-        let kept = fitted(&robot, table.single(), f64::NEG_INFINITY, Some(stated.near + HOPELESS.ln()));
+        let stated = Stated::new(&robot, &data, &[]).expect("judged");
+        let as_stated = stated.fit.as_ref().expect("fitted");
+        let tried = |limit: Option<f64>| {
+            let mut all = stated.table().single();
+            nearest(&mut all, f64::NEG_INFINITY);
+            fits(&robot, all, limit)
+        };
+        let all = tried(None);
+        let kept = tried(stated.case.as_ref().map(|case| case.near + HOPELESS.ln()));
         let is_kept = |slip: &Slip| kept.iter().any(|(other, _)| other.what == slip.what);
         let given_up: Vec<&(Slip, Fitted)> = all.iter().filter(|(slip, _)| !is_kept(slip)).collect();
-        assert!(is_possible(&as_stated) && given_up.len() > all.len() / 2, "{} of {}", given_up.len(), all.len());
+        assert!(stated.is_possible() && given_up.len() > all.len() / 2, "{} of {}", given_up.len(), all.len());
         for (slip, fitted) in given_up {
             let worse = as_stated.gain_over(fitted);
             assert!(!is_possible(fitted) || worse > 2.0 * WORSE.ln(), "{:?}: {worse}", slip.what);

@@ -14,7 +14,7 @@ use crate::stages::evaluate::tool::Expected;
 use crate::stages::judge::checks::{far_targets, robust_message};
 use crate::stages::judge::first_tilt;
 use crate::stages::judge::frame_checks::base_elsewhere;
-use crate::stages::judge::plausible::{is_suspect, judge_set_up, plausibility};
+use crate::stages::judge::plausible::{Plausibility, is_suspect, plausibility};
 use crate::stages::judge::readings::RobustReadings;
 use crate::stages::judge::validation_distance::{far_or_near, validation_distance};
 use crate::stages::remedies::remedied;
@@ -63,11 +63,11 @@ impl Judgement {
             Some(settled) => (&settled.solution, &of(&settled.solution)),
             None => (solution, &errors),
         };
-        let judged = judge_set_up(robot, judged_solution);
-        let mut plausibility = plausibility(robot, judged_solution, errors_judged, &judged, readings.as_ref());
-        plausibility.extend(far_targets(robot, &judged_solution.found));
-        plausibility.splice(0..0, settled.map(|settled| settled.message)).for_each(drop);
-        Self { errors, plausibility, untested: judged.untested }
+        let Plausibility { mut messages, untested } =
+            plausibility(robot, judged_solution, errors_judged, readings.as_ref());
+        messages.extend(far_targets(robot, &judged_solution.found));
+        messages.splice(0..0, settled.map(|settled| settled.message)).for_each(drop);
+        Self { errors, plausibility: messages, untested }
     }
 }
 

@@ -16,8 +16,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_documents::{PointError, PoseSet, set_up_hint, warning_message};
 use etalon_formats::tables::joints::PAYLOAD;
 use etalon_identify::{
-    Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, Settings, allowed_mm,
-    chi_square_exceeds, far_problem, judge, load_slips, moved_between, observed_noise_mm,
+    Identification, Judgement, LEAST_RESIDUAL, LoadSlip, OUTLIER, Observation, Prior, Settings, Untested, allowed_mm,
+    chi_square_exceeds, far_problem, judge, load_slips, moved_between, observed_noise_mm, untested_changes,
 };
 use etalon_math::statistics::{mean, median, rms, standard_deviation};
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -56,7 +56,7 @@ const CHANCE: f64 = 1e-3;
 const WORSE: f64 = 1.1;
 
 /// Judgement of the set-up of a solution; if balls are swapped, nothing else is judged.
-pub(crate) fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement {
+fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     match exchanged(robot, &found.values) {
         Some(_) => Judgement::default(),
@@ -64,16 +64,21 @@ pub(crate) fn judge_set_up(robot: &dyn Robot, solution: &Solution) -> Judgement 
     }
 }
 
-/// Messages about the identified parameters and their errors: errors if the result cannot be a
-/// robot, and the observations to check first if they do not fit. `judged` is the judgement of the
-/// set-up.
+/// Messages about a solution, and the mistakes of its set-up that the data do not show.
+pub(crate) struct Plausibility {
+    /// Errors if the result cannot be a robot, and the observations to check first if they do not
+    /// fit.
+    pub messages: Vec<Message>,
+    pub untested: Vec<Untested>,
+}
+
+/// Judges the identified parameters and their errors.
 pub(crate) fn plausibility(
     robot: &dyn Robot,
     solution: &Solution,
     errors: &[PointError],
-    judged: &Judgement,
     readings: Option<&RobustReadings>,
-) -> Vec<Message> {
+) -> Plausibility {
     let Solution { basis: Basis { sets, settings, .. }, found, .. } = solution;
     let observations = &sets.calibration[..];
     let unchecked = undetermined(robot, observations, settings, found);
@@ -86,10 +91,17 @@ pub(crate) fn plausibility(
     // a robot within its tolerances, with residuals of the size of the instrument's uncertainty,
     // explains the data
     let explains = found.residuals.chi_square.is_some() && !misfit && messages.iter().all(is_no_error);
-    messages.extend(untested(judged));
-    if !explains {
-        contradict(far_before(robot, solution, errors), judged, &mut messages);
-    }
+    // no change is named if the set-up as given explains the data
+    let mistakes = if explains {
+        let mistakes = untested_changes(robot, observations, settings);
+        messages.extend(untested(&mistakes));
+        mistakes
+    } else {
+        let judged = judge_set_up(robot, solution);
+        messages.extend(untested(&judged.untested));
+        contradict(far_before(robot, solution, errors), &judged, &mut messages);
+        judged.untested
+    };
     if let Some(turned) = orientations_turned(settings, errors) {
         messages.insert(0, turned);
     }
@@ -111,7 +123,7 @@ pub(crate) fn plausibility(
     if let Some(readings) = readings {
         readings.add_to(&mut messages, robot);
     }
-    messages
+    Plausibility { messages, untested: mistakes }
 }
 
 /// `true` if errors of a solution give reason to look for wrong readings: residuals exceed the

@@ -4,7 +4,7 @@ use crate::stages::truncated;
 use etalon_base::message::{Message, Result};
 use etalon_base::{phrase, warning};
 use etalon_documents::warning_message;
-use etalon_identify::{Judgement, Observation, Settings, Untested, set_up_problem};
+use etalon_identify::{Observation, Settings, Untested, set_up_problem};
 use etalon_robots::Robot;
 
 /// Maximum number of named changes.
@@ -22,17 +22,17 @@ pub(crate) fn check_set_up(
     let (problem, judged) = set_up_problem(robot, observations, settings);
     match problem {
         Some(problem) => Err(warning_message(&problem).into()),
-        None => Ok(untested(&judged).into_iter().collect()),
+        None => Ok(untested(&judged.untested).into_iter().collect()),
     }
 }
 
 /// Returns a warning about mistakes of the set-up that the data do not show.
-pub(super) fn untested(judged: &Judgement) -> Option<Message> {
+pub(super) fn untested(mistakes: &[Untested]) -> Option<Message> {
     let change = |untested: &Untested| {
         let ([stated_mm, changed_mm], (flange_mm, rad)) = (untested.residuals_mm, untested.differs);
         let (change, flange_deg) = (untested.change.clone(), rad.to_degrees());
         phrase!("untested-change", change, changed_mm, stated_mm, flange_mm, flange_deg)
     };
-    let changes = judged.untested.iter().map(change);
-    (!judged.untested.is_empty()).then(|| warning!("set-up-untested", changes = truncated(changes, NAMED)).to_decide())
+    let changes = mistakes.iter().map(change);
+    (!mistakes.is_empty()).then(|| warning!("set-up-untested", changes = truncated(changes, NAMED)).to_decide())
 }
