@@ -76,6 +76,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_math::{Factor, Linearised, Options, Problem, Quadratic, Termination, solve, solve_near, svd};
 use etalon_robots::{Robot, Role};
 use model::residuals::{Common, Residuals};
+use model::solved::Solved;
 use solution::estimation::Estimation;
 use solution::solver::{Identifiable, solve_identifiable};
 
@@ -497,26 +498,74 @@ pub struct NestedFit {
     weight: f64,
 }
 
+/// Residuals of a fit, as [`ResidualStatistics`] states them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitResiduals {
+    /// Root mean square (mm) of the measured residuals that are lengths.
+    pub rms: f64,
+    pub degrees_of_freedom: usize,
+    /// `None` without a given uncertainty.
+    pub chi_square: Option<f64>,
+}
+
 impl NestedFit {
     /// Fits the parameters that `settings` select, from `start`.
     ///
     /// # Errors
     /// Fails if settings and observations do not match, or if the solver fails.
     pub fn new(robot: &dyn Robot, observations: &[Observation], settings: &Settings, start: &[f64]) -> Result<Self> {
+        Ok(Self::judged(robot, observations, settings, start, |_, _| ())?.0)
+    }
+
+    /// [`NestedFit::new`], and the residuals that [`identify_from`] states for the same input.
+    ///
+    /// # Errors
+    /// Fails like [`NestedFit::new`].
+    pub fn with_residuals(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        start: &[f64],
+    ) -> Result<(Self, FitResiduals)> {
+        Self::judged(robot, observations, settings, start, |solved, settings| {
+            let Solved { problem, solution, .. } = solved;
+            FitResiduals {
+                rms: judgement::uncertainty::rms_mm(problem, solution),
+                degrees_of_freedom: problem.degrees_of_freedom(solution).round() as usize,
+                chi_square: judgement::uncertainty::chi_square(solved, settings),
+            }
+        })
+    }
+
+    /// Fits, and judges the solution by the settings with its weights.
+    fn judged<T>(
+        robot: &dyn Robot,
+        observations: &[Observation],
+        settings: &Settings,
+        start: &[f64],
+        judge: impl FnOnce(Solved, &Settings) -> T,
+    ) -> Result<(Self, T)> {
         let wanted = wanted_parameters(robot, observations, settings)?;
         let found = solve_identifiable(robot, observations, settings, &wanted, start)?;
         let as_found = Settings { prior: found.prior, ..settings.with_weight(found.weight) };
-        let problem = Residuals::new(robot, observations, &as_found, &found.free, &found.values)?;
-        let degrees_of_freedom = problem.degrees_of_freedom(&found.solution);
-        Ok(Self {
-            squares: problem.squares(&found.solution),
-            determined: found.free.len() as f64 - problem.undetermined(&found.solution),
-            degrees_of_freedom,
+        let problem = &Residuals::new(robot, observations, &as_found, &found.free, &found.values)?;
+        let solution = &found.solution;
+        let judged = judge(Solved { problem, solution, jacobian: &solution.jacobian }, &as_found);
+        let fit = Self {
+            squares: problem.squares(solution),
+            determined: found.free.len() as f64 - problem.undetermined(solution),
+            degrees_of_freedom: problem.degrees_of_freedom(solution),
             values: found.values,
             free: found.free,
             prior: found.prior,
             weight: found.weight,
-        })
+        };
+        Ok((fit, judged))
+    }
+
+    /// Number of fitted parameters.
+    pub fn count(&self) -> usize {
+        self.free.len()
     }
 
     /// All parameters from part of the observations, with the same parameters held; `None` if the

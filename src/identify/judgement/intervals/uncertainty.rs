@@ -290,6 +290,13 @@ impl Found {
     }
 }
 
+/// Chi-square by the given uncertainty of the instrument; `None` without a given uncertainty or
+/// without redundancy.
+pub(crate) fn chi_square(solved: Solved, settings: &Settings) -> Option<f64> {
+    let is_redundant = solved.problem.degrees_of_freedom(solved.solution).round() > 0.0;
+    from_instrument(solved, settings, &BTreeMap::new()).map(|stated| stated.1).filter(|_| is_redundant)
+}
+
 /// Covariance and chi-square from the given uncertainty of the instrument, and of the frames of
 /// single poses.
 fn from_instrument(

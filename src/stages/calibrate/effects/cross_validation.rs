@@ -5,7 +5,7 @@
 
 use crate::stages::calibrate::validation_targets::ValidationTargets;
 use crate::stages::evaluate::accuracy::summarise;
-use crate::stages::evaluate::errors::point_errors;
+use crate::stages::evaluate::errors::PointErrors;
 use crate::stages::evaluate::sets::Sets;
 use crate::stages::judge::circumstances::temperature;
 use crate::stages::remedies::remedied;
@@ -15,7 +15,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, PoseSet, Statistics};
+use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, Statistics};
 use etalon_identify::{
     Condition, Effects, Fitted, Identification, NestedFit, Observation, Settings, Status, Variance, effects,
 };
@@ -78,7 +78,10 @@ pub(crate) type Squares = BTreeMap<PoseName, f64>;
 
 /// Errors with a choice of parameters.
 pub(crate) struct Tried {
-    pub found: Identification,
+    /// Fit to all poses.
+    fit: ModelFit,
+    /// Number of identified parameters.
+    identified: usize,
     /// At held-out poses.
     left_out: Squares,
     /// At held-out poses of neighbouring temperatures.
@@ -147,12 +150,14 @@ impl<'a> Study<'a> {
         etalon_identify::identify_from(self.robot, observations, settings, &self.before).map_err(remedied)
     }
 
-    /// Tries a choice of parameters.
+    /// Tries a choice of parameters. A trial needs no uncertainties.
     pub fn tried(&self, settings: &Settings) -> Result<Tried> {
-        let found = self.identify_from(&self.sets.calibration, settings)?;
-        // parameters of a fold need no uncertainties, and are near the parameters of all poses
+        let observations = &self.sets.calibration;
+        let (found, residuals) =
+            NestedFit::with_residuals(self.robot, observations, settings, &self.before).map_err(remedied)?;
+        // the parameters of a fold are near the parameters of all poses
         let values = |observations: &[Observation], settings: &Settings| -> Result<Vec<f64>> {
-            match etalon_identify::identify_again(self.robot, observations, settings, &found) {
+            match found.again(self.robot, observations, settings) {
                 Some(values) => Ok(values),
                 None => {
                     Ok(Fitted::from_start(self.robot, observations, settings, &self.before).map_err(remedied)?.values)
@@ -161,8 +166,12 @@ impl<'a> Study<'a> {
         };
         let squares = |folds: &[BTreeSet<PoseName>]| left_out_squares(self.robot, self.sets, settings, folds, values);
         let (left_out, by_block) = (squares(&self.folds)?, squares(&self.blocks)?);
-        let fitted = self.squares_at(&self.sets.calibration, &self.settings.conditions, &found.values);
-        Ok(Tried { found, left_out, by_block, fitted })
+        let fitted = self.squares_at(observations, &self.settings.conditions, &found.values);
+        let degrees_of_freedom = residuals.degrees_of_freedom as f64;
+        let equations = degrees_of_freedom + found.determined;
+        let squares = residuals.chi_square.unwrap_or(residuals.rms.powi(2) * equations);
+        let fit = ModelFit { squares, degrees_of_freedom, parameters: found.determined };
+        Ok(Tried { fit, identified: found.count(), left_out, by_block, fitted })
     }
 
     fn squares_at(&self, observations: &[Observation], conditions: &[Condition], values: &[f64]) -> Squares {
@@ -273,8 +282,8 @@ fn squares_at(robot: &dyn Robot, observations: &[Observation], conditions: &[Con
     let (validation, validation_conditions) = (observations.to_vec(), conditions.to_vec());
     let sets = Sets { validation, validation_conditions, ..Sets::default() };
     let mut all: BTreeMap<PoseName, Vec<f64>> = BTreeMap::new();
-    for error in point_errors(robot, &sets, values, values).iter().filter(|e| e.set == PoseSet::Validation) {
-        all.entry(error.pose).or_default().push(norm(error.after_mm).powi(2));
+    for (pose, error_mm) in PointErrors::new(robot, &sets).with(values) {
+        all.entry(pose).or_default().push(norm(error_mm).powi(2));
     }
     all.into_iter().map(|(pose, squares)| (pose, mean(squares))).collect()
 }
@@ -318,17 +327,9 @@ impl Tried {
         mean(self.left_out.values().copied())
     }
 
-    fn fit(&self) -> ModelFit {
-        let found = &self.found;
-        let (residuals, parameters) = (&found.residuals, found.identifiability.determined);
-        let equations = residuals.degrees_of_freedom as f64 + parameters;
-        let squares = residuals.chi_square.unwrap_or(residuals.rms.powi(2) * equations);
-        ModelFit { squares, degrees_of_freedom: residuals.degrees_of_freedom as f64, parameters }
-    }
-
     /// F statistic of the further explained variance, and its p value.
     fn f_test(&self, before: &Self) -> Option<[f64; 2]> {
-        (self.found.free.len() > before.found.free.len()).then(|| f_test(before.fit(), self.fit()))
+        (self.identified > before.identified).then(|| f_test(before.fit, self.fit))
     }
 
     fn improves(&self, before: &Self) -> bool {
@@ -347,7 +348,7 @@ impl Tried {
         let gain = before.map(|before| gain(&before.left_out, &self.left_out));
         EffectStep {
             effect: effect.map(Into::into),
-            identified: self.found.free.len(),
+            identified: self.identified,
             rms_mm: rms(&self.fitted),
             f: test.map(|t| t[0]),
             p_value: test.map(|t| t[1]),

@@ -77,12 +77,16 @@ impl Recommendation<'_> {
             step.accepted &= step.effect.is_none_or(is_loaded);
         }
         let everything = study.identify(&study.settings_with_effects(&Effect::ALL))?;
-        let stability = self.stability(&holding(&of_run), &all.found)?;
+        let identified = study.identify(&holding(&of_run))?;
+        let stability = self.stability(&holding(&of_run), &identified)?;
         let parameters = self.verdicts(&everything, &stability)?;
         messages.extend(self.unstable(&stability));
         let document = match self.loading.answer {
             LoadAnswer::Load | LoadAnswer::Resolve => self.identified.parameters.clone(),
-            LoadAnswer::IdentifyFurther | LoadAnswer::KeepNominal => self.conditioned(&model, &recommended.found),
+            LoadAnswer::IdentifyFurther | LoadAnswer::KeepNominal => {
+                let found = if answer == of_run { identified } else { study.identify(&model)? };
+                self.conditioned(&model, &found)
+            }
         };
         messages
             .extend(document.messages.iter().filter(|m| m.severity == etalon_base::message::Severity::Error).cloned());
