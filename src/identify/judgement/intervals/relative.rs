@@ -183,10 +183,9 @@ impl Pair {
 /// Pairs in the order of the steps of the measured distance, and the first pair and the end of each
 /// step.
 fn by_step(pairs: &[Pair], step_mm: f64) -> (Vec<Pair>, Vec<[usize; 2]>) {
-    let step = |pair: &Pair| (pair.distance_mm / step_mm) as usize;
+    let steps: Vec<usize> = pairs.iter().map(|pair| (pair.distance_mm / step_mm) as usize).collect();
     let mut ends: Vec<[usize; 2]> = Vec::new();
-    for pair in pairs {
-        let k = step(pair);
+    for &k in &steps {
         if k >= ends.len() {
             ends.resize(k + 1, [0; 2]);
         }
@@ -198,8 +197,8 @@ fn by_step(pairs: &[Pair], step_mm: f64) -> (Vec<Pair>, Vec<[usize; 2]>) {
         *count = *first;
     }
     let mut sorted = pairs.to_vec();
-    for pair in pairs {
-        let [_, next] = &mut ends[step(pair)];
+    for (pair, &k) in pairs.iter().zip(&steps) {
+        let [_, next] = &mut ends[k];
         sorted[*next] = *pair;
         *next += 1;
     }
@@ -292,12 +291,19 @@ fn pairs(groups: &[Vec<Reading>], readings: &[&Reading]) -> (Vec<Pair>, usize) {
         poses.sort_unstable();
         available -= poses.chunk_by(|a, b| a == b).map(|same| pair_count(same.len())).sum::<usize>();
         let end = start + pair_count(group.len());
-        let mut j = 1;
-        while let Some(index) = indices.next_if(|index| *index < end) {
-            let i;
-            [i, j] = pair_at(index - start, j);
+        let mut choose = |[i, j]: [usize; 2]| {
             if group[i].pose != group[j].pose {
                 chosen.push(Pair::new([i, j].map(|k| (first + k) as u32), readings));
+            }
+        };
+        if count <= MOST_PAIRS {
+            (1..group.len()).for_each(|j| (0..j).for_each(|i| choose([i, j])));
+        } else {
+            let mut j = 1;
+            while let Some(index) = indices.next_if(|index| *index < end) {
+                let pair = pair_at(index - start, j);
+                j = pair[1];
+                choose(pair);
             }
         }
         first += group.len();
