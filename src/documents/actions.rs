@@ -16,11 +16,14 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// Maximum number of actions.
 pub const MOST: usize = 5;
 /// Maximum number of poses in one action.
 const POSES: usize = 5;
+/// Maximum share of the calibration poses that are measured again.
+const MOST_AGAIN: f64 = 0.1;
 /// Maximum number of readings, in multiples of the present ones, that is advised for a decision.
 const MOST_REPEATS: f64 = 25.0;
 
@@ -296,9 +299,15 @@ impl Evidence<'_> {
         Some(action.gain(Some(field.without_mm - field.with_mm)))
     }
 
-    /// Calibration poses that a robust fit finds to disagree with the others.
+    /// Calibration poses that a robust fit finds to disagree with the others. If they are many, the
+    /// model is incomplete, and further measurements of these poses do not help.
     fn measure_again(&self) -> Option<Action> {
         let robust = self.judged.parameters?.robust.as_ref()?;
+        let calibration = self.errors.iter().filter(|e| e.set == PoseSet::Calibration);
+        let all: BTreeSet<PoseName> = calibration.map(|e| e.pose).collect();
+        if robust.disagreeing as f64 > (MOST_AGAIN * all.len() as f64).max(1.0) {
+            return None;
+        }
         let mut poses: Vec<_> =
             robust.poses.iter().filter(|p| p.residual_over_sigma > robust.critical_residual).collect();
         poses.sort_by(|a, b| b.residual_over_sigma.total_cmp(&a.residual_over_sigma));

@@ -248,6 +248,11 @@ fn outlying_poses_are_measured_again_the_worst_first_and_steps_follow_their_gain
     assert!(gains.is_sorted_by(|a, b| a >= b) && all.len() <= 5, "{gains:?}");
     // √(0.441² + 39 × 0.01²)/√40 less 0.01
     assert!((again.gain_mm.unwrap() - 0.0604).abs() < 0.0003, "{again:?}");
+    // with an incomplete model many poses disagree: 612 poses are not measured again
+    for (disagreeing, is_advised) in [(4, true), (5, false), (612, false), (2, true)] {
+        documents.parameters.robust.as_mut().unwrap().disagreeing = disagreeing;
+        assert_eq!(kinds(&actions(&documents)).contains(&ActionKind::MeasureAgain), is_advised, "{disagreeing} of 40");
+    }
     // readings that decide a parameter are settled before its file is loaded
     let place = |all: &[Action], kind| kinds(all).iter().position(|k| *k == kind).unwrap();
     let (name, unit) = ("a_2".to_owned(), "mm".to_owned());
