@@ -423,6 +423,28 @@ fn labels_that_are_numbers_join_poses_of_the_own_robot() {
     assert!(code == Some(2) && said.contains("none.toml"), "{said}");
 }
 
+/// A joint that is off by 90 deg contradicts the robot: the proposal gives the cause that the judge of the set-up finds.
+#[test]
+fn a_proposal_that_contradicts_the_robot_gives_the_cause() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let mut log = "Pose;J1 [deg];J2 [deg];J3 [deg];J4 [deg];J5 [deg];J6 [deg]\n".to_owned();
+    let mut export = "Point,X [mm],Y [mm],Z [mm]\n".to_owned();
+    for (i, (mut q, p, _)) in (1..).zip(measured(at, 60)) {
+        q[2] += std::f64::consts::FRAC_PI_2;
+        let cells: Vec<String> = q.iter().map(|v| format!("{:.5}", v.to_degrees())).collect();
+        let _ = writeln!(log, "{i};{}", cells.join(";"));
+        let _ = writeln!(export, "{i},{:.4},{:.4},{:.4}", p[0], p[1], p[2]);
+    }
+    std::fs::write(at.join("log.csv"), log).unwrap();
+    std::fs::write(at.join("points.csv"), export).unwrap();
+    let (code, said) = program(at, &["init", "mine", "--robot", "nominal", "--from", "points.csv", "log.csv"]);
+    let said = one_line(&said);
+    assert!(code == Some(0) && said.contains("nominal-robot-far: "), "{said}");
+    let cause = etalon::base::phrase!("slip-offset", degrees = "-90", joint = "`q3`").to_string();
+    assert!(said.contains(&cause), "{said}");
+}
+
 /// Labels that are numbers of points, which the log does not have: rows meet rows.
 #[test]
 fn labels_that_name_no_pose_of_the_log_join_by_row() {

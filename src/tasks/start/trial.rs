@@ -63,8 +63,12 @@ pub(crate) fn refusal_of_lines(robot: &Path, files: &[PathBuf], lines: &str) -> 
 /// Returns the first errors of a trial.
 fn refusal(folder: &Path, text: &str) -> Option<String> {
     let wrong = errors(folder, text);
-    let shown = wrong.iter().take(SHOWN).map(|message| format!("{}: {}", message.id, message.phrase()));
-    let shown: Vec<String> = shown.collect();
+    // the hint of an error about the set-up is its cause
+    let text = |message: &Message| {
+        let hint = message.hint.as_ref().map_or_else(String::new, |hint| format!(" ({hint})"));
+        format!("{}: {}{hint}", message.id, message.phrase())
+    };
+    let shown: Vec<String> = wrong.iter().take(SHOWN).map(text).collect();
     (!shown.is_empty()).then(|| printable(&shown.join("; ")))
 }
 
