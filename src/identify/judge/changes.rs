@@ -7,8 +7,9 @@ use crate::warning::Origin;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector};
-use etalon_robots::{Quantity, Robot};
+use etalon_robots::{Joint, Quantity, Robot};
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 const MM_PER_INCH: f64 = 25.4;
 /// 400 gon are a turn.
@@ -19,8 +20,11 @@ const LENGTHS: [(f64, &str); 4] =
 /// Minimum number of readings of a target whose unit is questioned: its place has three unknown
 /// coordinates, which fewer readings fit in any unit.
 const FEWEST_READINGS: usize = 4;
-/// Maximum number of targets, or groups of targets, whose unit or exchange is questioned.
+/// Maximum number of targets, or groups of targets, whose unit or exchange is questioned, and of
+/// joints whose columns are shifted.
 const MOST_GROUPS: usize = 12;
+/// Minimum number of joints whose columns are shifted: two are swapped.
+const FEWEST_OF_BLOCK: usize = 3;
 
 /// Other orientations that the rows of a table may contain.
 #[derive(Clone, Debug)]
@@ -80,6 +84,18 @@ pub(crate) fn changes(robot: &dyn Robot, data: &Data, readings: &[Reading]) -> V
     table.all
 }
 
+/// Every pair of joints with the opposite sign: the most frequent pair of mistakes.
+pub(crate) fn reversed_pairs(robot: &dyn Robot, data: &Data) -> Vec<Change> {
+    let mut table = Table { robot, data, all: Vec::new() };
+    let n = robot.joints().len().min(MOST_GROUPS);
+    for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
+        let [first, second] = [i, j].map(|joint| phrase!("slip-reversed", joint = table.joint(joint)));
+        let both = |q: &mut [f64]| [i, j].iter().for_each(|&joint| q[joint] = -q[joint]);
+        table.add(phrase!("slip-pair", first, second), |data| data.change_joints(&both));
+    }
+    table.all
+}
+
 impl Table<'_> {
     fn add(&mut self, what: Phrase, how: impl Fn(&mut Data)) {
         let mut data = self.data.clone();
@@ -108,6 +124,9 @@ impl Table<'_> {
             change(phrase!("slip-joint-order", order = "left"), &|q| q[..n].rotate_left(1));
             change(phrase!("slip-joint-order", order = "right"), &|q| q[..n].rotate_right(1));
         }
+        let added = self.all.len();
+        self.blocks();
+        self.list(added, Listing::Never);
         let first = self.all.len();
         let mut change = |what: Phrase, how: &dyn Fn(&mut [f64])| self.add(what, |data| data.change_joints(how));
         for i in (0..n).filter(|&i| joints[i].quantity == Quantity::Angle) {
@@ -116,6 +135,24 @@ impl Table<'_> {
             }
         }
         self.list(first, Listing::Last);
+    }
+
+    /// Columns of some neighbouring joints, shifted by one position among themselves.
+    fn blocks(&mut self) {
+        let joints = self.robot.joints();
+        let n = joints.len().min(MOST_GROUPS);
+        let blocks = (0..n).flat_map(|first| (first + FEWEST_OF_BLOCK - 1..n).map(move |last| first..last + 1));
+        let is_block = |block: &Range<usize>| {
+            let is_alike = |joint: &Joint| joint.quantity == joints[block.start].quantity;
+            block.len() < joints.len() && joints[block.clone()].iter().all(is_alike)
+        };
+        for block in blocks.filter(is_block) {
+            let (first, last) = (self.joint(block.start), self.joint(block.end - 1));
+            for (order, by) in [("left", 1), ("right", block.len() - 1)] {
+                let what = phrase!("slip-joint-block", first = first.clone(), last = last.clone(), order);
+                self.add(what, |data| data.change_joints(&|q| q[block.clone()].rotate_left(by)));
+            }
+        }
     }
 
     /// Lists the changes from `first` on elsewhere.

@@ -96,6 +96,25 @@ impl Data {
         self
     }
 
+    /// Pose and target of every reading.
+    pub fn places_of_readings(&self) -> BTreeSet<(PoseName, usize)> {
+        let seen = |o: &Observation| {
+            let targets = o.targets.iter().enumerate().filter(|(_, at)| at.is_some());
+            targets.map(|(target, _)| (o.pose, target)).collect::<Vec<_>>()
+        };
+        let conditions = self.settings.conditions.iter().map(|c| (c.pose, c.target));
+        self.observations.iter().flat_map(seen).chain(conditions).collect()
+    }
+
+    /// The data without the readings of a target at a pose.
+    pub fn without(&self, pose: PoseName, target: usize) -> Self {
+        let mut data = self.clone();
+        data.observations.iter_mut().filter(|o| o.pose == pose).for_each(|o| o.targets[target] = None);
+        data.observations.retain(|o| o.targets.iter().any(Option::is_some));
+        data.retain_conditions(|c| (c.pose, c.target) != (pose, target));
+        data
+    }
+
     fn retain_conditions(&mut self, mut keep: impl FnMut(&mut Condition) -> bool) {
         let kept: Vec<bool> = self.settings.conditions.iter_mut().map(&mut keep).collect();
         let (mut conditions, mut numbers) = (kept.iter(), kept.iter());

@@ -1,7 +1,8 @@
 //! Hypotheses about a set-up: every change of the table with base, targets and fixtures located,
 //! alone and in pairs, and single nominal values.
 
-use super::changes::{Change, Listing, Reading, changes};
+use super::TOLERANCE;
+use super::changes::{Change, Listing, Reading, changes, reversed_pairs};
 use super::data::Data;
 use super::fit::{self, Fitted, Hypothesis};
 use super::place::{elsewhere, locate};
@@ -10,14 +11,18 @@ use crate::solution::placing::PLAIN;
 use crate::warning::Origin;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use etalon_base::pose_name::PoseName;
 use etalon_math::Options;
 use etalon_robots::{Parameter, Robot, Role};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Number of nominal values that are fitted with all parameters.
 const FITTED_VALUES: usize = 3;
 /// Number of changes that are combined with all others.
 const PAIRED: usize = 12;
+/// Maximum number of poses of which a wrong one is a hypothesis: more of them show it themselves.
+const FEW_POSES: usize = 16;
 
 /// Data with base, targets and fixtures located.
 pub(super) struct Case {
@@ -56,12 +61,20 @@ pub(super) struct Slip {
     /// Another robot: by another convention, or a published one.
     other: Option<Box<dyn Robot>>,
     pub listing: Listing,
+    /// `true` for a reading that is left out.
+    pub is_reading: bool,
     /// Joint values of other poses with the change.
     pub elsewhere: Vec<Vec<f64>>,
     pub case: Case,
 }
 
 impl Slip {
+    /// A change that is not listed.
+    fn new(what: Phrase, case: Case) -> Self {
+        let (origin, listing) = (Origin::Named, Listing::Never);
+        Self { what, origin, other: None, listing, is_reading: false, elsewhere: Vec::new(), case }
+    }
+
     pub fn robot<'a>(&'a self, robot: &'a dyn Robot) -> &'a dyn Robot {
         self.other.as_deref().unwrap_or(robot)
     }
@@ -107,36 +120,43 @@ impl Table<'_> {
     /// Every change alone, with base, targets and fixtures located.
     pub fn single(&self) -> Vec<Slip> {
         let Self { robot, data, tried: [subset, probes], .. } = *self;
-        let new = |what, origin, listing, elsewhere, case| Slip { what, origin, other: None, listing, elsewhere, case };
-        let placed = |(change, probe): (Change, Data)| {
-            let case = Case::located(robot, change.data, change.anywhere)?;
-            Some(new(change.what, change.origin, change.listing, probe.joints(), case))
-        };
-        let mut all: Vec<Slip> = self.changes().into_par_iter().filter_map(placed).collect();
+        let mut all: Vec<Slip> = self.changes().into_par_iter().filter_map(|change| self.placed(change)).collect();
         for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
             let case = Case::located(robot, data.shifted(shift).subset(robot), false);
-            let what = phrase!("slip-neighbour", neighbour);
-            all.extend(case.map(|case| new(what, Origin::Named, Listing::Never, Vec::new(), case)));
+            all.extend(case.map(|case| Slip::new(phrase!("slip-neighbour", neighbour), case)));
         }
         for (what, mut other) in robot.alternatives() {
             if !add_fixtures(robot, other.as_mut()) {
                 continue;
             }
             let case = Case::located(other.as_ref(), subset.clone(), false);
-            let slip = case.map(|case| new(what, Origin::Named, Listing::First, probes.joints(), case));
-            all.extend(slip.map(|slip| Slip { other: Some(other), ..slip }));
+            let (listing, elsewhere) = (Listing::First, probes.joints());
+            all.extend(case.map(|case| Slip { other: Some(other), listing, elsewhere, ..Slip::new(what, case) }));
         }
         if robot.free_base().is_none()
             && let Some((angle, [x_mm, y_mm])) = elsewhere(robot, &subset.observations)
         {
             let what = phrase!("slip-world-frame", angle_deg = angle.to_degrees(), x_mm, y_mm);
             let case = Case::located(robot, subset.clone(), true);
-            all.extend(case.map(|case| new(what, Origin::WorldFrame, Listing::Never, Vec::new(), case)));
+            all.extend(case.map(|case| Slip { origin: Origin::WorldFrame, ..Slip::new(what, case) }));
         }
         all
     }
 
-    /// Pairs of changes: each change that alone brings the nominal robot nearest, with all others.
+    /// Every reading left out, if poses are few.
+    pub fn without_readings(&self) -> Vec<Slip> {
+        let Self { robot, data, .. } = *self;
+        let few = if data.poses().len() > FEW_POSES { BTreeSet::new() } else { data.places_of_readings() };
+        let without = |(pose, target): (PoseName, usize)| {
+            let case = Case::located(robot, data.without(pose, target), false)?;
+            let what = phrase!("slip-reading", target = robot.targets()[target], pose);
+            Some(Slip { is_reading: true, ..Slip::new(what, case) })
+        };
+        few.into_par_iter().filter_map(without).collect()
+    }
+
+    /// Pairs of changes: each change that alone brings the nominal robot nearest, with all others,
+    /// and all pairs of reversed joints.
     pub fn pairs(&self) -> Vec<Slip> {
         let near = |(change, probes): (Change, Data)| {
             let case = Case::located(self.robot, change.data.clone(), change.anywhere)?;
@@ -148,25 +168,39 @@ impl Table<'_> {
         let with = |(_, first, probes): &(f64, Change, Data)| -> Vec<Slip> {
             let changed = Table { tried: [&first.data, probes], ..*self };
             let pair = |(second, probes): (Change, Data)| {
-                let case = Case::located(self.robot, second.data, first.anywhere || second.anywhere)?;
                 let what = phrase!("slip-pair", first = first.what.clone(), second = second.what);
-                let (origin, listing) = (Origin::Named, Listing::Never);
-                Some(Slip { what, origin, other: None, listing, elsewhere: probes.joints(), case })
+                let anywhere = first.anywhere || second.anywhere;
+                self.placed((
+                    Change { what, anywhere, origin: Origin::Named, listing: Listing::Never, ..second },
+                    probes,
+                ))
             };
             changed.changes().into_iter().filter_map(pair).collect()
         };
-        first.par_iter().flat_map(with).collect()
+        let reversed = self.tried_with(reversed_pairs).into_par_iter().filter_map(|pair| self.placed(pair));
+        first.par_iter().flat_map(with).chain(reversed).collect()
+    }
+
+    /// A change with base, targets and fixtures located, and poses elsewhere with it.
+    fn placed(&self, (change, probes): (Change, Data)) -> Option<Slip> {
+        let Change { what, origin, data, anywhere, listing } = change;
+        let case = Case::located(self.robot, data, anywhere)?;
+        Some(Slip { origin, listing, elsewhere: probes.joints(), ..Slip::new(what, case) })
     }
 
     /// Changes of the data, and the poses elsewhere with each.
     fn changes(&self) -> Vec<(Change, Data)> {
-        let [subset, probes] = self.tried.map(|data| changes(self.robot, data, self.readings));
+        self.tried_with(|robot, data| changes(robot, data, self.readings))
+    }
+
+    fn tried_with(&self, how: impl Fn(&dyn Robot, &Data) -> Vec<Change>) -> Vec<(Change, Data)> {
+        let [subset, probes] = self.tried.map(|data| how(self.robot, data));
         subset.into_iter().zip(probes.into_iter().map(|probe| probe.data)).collect()
     }
 }
 
 /// Mistakes in one nominal value: each length and angle of the robot that the measurements put
-/// beyond its tolerance if it is free, with its fit.
+/// beyond its tolerance if it is free, and no other value, with its fit.
 pub(super) fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitted)> {
     let (parameters, placed, data) = (robot.parameters(), &stated.values, &stated.data);
     if data.observations.is_empty() {
@@ -194,16 +228,9 @@ pub(super) fn wrong_nominal(robot: &dyn Robot, stated: &Case) -> Vec<(Slip, Fitt
         let case = Case { data: data.clone(), values, near: stated.near, loose: Some(i) };
         let fitted = case.fit(robot)?;
         let p = &parameters[i];
-        let beyond = (fitted.values[i] - p.nominal).abs() > p.tolerance;
-        let slip = Slip {
-            what: Phrase::new("slip-nominal"),
-            origin: Origin::Named,
-            other: None,
-            listing: Listing::Never,
-            elsewhere: Vec::new(),
-            case,
-        };
-        beyond.then_some((slip, fitted))
+        // if further values are beyond their tolerances too, one value is no cause
+        let is_alone = (fitted.values[i] - p.nominal).abs() > p.tolerance && fitted.off < TOLERANCE;
+        is_alone.then(|| (Slip::new(Phrase::new("slip-nominal"), case), fitted))
     };
     all.into_iter().filter_map(judged).collect()
 }

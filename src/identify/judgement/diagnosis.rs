@@ -139,6 +139,9 @@ const CHANCE: f64 = 1e-3;
 const FEWEST_OF_TAIL: usize = 15;
 /// Ratio of a scatter to the given uncertainty from which a model is incomplete.
 const MISFIT: f64 = 1.5;
+/// Errors that a model lacks, in standard deviations of the lengths with the largest ones: lengths
+/// of each kind may have such errors, also if those of most poses are smaller.
+const COMMON: f64 = 3.0;
 /// Share of the poses that show the region of the measured joint values.
 const MOST_OF_REGION: f64 = 0.9;
 /// Number of fits, each with the scale of the previous one.
@@ -321,8 +324,7 @@ impl RobustFit {
             limits.insert((reading.source, reading.target), OUTLIER * variance.sqrt() / size);
         }
         let scales = &self.scales;
-        let is_incomplete = |quantity| scales.get(&quantity).is_some_and(|s| is_incomplete(*s, settings, quantity));
-        for reading in self.readings.iter_mut().filter(|r| is_incomplete(r.quantity)) {
+        for reading in self.readings.iter_mut().filter(|r| is_incomplete(scales, settings, r.quantity)) {
             let limit = limits.get(&(reading.source, reading.target)).copied().unwrap_or(0.0);
             reading.limit = reading.limit.max(limit * reading.over_deviation());
         }
@@ -346,34 +348,32 @@ impl RobustFit {
         let predicted = comparison(robot, observations, &scaled, free, &values)
             .and_then(|(problem, x)| predictions(&problem, &x, problem.matrix_at(&x)));
         let mut factors = predicted.into_iter().flatten().map(|p| (1.0 + p.variance).sqrt());
-        let stated_mm = settings.coordinate_uncertainty_mm();
-        let least = |quantity: Option<ErrorKind>| {
-            let scale = scatter.scale(quantity);
-            if quantity == Some(ErrorKind::Position) { scale.max(stated_mm) } else { scale }
+        let scale = |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| {
+            (quantity, scale.max(stated_deviation(settings, quantity)))
         };
+        let scales: BTreeMap<_, _> = scatter.0.iter().map(scale).collect();
         let deviating = |(mut reading, rows): (Reading, usize)| {
             let factor = mean((0..rows).map(|_| factors.next().unwrap_or(1.0)));
-            reading.deviation = factor * reading.deviation.max(least(reading.quantity));
+            let least = scales.get(&reading.quantity).copied().unwrap_or(LEAST_RESIDUAL);
+            reading.deviation = factor * reading.deviation.max(least);
             reading
         };
         let all = readings(robot, observations, &settings.conditions, &values);
         let mut readings: Vec<Reading> = all.into_iter().map(deviating).collect();
         readings.retain(|reading| reading.is_judged(&settings.conditions));
-        let scale = |(&quantity, (scale, _)): (&Option<ErrorKind>, &(f64, usize))| {
-            (quantity, scale.max(stated_deviation(settings, quantity)))
-        };
-        let scales: BTreeMap<_, _> = scatter.0.iter().map(scale).collect();
         let region = Region::new(robot, observations, &settings.conditions);
-        for (&quantity, (scale, _)) in &scatter.0 {
-            if is_incomplete(*scale, settings, quantity) {
-                let limit = outlier_limit(&readings, quantity);
-                for reading in readings.iter_mut().filter(|r| r.quantity == quantity) {
-                    let joints = match reading.source {
-                        ReadingSource::Position(i) => &observations[i].joints,
-                        ReadingSource::Condition(i) => &settings.conditions[i].joints,
-                    };
-                    reading.limit = limit * region.distance(joints).max(1.0).powi(2);
-                }
+        let lengths = scales.iter().filter(|scale| scale.0.is_some() && shows_misfit(*scale, settings));
+        let largest_mm = lengths.map(|(_, scale)| *scale).fold(0.0, f64::max);
+        for &quantity in scales.keys().filter(|quantity| is_incomplete(&scales, settings, **quantity)) {
+            let limit = outlier_limit(&readings, quantity);
+            for reading in readings.iter_mut().filter(|r| r.quantity == quantity) {
+                let joints = match reading.source {
+                    ReadingSource::Position(i) => &observations[i].joints,
+                    ReadingSource::Condition(i) => &settings.conditions[i].joints,
+                };
+                let own = limit * region.distance(joints).max(1.0).powi(2);
+                let common = quantity.map_or(0.0, |_| COMMON * largest_mm / reading.deviation);
+                reading.limit = own.max(common);
             }
         }
         let fitted = [observations.len(), settings.conditions.len()];
@@ -479,11 +479,18 @@ fn stated_deviation(settings: &Settings, quantity: Option<ErrorKind>) -> f64 {
     if quantity == Some(ErrorKind::Position) { least.min(settings.coordinate_uncertainty_mm()) } else { least }
 }
 
-/// `true` if the scatter of a quantity shows that the model is incomplete, or if none is given to
-/// compare with.
-fn is_incomplete(scale: f64, settings: &Settings, quantity: Option<ErrorKind>) -> bool {
+/// `true` if the scatter of a quantity shows that the model is incomplete.
+fn shows_misfit((quantity, scale): (&Option<ErrorKind>, &f64), settings: &Settings) -> bool {
+    let stated = stated_deviation(settings, *quantity);
+    stated > 0.0 && *scale > MISFIT * stated
+}
+
+/// `true` if the scatter of any quantity shows that the model is incomplete, or if none is given to
+/// compare the scatter of this quantity with. Errors that a model lacks are common to all
+/// quantities.
+fn is_incomplete(scales: &BTreeMap<Option<ErrorKind>, f64>, settings: &Settings, quantity: Option<ErrorKind>) -> bool {
     let stated = stated_deviation(settings, quantity);
-    scale > MISFIT * stated || !stated.is_finite()
+    scales.iter().any(|scale| shows_misfit(scale, settings)) || stated <= 0.0 || !stated.is_finite()
 }
 
 /// `true` if the residuals of a condition are judged: observed joint values are inputs of the

@@ -266,6 +266,11 @@ slip-joint-order = die Gelenke { $order ->
        *[right] um einen Platz in der Gegenrichtung verschoben
     }
 
+slip-joint-block = die Gelenke { $first } bis { $last } { $order ->
+        [left] um einen Platz verschoben
+       *[right] um einen Platz in der Gegenrichtung verschoben
+    }
+
 slip-offset = { $degrees } deg zu { $joint } addiert
 
 slip-unit = { $quantity ->
@@ -311,6 +316,7 @@ slip-neighbour = die Gelenkwerte jeder Pose aus der { $neighbour ->
 
 slip-world-frame = das Weltkoordinatensystem um { FIXED($angle_deg, 1) } deg gedreht und um ({ FIXED($x_mm, 1) }; { FIXED($y_mm, 1) }) mm verschoben
 
+slip-reading = der Messwert von `{ $target }` an Pose { $pose } ausgelassen
 slip-pair = { $first }, und { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } statt { FIXED($nominal, 2) } { $unit }
 

@@ -530,6 +530,11 @@ slip-joint-order = the joints { $order ->
        *[right] shifted by one position in the other direction
     }
 
+slip-joint-block = the joints { $first } to { $last } { $order ->
+        [left] shifted by one position
+       *[right] shifted by one position in the other direction
+    }
+
 slip-offset = { $degrees } deg added to { $joint }
 
 slip-unit = { $quantity ->
@@ -575,6 +580,7 @@ slip-neighbour = the joint values of each pose taken from the { $neighbour ->
 
 slip-world-frame = the world frame rotated by { FIXED($angle_deg, 1) } deg and shifted by ({ FIXED($x_mm, 1) }, { FIXED($y_mm, 1) }) mm
 
+slip-reading = the reading of `{ $target }` at pose { $pose } left out
 slip-pair = { $first }, and { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } instead of { FIXED($nominal, 2) } { $unit }
 

@@ -266,6 +266,11 @@ slip-joint-order = les articulations { $order ->
        *[right] décalées d’un rang dans l’autre sens
     }
 
+slip-joint-block = les articulations { $first } à { $last } { $order ->
+        [left] décalées d’un rang
+       *[right] décalées d’un rang dans l’autre sens
+    }
+
 slip-offset = { $degrees } deg ajoutés à { $joint }
 
 slip-unit = { $quantity ->
@@ -311,6 +316,7 @@ slip-neighbour = les valeurs articulaires de chaque pose prises à la pose { $ne
 
 slip-world-frame = le repère atelier tourné de { FIXED($angle_deg, 1) } deg et décalé de ({ FIXED($x_mm, 1) } ; { FIXED($y_mm, 1) }) mm
 
+slip-reading = la lecture de `{ $target }` à la pose { $pose } omise
 slip-pair = { $first }, et { $second }
 slip-nominal = `{ $parameter }` = { FIXED($found, 2) } { $unit } au lieu de { FIXED($nominal, 2) } { $unit }
 
