@@ -476,8 +476,13 @@ fn solved_from(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     {
         return Some(problem.all(&x));
     }
+    solved_by_damped_steps(problem, x)
+}
+
+/// [`solved_from`] for a problem that steps by the linear part at `x` do not solve.
+fn solved_by_damped_steps(problem: &Residuals, x: &[f64]) -> Option<Vec<f64>> {
     let solution = solve(problem, x, Options::default());
-    let regular = solution.factor.as_ref().is_some_and(regular);
+    let regular = solution.factor.as_ref().is_some_and(|factor| svd(factor).rank(RANK_TOLERANCE) == x.len());
     (solution.termination.is_success() && regular).then(|| problem.all(&solution.x))
 }
 
@@ -503,8 +508,9 @@ pub struct NestedFit {
 pub struct FitResiduals {
     /// Root mean square (mm) of the measured residuals that are lengths.
     pub rms: f64,
+    /// Equations minus parameters that the data determine.
     pub degrees_of_freedom: usize,
-    /// `None` without a given uncertainty.
+    /// Sum of the squares over the given variances; `None` without a given uncertainty.
     pub chi_square: Option<f64>,
 }
 
@@ -649,8 +655,12 @@ impl<'a> Repeated<'a> {
         let mut problem = Residuals::new(self.robot, observations, &self.settings, &found.free, &found.values).ok()?;
         problem.whitening.common.clone_from(&self.common);
         problem.drawn = drawn;
-        let near = solve_near(&problem, &x, self.linearised.as_ref()?, is_same, LAST_STEP);
-        near.map(|x| problem.all(&x)).or_else(|| solved_from(&problem, &x))
+        match solve_near(&problem, &x, self.linearised.as_ref()?, is_same, LAST_STEP) {
+            Some(x) => Some(problem.all(&x)),
+            // the linear part of coordinates hangs on the joint values alone: it was tried
+            None if is_same && problem.is_coordinates() => solved_by_damped_steps(&problem, &x),
+            None => solved_from(&problem, &x),
+        }
     }
 
     /// Residuals of another measurement at the solution, with the joint values of the first one;

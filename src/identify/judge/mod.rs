@@ -793,7 +793,7 @@ mod tests {
         }
     }
 
-    /// A joint that hardly moves shows neither its sign nor its offset: the list of a set-up that
+    /// A target on the axis of the last joint does not show its sign. The list of a set-up that
     /// explains its data is the list of the whole judgement, which names nothing.
     #[test]
     fn changes_that_the_data_do_not_show_are_listed_without_the_others() {
@@ -807,7 +807,7 @@ mod tests {
         let observations: Vec<Observation> = (1..=40).map(pose).collect();
         let settings = Settings { prior: crate::Prior::TOLERANCES, ..stated(0.02) };
         let judged = judge(&robot, &observations, &settings, &[]);
-        let reversed = phrase!("slip-reversed", joint = format!("`{}`", robot.joints()[4].name));
+        let reversed = phrase!("slip-reversed", joint = format!("`{}`", robot.joints()[5].name));
         assert!(judged.named.is_none() && judged.untested.iter().any(|u| u.change == reversed), "{judged:?}");
         assert_eq!(untested_changes(&robot, &observations, &settings), judged.untested);
     }
