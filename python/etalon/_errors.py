@@ -160,9 +160,7 @@ def warning_class(id: str) -> type[MessageWarning]:
     """
     from . import _etalon
 
-    code, _, said, messages = _etalon.command(["explain", id])
-    if code != 0:
-        raise Error(said.partition("\n\nUsage: ")[0].strip(), messages)
+    _etalon.explain(id)
     return _class_of(id)
 
 

@@ -174,7 +174,7 @@ def _described() -> dict[str, dict[str, dict[str, Any]]]:
 
     found: dict[str, dict[str, dict[str, Any]]] = {}
     for name in _CLASSES:
-        schema = json.loads(_etalon.command(["schema", name])[1])
+        schema = json.loads(_etalon.schema(name))
         for title, part in {**schema.get("$defs", {}), schema["title"]: schema}.items():
             found.setdefault(title, part.get("properties", {}))
     return found

@@ -441,12 +441,12 @@ def torus(
 
 def enclosing_circle(points: ArrayLike) -> Circle:
     """Return the smallest circle that encloses the points in the plane z = 0."""
-    return Circle(load(_etalon.enclosing(False, points_of(points)))._members)
+    return Circle(load(_etalon.enclosing("enclosing-circle", points_of(points)))._members)
 
 
 def enclosing_sphere(points: ArrayLike) -> Sphere:
     """Return the smallest sphere that encloses the points."""
-    return Sphere(load(_etalon.enclosing(True, points_of(points)))._members)
+    return Sphere(load(_etalon.enclosing("enclosing-sphere", points_of(points)))._members)
 
 
 def _number(value: float | None, name: str) -> float | None:

@@ -2,10 +2,10 @@
 
 use crate::computing::compute;
 use crate::errors::{json, refused};
-use etalon_base::message::Message;
+use etalon::tasks::{self, Criterion, Figure};
+use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Vector;
-use etalon_documents::FitDocument;
-use etalon_fit::{CircleMethod, Element, Fit, FitSettings, Probe, Side, Source};
+use etalon_fit::{CircleMethod, Element, Fit, FitSettings, Side, Source};
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods,
 };
@@ -79,65 +79,45 @@ pub fn fit(
 ) -> PyResult<(String, Option<Fitted>)> {
     let element: Element = element.parse().map_err(refused)?;
     let points = rows::<3>(&points)?;
-    if options.minimum_zone {
-        let zone = compute(py, || etalon_fit::minimum_zone(element, points))?.map_err(refused)?;
-        return Ok((json(&FitDocument::minimum_zone(None, &zone))?, None));
-    }
-    let probe = options.probe()?;
     let weights = options.weights.as_ref().map(|weights| weights.as_slice()).transpose()?;
-    let circle = if options.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
-    let Options { radius_mm, standard_uncertainty_mm, axis, .. } = options;
-    let settings = FitSettings { weights, radius_mm, axis, circle, probe, standard_uncertainty_mm };
-    let fitted = compute(py, || {
-        if options.robust {
-            let found = etalon_fit::robust_element(element, points, &settings)?;
-            return Ok((FitDocument::robust(None, &found), found.fit));
-        }
-        let found = etalon_fit::element(element, points, &settings)?;
-        let messages = etalon_fit::warnings(&found, &Source::from(points), &settings);
-        Ok((FitDocument::new(None, &found).with_messages(messages), found))
-    });
-    let (document, found) = fitted?.map_err(refused)?;
-    Ok((json(&document)?, Some(Fitted(found))))
+    let settings = options.settings(weights).map_err(refused)?;
+    let criterion = options.criterion();
+    let figure = Figure::Element(element);
+    let fitted = compute(py, || tasks::fit(figure, criterion, &Source::from(points), &settings))?;
+    let tasks::Fitted { document, fit } = fitted.map_err(refused)?;
+    Ok((json(&document)?, fit.map(Fitted)))
 }
 
 impl Options<'_> {
-    fn probe(&self) -> PyResult<Option<Probe>> {
+    fn criterion(&self) -> Criterion {
+        match (self.minimum_zone, self.robust) {
+            (true, _) => Criterion::MinimumZone,
+            (_, true) => Criterion::Robust,
+            _ => Criterion::LeastSquares,
+        }
+    }
+
+    fn settings<'a>(&self, weights: Option<&'a [f64]>) -> Result<FitSettings<'a>, Problems> {
         let side = match &self.probe_side {
             None => None,
             Some(ProbeSide::Towards(direction)) => Some(Side::Towards(*direction)),
-            Some(ProbeSide::Word(word)) if word == "inside" => Some(Side::Inside),
-            Some(ProbeSide::Word(word)) if word == "outside" => Some(Side::Outside),
-            Some(ProbeSide::Word(word)) => {
-                let message = Message::error(format!("`{word}` is not a side of the probe"));
-                return Err(refused(message.expected("\"inside\", \"outside\" or a direction (x, y, z)").into()));
-            }
+            Some(ProbeSide::Word(word)) => Some(tasks::named_side(word)?),
         };
-        match (self.probe_radius_mm, side) {
-            (None, None) => Ok(None),
-            (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
-            _ => {
-                let message = Message::error("a probe has a radius and a side");
-                Err(refused(message.hint("state `probe_radius_mm` and `probe_side`, or neither").into()))
-            }
-        }
+        let probe = tasks::stated_probe(self.probe_radius_mm, side)?;
+        let circle = if self.orthogonal { CircleMethod::Orthogonal } else { CircleMethod::Projected };
+        let Self { radius_mm, standard_uncertainty_mm, axis, .. } = *self;
+        Ok(FitSettings { weights, radius_mm, axis, circle, probe, standard_uncertainty_mm })
     }
 }
 
-/// The smallest circle or sphere that encloses the points.
+/// The smallest circle or sphere that encloses the points: `enclosing-circle`, `enclosing-sphere`.
 #[pyfunction]
-pub fn enclosing(py: Python<'_>, sphere: bool, points: PyReadonlyArray2<f64>) -> PyResult<String> {
+pub fn enclosing(py: Python<'_>, figure: &str, points: PyReadonlyArray2<f64>) -> PyResult<String> {
+    let figure: Figure = figure.parse().map_err(refused)?;
     let points = rows::<3>(&points)?;
-    let document = compute(py, || {
-        if sphere {
-            let found = etalon_fit::enclosing_sphere(points)?;
-            return Ok(FitDocument::enclosing("enclosing-sphere", None, points, &found));
-        }
-        let plane: Vec<[f64; 2]> = points.iter().map(|p| [p[0], p[1]]).collect();
-        let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
-        Ok(FitDocument::enclosing("enclosing-circle", None, &flat, &etalon_fit::enclosing_circle(&plane)?))
-    });
-    json(&document?.map_err(refused)?)
+    let settings = FitSettings::default();
+    let found = compute(py, || tasks::fit(figure, Criterion::LeastSquares, &Source::from(points), &settings))?;
+    json(&found.map_err(refused)?.document)
 }
 
 /// A rigid transform: the matrix (4, 4), the residuals (n, 3) and its uncertainties.

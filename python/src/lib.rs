@@ -35,7 +35,7 @@ mod _etalon {
     #[pymodule_export]
     use super::tables::csv;
     #[pymodule_export]
-    use super::tasks::{axes, cell, command, identify, iso230, iso9283, iso9283_path, plan, verify};
+    use super::tasks::{axes, cell, command, explain, identify, iso230, iso9283, iso9283_path, plan, schema, verify};
     #[pymodule_init]
     fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
         super::computing::remember_process();

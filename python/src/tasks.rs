@@ -95,6 +95,18 @@ pub fn cell(py: Python<'_>, table: Named, options: &str) -> PyResult<String> {
     json(&compute_long(py, None, |_| tasks::cell(table.table(), &options))?.map_err(refused)?)
 }
 
+/// Explanation of the message with this id, or of all messages.
+#[pyfunction]
+pub fn explain(id: Option<&str>) -> PyResult<String> {
+    json(&tasks::explain(id).map_err(refused)?)
+}
+
+/// JSON Schema of an input file or of a document.
+#[pyfunction]
+pub fn schema(name: &str) -> PyResult<&'static str> {
+    tasks::schema(name).map_err(refused)
+}
+
 /// Runs a command with `--json` if it has this option: exit code, stdout, stderr, and messages as
 /// JSON.
 #[pyfunction]

@@ -5,7 +5,7 @@ use super::fit_tracim;
 use super::{Output, Verdict};
 use crate::stages::observe::qif_fit::{ProbeStated, refit};
 use crate::tasks::text_format::stated_format;
-use crate::tasks::{Table, TextFormat};
+use crate::tasks::{self, Criterion, Figure, Table, TextFormat};
 use etalon_base::catalogue::IntoArgument;
 use etalon_base::message::{Place, Problems};
 use etalon_base::pose::Vector;
@@ -144,8 +144,7 @@ impl FitCommand {
 
     /// `true` if a file is given instead of the element.
     fn all_features(&self) -> bool {
-        let known = self.element.starts_with("enclosing-") || self.element.parse::<Element>().is_ok();
-        !known && Path::new(&self.element).is_file()
+        self.element.parse::<Figure>().is_err() && Path::new(&self.element).is_file()
     }
 
     /// Fits all points together, or each label separately.
@@ -215,21 +214,9 @@ impl FitCommand {
     fn side(&self) -> Result<Option<Side>, Problems> {
         let Some(text) = self.probe.probe_side.as_deref() else { return Ok(None) };
         let numbers: Option<Vec<f64>> = text.split(',').map(|n| n.trim().parse().ok()).collect();
-        match (text, numbers.as_deref()) {
-            ("inside", _) => Ok(Some(Side::Inside)),
-            ("outside", _) => Ok(Some(Side::Outside)),
-            (_, Some(&[x, y, z])) => Ok(Some(Side::Towards([x, y, z]))),
-            _ => Err(error!("probe-side-unknown", text).into()),
-        }
-    }
-
-    /// Given probe, if any.
-    fn probe(&self) -> Result<Option<Probe>, Problems> {
-        match (self.probe.probe_radius_mm, self.side()?) {
-            (None, None) => Ok(None),
-            (Some(radius_mm), Some(side)) => Ok(Some(Probe { radius_mm, side })),
-            (Some(_), None) => Err(error!("probe-side-missing").into()),
-            (None, Some(_)) => Err(error!("probe-radius-missing").into()),
+        match numbers.as_deref() {
+            Some(&[x, y, z]) => Ok(Some(Side::Towards([x, y, z]))),
+            _ => tasks::named_side(text).map(Some),
         }
     }
 
@@ -269,47 +256,15 @@ impl FitCommand {
     }
 
     fn fit(&self, label: &str, points: Source) -> Result<FitDocument, Problems> {
-        let all = || (0..points.len()).map(|i| points.at(i)).collect::<Vec<Vector>>();
-        let label = (!label.is_empty()).then(|| label.to_owned());
-        if self.element.starts_with("enclosing-") && self.robust {
-            return Err(error!("enclosing-robust", element = self.element).into());
-        }
-        if self.element.starts_with("enclosing-") && self.probe()?.is_some() {
-            return Err(error!("enclosing-with-probe", element = self.element).into());
-        }
-        match self.element.as_str() {
-            "enclosing-circle" | "enclosing-sphere" if self.minimum_zone => {
-                Err(error!("enclosing-minimum-zone", element = self.element).into())
-            }
-            "enclosing-circle" => {
-                let plane: Vec<[f64; 2]> = all().iter().map(|p| [p[0], p[1]]).collect();
-                let flat: Vec<Vector> = plane.iter().map(|p| [p[0], p[1], 0.0]).collect();
-                Ok(FitDocument::enclosing("enclosing-circle", label, &flat, &etalon_fit::enclosing_circle(&plane)?))
-            }
-            "enclosing-sphere" => {
-                let points = all();
-                Ok(FitDocument::enclosing("enclosing-sphere", label, &points, &etalon_fit::enclosing_sphere(&points)?))
-            }
-            name => {
-                let element: Element = name.parse()?;
-                if self.minimum_zone {
-                    let zone = etalon_fit::minimum_zone(element, &all()).map_err(|mut problems| {
-                        let first = problems.0.first_mut().filter(|_| !element.has_minimum_zone());
-                        if let Some(first) = first {
-                            *first = first.clone().hint(phrase!("zone-by-least-squares"));
-                        }
-                        problems
-                    })?;
-                    return Ok(FitDocument::minimum_zone(label, &zone));
-                }
-                let settings = self.settings(self.probe()?);
-                if self.robust {
-                    return Ok(FitDocument::robust(label, &etalon_fit::robust_element(element, &all(), &settings)?));
-                }
-                let fit = etalon_fit::element(element, points.clone(), &settings)?;
-                let messages = etalon_fit::warnings(&fit, &points, &settings);
-                Ok(FitDocument::new(label, &fit).with_messages(messages))
-            }
-        }
+        let figure: Figure = self.element.parse()?;
+        let criterion = match (self.minimum_zone, self.robust) {
+            (true, _) => Criterion::MinimumZone,
+            (_, true) => Criterion::Robust,
+            _ => Criterion::LeastSquares,
+        };
+        let settings = self.settings(tasks::stated_probe(self.probe.probe_radius_mm, self.side()?)?);
+        let mut document = tasks::fit(figure, criterion, &points, &settings)?.document;
+        document.label = (!label.is_empty()).then(|| label.to_owned());
+        Ok(document)
     }
 }

@@ -1,8 +1,7 @@
 //! Command `etalon schema`.
 
 use super::{Output, Verdict};
-use etalon_base::error;
-use etalon_base::message::Problems;
+use crate::tasks;
 
 /// Print the JSON Schema of an input file or of a JSON document.
 #[derive(Debug, clap::Args)]
@@ -26,12 +25,7 @@ pub struct Schema {
 
 impl Schema {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
-        let all = [etalon_campaign::SCHEMAS, crate::simulate::SCHEMAS, etalon_documents::schema::SCHEMAS].concat();
-        let (_, text) = all.iter().find(|(name, _)| *name == self.name).ok_or_else(|| {
-            let message = error!("schema-unknown", name = self.name);
-            Problems::from(message.hint_names(&self.name, all.iter().map(|(name, _)| *name)))
-        })?;
-        out.print(text)?;
+        out.print(tasks::schema(&self.name)?)?;
         Ok(Verdict::Met)
     }
 }

@@ -234,7 +234,7 @@ worded! {
 
 impl FitDocument {
     /// Creates the document of a least-squares fit.
-    pub fn new(label: Option<String>, fit: &Fit) -> Self {
+    pub fn new(fit: &Fit) -> Self {
         let uncertainty = fit.standard_uncertainty().map(|u| FitUncertainty {
             point_mm: u.point_largest_mm,
             direction_deg: u.direction_rad.map(f64::to_degrees),
@@ -246,7 +246,7 @@ impl FitDocument {
         Self {
             schema: "etalon/fit/1".to_owned(),
             element: fit.element.name().to_owned(),
-            label,
+            label: None,
             points: fit.points,
             geometry: FitGeometry::new(fit.element, &fit.geometry),
             deviations: FitDeviations {
@@ -273,9 +273,9 @@ impl FitDocument {
 
     /// Creates the document of a least-squares fit without outliers; `points` is the number of all
     /// points.
-    pub fn robust(label: Option<String>, found: &RobustElement) -> Self {
+    pub fn robust(found: &RobustElement) -> Self {
         let numbers: Vec<usize> = found.set_aside.iter().map(|i| i + 1).collect();
-        let mut document = Self::new(label, &found.fit);
+        let mut document = Self::new(&found.fit);
         document.points += numbers.len();
         document.messages.extend(found.warning());
         document.set_aside = Some(numbers);
@@ -289,11 +289,11 @@ impl FitDocument {
 
     /// Creates the document of a smallest enclosing circle or sphere. Residuals are distances from
     /// the centre minus the radius.
-    pub fn enclosing(element: &str, label: Option<String>, points: &[Vector], found: &Enclosing) -> Self {
+    pub fn enclosing(element: &str, points: &[Vector], found: &Enclosing) -> Self {
         let residuals: Vec<f64> = points.iter().map(|p| norm(minus(*p, found.center_mm)) - found.radius_mm).collect();
         let depth = -residuals.iter().fold(0.0f64, |m, r| m.min(*r));
         let method = phrase!("method-enclosing", points = found.support.len());
-        let document = Self::from_extremes(element, label, &residuals, method, found.iterations);
+        let document = Self::from_extremes(element, &residuals, method, found.iterations);
         Self {
             geometry: FitGeometry {
                 center_mm: Some(found.center_mm),
@@ -307,7 +307,7 @@ impl FitDocument {
     }
 
     /// Creates the document of a minimum zone. Residuals are distances from the middle of the zone.
-    pub fn minimum_zone(label: Option<String>, found: &MinimumZone) -> Self {
+    pub fn minimum_zone(found: &MinimumZone) -> Self {
         let contacts = FitContacts::new(found);
         let unproved = || {
             let element = found.element;
@@ -317,7 +317,7 @@ impl FitDocument {
             }
         };
         let (element, method) = (found.element.name(), phrase!("method-minimum-zone"));
-        let document = Self::from_extremes(element, label, &found.residuals_mm, method, found.iterations);
+        let document = Self::from_extremes(element, &found.residuals_mm, method, found.iterations);
         let flatness =
             |plane: &MinimumZone| FitFlatness { flatness_mm: plane.form_mm, contacts: FitContacts::new(plane) };
         Self {
@@ -335,19 +335,13 @@ impl FitDocument {
 
     /// Document of an element that is defined by a few extreme points; their scatter yields no
     /// uncertainty.
-    fn from_extremes(
-        element: &str,
-        label: Option<String>,
-        residuals: &[f64],
-        method: Phrase,
-        iterations: usize,
-    ) -> Self {
+    fn from_extremes(element: &str, residuals: &[f64], method: Phrase, iterations: usize) -> Self {
         let (low, high) = residuals.iter().fold((0.0f64, 0.0f64), |(low, high), r| (low.min(*r), high.max(*r)));
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         Self {
             schema: "etalon/fit/1".to_owned(),
             element: element.to_owned(),
-            label,
+            label: None,
             points: residuals.len(),
             geometry: FitGeometry::default(),
             deviations: FitDeviations {

@@ -128,6 +128,14 @@ impl Source<'_> {
             Self::Packed(points) => points.at(i),
         }
     }
+
+    /// All points in space (mm), without a copy of points that lie so in memory.
+    pub fn in_space(&self) -> Cow<'_, [Vector]> {
+        match self {
+            Self::Space(points) => Cow::Borrowed(points),
+            _ => (0..self.len()).map(|i| self.at(i)).collect(),
+        }
+    }
 }
 
 /// Checked points in normalised coordinates, with their spread.

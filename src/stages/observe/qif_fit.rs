@@ -41,7 +41,7 @@ pub fn refit(feature: &MeasuredFeature, settings: &FitSettings, probe: ProbeStat
     let messages = etalon_fit::warnings(&centres, &Source::from(&feature.points_mm), &settings);
     let (probe, side_from) = probe_and_source(feature, &centres, probe)?.unzip();
     let fit = centres.compensated(probe).map_err(named)?;
-    let mut document = FitDocument::new(Some(label.to_owned()), &fit).with_messages(messages);
+    let mut document = FitDocument { label: Some(label.to_owned()), ..FitDocument::new(&fit).with_messages(messages) };
     if let Some(probe) = &mut document.probe {
         probe.side_from = side_from.map(Worded::from);
     }
