@@ -113,21 +113,17 @@ impl ExportCommand {
 
 /// The named formats and the user's own; without any, the usual formats.
 fn exporters<'a>(names: &[String], own: &'a [TemplateFormat]) -> Result<Vec<&'a dyn Exporter>, Problems> {
-    let usual: Vec<String> = etalon_controllers::usual().map(str::to_owned).collect();
-    let names = if names.is_empty() && own.is_empty() { &usual } else { names };
-    let exporter = |name: &String| -> Result<&'a dyn Exporter, Problems> {
-        etalon_controllers::by_name(name).ok_or_else(|| Problems::from(etalon_controllers::unknown(name)))
-    };
-    let mut all = names.iter().map(exporter).collect::<Result<Vec<_>, _>>()?;
-    all.extend(own.iter().map(|format| format as &dyn Exporter));
-    Ok(all)
+    if names.is_empty() && own.is_empty() {
+        return Ok(etalon_controllers::usual().map(|exporter| exporter as &dyn Exporter).collect());
+    }
+    let named = names.iter().map(|name| etalon_controllers::by_name(name).map(|exporter| exporter as &dyn Exporter));
+    Ok(named.chain(own.iter().map(|format| Ok(format as &dyn Exporter))).collect::<Result<_, Message>>()?)
 }
 
 /// Reads a template whose file replaces no document of a run, and no file in the folder of a run.
 fn template(path: &Path, run: Option<&Documents>, to: &Path) -> Result<TemplateFormat, Problems> {
     let named = path.display().to_string();
-    let (text, _) = etalon_formats::read_text(path, None, &Place::file(&*named))?;
-    let format = template_format(&named, text, Place::file(&*named))?;
+    let (format, _) = template_format(path, &named, Place::file(&*named))?;
     let file = format.file_name();
     let written = to.join(file);
     let taken = match run {

@@ -506,14 +506,17 @@ const EXPORTERS: [&dyn Exporter; 26] = [
 ];
 const USUAL: usize = 3;
 
-/// Names of the default formats.
-pub fn usual() -> impl Iterator<Item = &'static str> {
-    EXPORTERS[..USUAL].iter().map(|exporter| exporter.name())
+/// The default formats.
+pub fn usual() -> impl Iterator<Item = &'static dyn Exporter> {
+    EXPORTERS.into_iter().take(USUAL)
 }
 
 /// Returns the format with this name.
-pub fn by_name(name: &str) -> Option<&'static dyn Exporter> {
-    EXPORTERS.into_iter().find(|exporter| exporter.name() == name)
+///
+/// # Errors
+/// Fails for an unknown format; languages of robot programs are referred to `etalon compensate`.
+pub fn by_name(name: &str) -> std::result::Result<&'static dyn Exporter, Message> {
+    EXPORTERS.into_iter().find(|exporter| exporter.name() == name).ok_or_else(|| unknown(name))
 }
 
 /// `true` if a parameter is a zero, a length or an angle.
@@ -536,8 +539,7 @@ pub fn file_names() -> impl Iterator<Item = &'static str> {
     EXPORTERS.iter().map(|exporter| exporter.file_name())
 }
 
-/// Error for an unknown format; languages of robot programs are referred to `etalon compensate`.
-pub fn unknown(name: &str) -> Message {
+fn unknown(name: &str) -> Message {
     let message = error!("controller-format-unknown", name);
     let makers = ["abb", "kuka", "fanuc"];
     if commands::language(name).is_some() || makers.contains(&name.to_lowercase().as_str()) {

@@ -101,7 +101,7 @@ fn text(name: &str, document: &ParametersDocument) -> String {
 fn every_name_has_a_format_with_one_file() {
     let files: BTreeSet<_> = names().map(|n| by_name(n).unwrap().file_name()).collect();
     assert_eq!(files.len(), names().count());
-    assert!(by_name("JSON ").is_none());
+    assert!(by_name("JSON ").is_err());
 }
 
 #[test]

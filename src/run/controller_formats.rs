@@ -9,6 +9,7 @@ use etalon_campaign::Campaign;
 use etalon_controllers::{Description, Exporter, TemplateFormat};
 use etalon_documents::{Source, SourceKind};
 use etalon_robots::Robot;
+use std::path::Path;
 use toml::Spanned;
 
 /// The formats that a campaign names, or the usual ones.
@@ -37,8 +38,7 @@ impl ControllerFormats {
         let mut found =
             Self { sources: problems.keep(backup(campaign)).flatten().into_iter().collect(), ..Self::default() };
         let Some(stated) = &campaign.file.controllers else {
-            let usual = etalon_controllers::usual().filter_map(etalon_controllers::by_name);
-            found.formats.extend(usual.map(|format| Format::Known(format, None)));
+            found.formats.extend(etalon_controllers::usual().map(|format| Format::Known(format, None)));
             return found;
         };
         for name in stated {
@@ -47,10 +47,11 @@ impl ControllerFormats {
                 let Some((format, source)) = problems.keep(template(campaign, name)) else { continue };
                 found.sources.push(source);
                 found.formats.push(Format::Template(format));
-            } else if let Some(format) = etalon_controllers::by_name(name.get_ref()) {
-                found.formats.push(Format::Known(format, Some(place)));
-            } else {
-                problems.0.push(etalon_controllers::unknown(name.get_ref()).at(place));
+                continue;
+            }
+            match etalon_controllers::by_name(name.get_ref()) {
+                Ok(format) => found.formats.push(Format::Known(format, Some(place))),
+                Err(unknown) => problems.0.push(unknown.at(place)),
             }
         }
         found
@@ -81,16 +82,17 @@ impl Format {
     }
 }
 
-/// A format from the text of its template, whose file replaces no document of a run.
+/// Reads the template of a format, whose file replaces no document of a run, and its bytes.
 ///
 /// # Errors
 ///
-/// Rejects an invalid template, and the name of a document of a run.
-pub fn template_format(path: &str, text: String, place: Place) -> Result<TemplateFormat> {
-    let format = TemplateFormat::new(path, text)?;
+/// Rejects a file that cannot be read, an invalid template, and the name of a document of a run.
+pub fn template_format(path: &Path, name: &str, place: Place) -> Result<(TemplateFormat, Vec<u8>)> {
+    let (text, bytes) = etalon_formats::read_text(path, None, &place)?;
+    let format = TemplateFormat::new(name, text)?;
     match is_file_of_run(format.file_name()) {
         true => Err(error!("template-name-reserved", file = format.file_name()).at(place).into()),
-        false => Ok(format),
+        false => Ok((format, bytes)),
     }
 }
 
@@ -101,8 +103,7 @@ pub fn template_format(path: &str, text: String, place: Place) -> Result<Templat
 /// Reports a template that cannot be read, or whose file replaces a document of the run.
 fn template(campaign: &Campaign, name: &Spanned<String>) -> Result<(TemplateFormat, Source)> {
     let path = campaign.resolve(name)?;
-    let (text, bytes) = etalon_formats::read_text(&path, None, &campaign.place(name))?;
-    let format = template_format(name.get_ref(), text, campaign.place(name))?;
+    let (format, bytes) = template_format(&path, name.get_ref(), campaign.place(name))?;
     Ok((format, source(name.get_ref(), &bytes, SourceKind::Template, phrase!("controller-template"))))
 }
 

@@ -56,8 +56,7 @@ fn text(format: &str, robot: &dyn Robot, values: &[f64]) -> Result<String> {
 fn described(format: &str, robot: &dyn Robot, values: &[f64], description: Option<Description>) -> Result<String> {
     let document = document(robot, values)?;
     let given = ExportInput { robot: Some(robot), description, ..ExportInput::parameters(&document) };
-    let exporter = by_name(format).ok_or_else(|| error!("selftest-data-unreadable", name = format, reason = ""))?;
-    Ok(String::from_utf8_lossy(&exporter.write(&given)?).into_owned())
+    Ok(String::from_utf8_lossy(&by_name(format)?.write(&given)?).into_owned())
 }
 
 /// Every value of a parameter, bit for bit, with the parameter's name.

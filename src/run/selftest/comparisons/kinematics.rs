@@ -6,6 +6,7 @@ use crate::run::selftest::code::Function;
 use crate::run::selftest::data::{Data, Slip};
 use crate::run::selftest::row::{Rows, Subject, not_made};
 use crate::run::selftest::sample::{document, inward, positions, robot};
+use etalon_base::message::Problems;
 use etalon_base::phrase;
 use etalon_base::pose::{Pose, Vector, minus, norm};
 use etalon_controllers::{ExportInput, by_name};
@@ -124,11 +125,9 @@ fn code(name: &str, arm: &dyn Kinematics, joints: &[Vec<f64>], rows: &mut Rows) 
     let given = ExportInput { robot: Some(arm), ..ExportInput::parameters(&document) };
     let planar = arm.dimension() == 2;
     for format in ["c-kinematics", "python-kinematics"] {
-        let text = by_name(format).map(|exporter| exporter.write(&given));
-        let text = match text {
-            Some(Ok(bytes)) => String::from_utf8_lossy(&bytes).into_owned(),
-            Some(Err(problems)) => return rows.failed(not_made(format, &problems)),
-            None => return rows.failed(not_made(format, &"")),
+        let text = match by_name(format).map_err(Problems::from).and_then(|exporter| exporter.write(&given)) {
+            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
+            Err(problems) => return rows.failed(not_made(format, &problems)),
         };
         let [expected, found]: [Vec<f64>; 2] = [true, false].map(|own| {
             let one = |q: &Vec<f64>| match own {
