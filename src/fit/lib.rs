@@ -37,7 +37,7 @@ pub use result::{
     Compensation, ElementCovariance, Fit, FitPrecision, FitSolver, QUANTITIES, Residuals, StandardUncertainty,
 };
 pub use rigid::{RigidFit, rigid, rotation_onto};
-pub use robust::{ForeignPoints, RobustElement, foreign_points, robust_element, warnings};
+pub use robust::{OutlyingPoints, RobustElement, outlying_points, robust_element, warnings};
 pub use torus::torus;
 pub use zone::{MinimumZone, Multipliers};
 

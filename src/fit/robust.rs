@@ -33,7 +33,7 @@ pub struct RobustElement {
 
 /// Effect of outliers on a fit of all points.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ForeignPoints {
+pub struct OutlyingPoints {
     /// Indices of the outliers.
     pub points: Vec<usize>,
     /// Largest change of point, direction or radius that they cause, in standard uncertainties of
@@ -61,9 +61,9 @@ const MOST_LISTED: usize = 20;
 /// All warnings about an element and its points, whichever fit is asked for: of the least-squares
 /// fit `fit`, and about outliers and repeated points among up to 20,000.
 pub fn warnings(fit: &Fit, points: &Source, settings: &FitSettings) -> Vec<Message> {
-    let outlying = foreign_points(fit, points, settings).map(|found| {
+    let outlying = outlying_points(fit, points, settings).map(|found| {
         let (count, points) = (found.points.len(), listed(&found.points));
-        warning!("foreign-points", count, points, shift = found.shift)
+        warning!("points-outlying", count, points, shift = found.shift)
     });
     let few = points.len() <= CHECKED;
     let repeated = few.then(|| repeated(&(0..points.len()).map(|i| points.at(i)).collect::<Vec<_>>())).flatten();
@@ -119,7 +119,7 @@ fn searching<'a>(settings: &FitSettings<'a>) -> FitSettings<'a> {
 
 /// Outliers that shift a fit of all points beyond its uncertainty; `None` without such points, and
 /// for too many points to check without a request.
-pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Option<ForeignPoints> {
+pub fn outlying_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Option<OutlyingPoints> {
     let n = points.len();
     if n > CHECKED || n < FEWEST * fit.element.minimum_points() {
         return None;
@@ -131,7 +131,7 @@ pub fn foreign_points(fit: &Fit, points: &Source, settings: &FitSettings) -> Opt
     let robust = robust_element(fit.element, &all, settings).ok()?;
     let few = !robust.set_aside.is_empty() && robust.set_aside.len() as f64 <= FEW * n as f64;
     let shift = if few { shift(fit, &robust.fit)? } else { 0.0 };
-    (shift > SHIFTED).then_some(ForeignPoints { points: robust.set_aside, shift })
+    (shift > SHIFTED).then_some(OutlyingPoints { points: robust.set_aside, shift })
 }
 
 /// `true` if the distances of all points can be noise, by the spread of the nearest ones.
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn foreign_points_are_set_aside_whatever_the_element() {
+    fn outlying_points_are_set_aside_whatever_the_element() {
         for kind in Element::ALL {
             for trial in 0..2 {
                 let mut noise = Noise::new(77, trial);
@@ -243,8 +243,8 @@ mod tests {
                 assert_eq!(found.set_aside, [0, 1, 2, 3, 4], "{kind} {trial}");
                 assert!(norm(minus(found.fit.geometry.point_mm, clean.geometry.point_mm)) < 1e-9, "{kind}");
                 let all = element(kind, &points, &FitSettings::default()).unwrap();
-                let foreign = foreign_points(&all, &Source::from(&points), &FitSettings::default());
-                assert_eq!(foreign.unwrap().points, [0, 1, 2, 3, 4], "{kind} {trial}");
+                let outlier = outlying_points(&all, &Source::from(&points), &FitSettings::default());
+                assert_eq!(outlier.unwrap().points, [0, 1, 2, 3, 4], "{kind} {trial}");
             }
         }
     }
@@ -260,7 +260,7 @@ mod tests {
                 let Ok(all) = element(kind, &points, &FitSettings::default()) else { continue };
                 draws += 1;
                 lost += robust_element(kind, &points, &FitSettings::default()).unwrap().set_aside.len();
-                warned += usize::from(foreign_points(&all, &Source::from(&points), &FitSettings::default()).is_some());
+                warned += usize::from(outlying_points(&all, &Source::from(&points), &FitSettings::default()).is_some());
             }
         }
         eprintln!("{draws} clean draws: {lost} points set aside, {warned} warnings");

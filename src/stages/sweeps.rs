@@ -276,7 +276,7 @@ fn axis(
     let mut messages = Vec::new();
     let aside: Vec<String> = set_aside(sweep_rows(sweep, &axis)).iter().map(usize::to_string).collect();
     if !aside.is_empty() {
-        messages.push(warning!("sweep-foreign", joint, count = aside.len(), lines = aside.join(", ")));
+        messages.push(warning!("sweep-outliers", joint, count = aside.len(), lines = aside.join(", ")));
     }
     if let Some(smooth) = axis.smooth {
         let (rms_um, noise_um) = (1000.0 * smooth.rms_mm, 1000.0 * smooth.noise_mm);
@@ -339,7 +339,7 @@ fn slip_message(table: &SweepTable, joint: usize, slip: Slip) -> Message {
             error!("sweep-target-moved", joint, target = &table.targets[target], row, before_um, after_um)
                 .at(Place { line: Some(row), ..Place::default() })
         }
-        Slip::Many { aside, readings } => error!("sweep-many-foreign", joint, aside, readings),
+        Slip::Many { aside, readings } => error!("sweep-many-outliers", joint, aside, readings),
     }
 }
 

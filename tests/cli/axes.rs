@@ -180,11 +180,11 @@ fn slips_in_a_table_are_named() {
     let moved: Vec<_> = rows().into_iter().filter(|(joint, _, q)| *joint != 2 || q[2] > 0.0).collect();
     let (code, out, err) = run(&table(&moved, false), &["--prismatic", "q4", "--toml"]);
     assert!(code == Some(2) && out.is_empty() && err.contains("warning[sweep-starts-apart]"), "{err}");
-    // one foreign reading
-    let mut foreign = rows();
-    foreign[30].1[2] += 3.0;
-    let found = document(&table(&foreign, true), &[]);
-    assert!(found.messages.iter().any(|m| m.id == "sweep-foreign"), "{:?}", found.messages);
+    // one outlier
+    let mut outlier = rows();
+    outlier[30].1[2] += 3.0;
+    let found = document(&table(&outlier, true), &[]);
+    assert!(found.messages.iter().any(|m| m.id == "sweep-outliers"), "{:?}", found.messages);
     assert_eq!(found.axes[1].set_aside, [32]);
 }
 
@@ -294,7 +294,7 @@ fn sweeps_that_are_no_motion_of_one_joint_are_named() {
             row.1[2] += if i.is_multiple_of(2) { 0.7 } else { -0.7 };
         }
     };
-    refused(with(scattered, true, &[]), "error[sweep-many-foreign] joint=q1 aside=5 readings=24");
+    refused(with(scattered, true, &[]), "error[sweep-many-outliers] joint=q1 aside=5 readings=24");
     let at_rest = |_: usize, row: &mut (usize, Vector, [f64; 4])| row.1 = if row.0 == 0 { TARGET } else { row.1 };
     refused(with(at_rest, false, &slides), "error[sweep-undetermined] joint=q1");
     let straight = table(&rows(), true).replace("q4_mm", "q4_deg");

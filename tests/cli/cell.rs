@@ -432,14 +432,14 @@ fn an_axis_at_rest_and_a_short_arc_are_told_from_a_wrong_scale() {
 }
 
 #[test]
-fn a_foreign_reading_is_named_by_its_line() {
+fn an_outlying_reading_is_named_by_its_line() {
     let mut poses = touches(10, 0.7, 0.02);
     poses[6].translation_mm[1] += 1.5;
     let text = table(&[columns("flange_", "quaternion", &poses)]);
-    assert_eq!(unfit(&text, &["--solve", "tool-point"]), ["cell-foreign"]);
+    assert_eq!(unfit(&text, &["--solve", "tool-point"]), ["cell-outlier"]);
     let found = with_code(1, &text, &["--solve", "tool-point"]);
-    let foreign = found.messages.iter().find(|m| m.id == "cell-foreign").unwrap();
-    assert_eq!(foreign.arguments["line"], Argument::Whole(8));
+    let outlier = found.messages.iter().find(|m| m.id == "cell-outlier").unwrap();
+    assert_eq!(outlier.arguments["line"], Argument::Whole(8));
 }
 
 #[test]
@@ -457,8 +457,8 @@ fn orientations_that_do_not_fit_are_named() {
     seen[3] = seen[3].turn_x(0.02);
     let text = table(&[flange, columns("", "quaternion", &seen)]);
     let found = with_code(1, &text, &solve);
-    let foreign = found.messages.iter().find(|m| m.id == "cell-foreign-turned").unwrap();
-    assert_eq!(foreign.arguments["line"], Argument::Whole(5));
+    let outlier = found.messages.iter().find(|m| m.id == "cell-outlier-turned").unwrap();
+    assert_eq!(outlier.arguments["line"], Argument::Whole(5));
 }
 
 #[test]

@@ -250,7 +250,7 @@ fn formats_with_a_reader_of_their_own_are_fitted_by_label() {
 }
 
 #[test]
-fn foreign_points_are_named_and_set_aside_on_request() {
+fn outlying_points_are_named_and_set_aside_on_request() {
     let folder = tempfile::tempdir().unwrap();
     let mut lines = ball();
     lines += "14 0 0.5\n";
@@ -262,7 +262,7 @@ fn foreign_points_are_named_and_set_aside_on_request() {
     };
     let plain = run(&[]);
     assert!(
-        plain.messages.iter().any(|m| m.id == "foreign-points") && plain.set_aside.is_none(),
+        plain.messages.iter().any(|m| m.id == "points-outlying") && plain.set_aside.is_none(),
         "{:?}",
         plain.messages
     );
@@ -321,7 +321,7 @@ fn a_minimum_zone_has_the_warnings_of_the_least_squares_fit_of_the_same_points()
         ("cylinder", FIVE, &["element-ambiguous", "element-without-redundancy"][..]),
         ("cylinder", CUBE, &["element-ambiguous"]),
         ("plane", CUBE, &["element-ambiguous"]),
-        ("plane", outlier.as_str(), &["foreign-points"]),
+        ("plane", outlier.as_str(), &["points-outlying"]),
     ] {
         let (squares, _) = fitted(points, &[element]);
         let (zone, _) = fitted(points, &[element, "--minimum-zone"]);

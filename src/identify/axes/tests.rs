@@ -207,7 +207,7 @@ fn without_joint_values_home_is_the_start_of_every_sweep() {
 }
 
 #[test]
-fn foreign_points_are_set_aside_and_sound_ones_are_not() {
+fn outlying_points_are_set_aside_and_sound_ones_are_not() {
     let mut lost = 0;
     for trial in 0..100 {
         let mut noise = Noise::new(48, trial);

@@ -120,16 +120,16 @@ pub struct Quality {
 }
 
 /// Probability (over all readings) below which a reading does not fit the others.
-const FOREIGN: f64 = 1e-3;
+const OUTLYING: f64 = 1e-3;
 
 impl Quality {
     /// Reading that fits the others least, if noise leaves a residual like this once in a thousand
     /// data sets or less.
-    pub fn foreign(&self) -> Option<&CellResidual> {
+    pub fn outlier(&self) -> Option<&CellResidual> {
         let count = self.residuals.len() as f64;
         let tested = self.residuals.iter().filter_map(|r| Some((r.probability?, r)));
         let (probability, least) = tested.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        (probability * count < FOREIGN).then_some(least)
+        (probability * count < OUTLYING).then_some(least)
     }
 
     /// These residuals of coordinates that were multiplied by a factor, in their first unit.

@@ -137,18 +137,18 @@ fn what_is_not_determined_is_named() {
 }
 
 #[test]
-fn a_foreign_reading_and_slips_are_found() {
+fn an_outlying_reading_and_slips_are_found() {
     let mut noise = Noise::new(5, 1);
     let object = drawn(&mut noise);
     let known: Vec<Vector> = (0..8).map(|_| drawn(&mut noise).translation_mm).collect();
     let sound: Vec<Vector> = known.iter().map(|p| object.apply(*p).map(|v| v + noise.gaussian(0.02))).collect();
     let stated = Stated::default();
     let fit = object_frame(&known, &sound, &stated).unwrap();
-    assert!(fit.quality.foreign().is_none() && object_slips(&known, &sound, &stated, &fit.quality).is_empty());
-    let mut foreign = sound.clone();
-    foreign[5][1] += 0.5;
-    let fit = object_frame(&known, &foreign, &stated).unwrap();
-    assert_eq!(fit.quality.foreign().map(|r| r.reading), Some(5));
+    assert!(fit.quality.outlier().is_none() && object_slips(&known, &sound, &stated, &fit.quality).is_empty());
+    let mut outlier = sound.clone();
+    outlier[5][1] += 0.5;
+    let fit = object_frame(&known, &outlier, &stated).unwrap();
+    assert_eq!(fit.quality.outlier().map(|r| r.reading), Some(5));
     let slip = |known: &[Vector], measured: &[Vector]| {
         let fit = object_frame(known, measured, &stated).unwrap();
         object_slips(known, measured, &stated, &fit.quality).into_iter().map(|a| a.change).collect::<Vec<_>>()

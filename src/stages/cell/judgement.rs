@@ -48,24 +48,24 @@ impl Task<'_> {
         }
     }
 
-    fn foreign(&self, foreign: &CellResidual) -> Vec<Message> {
-        let (_, factor) = unit(foreign.measure);
-        let size = norm(foreign.value) * factor;
-        let line = readings::line(self.file, foreign.reading);
+    fn outlier(&self, outlier: &CellResidual) -> Vec<Message> {
+        let (_, factor) = unit(outlier.measure);
+        let size = norm(outlier.value) * factor;
+        let line = readings::line(self.file, outlier.reading);
         let place = Place { line: Some(line), ..Place::default() };
-        let message = match foreign.measure {
-            Measure::Position => error!("cell-foreign", line, residual_mm = size),
-            Measure::Orientation => error!("cell-foreign-turned", line, residual_deg = size),
+        let message = match outlier.measure {
+            Measure::Position => error!("cell-outlier", line, residual_mm = size),
+            Measure::Orientation => error!("cell-outlier-turned", line, residual_deg = size),
         };
         self.file.place(message.at(place).into()).0
     }
 
     /// Messages of the residuals of an answer whose tool and motion have this size.
     pub(super) fn remarks(&self, quality: &Quality, size: Size) -> Vec<Message> {
-        let foreign = quality.foreign();
-        let mut messages = foreign.map(|foreign| self.foreign(foreign)).unwrap_or_default();
+        let outlier = quality.outlier();
+        let mut messages = outlier.map(|outlier| self.outlier(outlier)).unwrap_or_default();
         // one outlier may be all that enlarges the residuals
-        let refuted: Vec<&Component> = match foreign {
+        let refuted: Vec<&Component> = match outlier {
             Some(_) => Vec::new(),
             None => quality.refuted(&self.uncertain, size).collect(),
         };

@@ -1,8 +1,8 @@
-//! Foreign points in fits: none is seen in clean draws (synthetic), and a few are found.
+//! Outliers in fits: none is seen in clean draws (synthetic), and a few are found.
 
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, unit};
-use etalon::fit::{Element, Fit, FitSettings, Source, element, foreign_points, robust_element};
+use etalon::fit::{Element, Fit, FitSettings, Source, element, outlying_points, robust_element};
 
 const U_MM: f64 = 0.01;
 
@@ -48,7 +48,7 @@ fn clean_points_cause_no_warning() {
             let Ok(all) = element(kind, &points, &FitSettings::default()) else { continue };
             draws += 1;
             lost += robust_element(kind, &points, &FitSettings::default()).unwrap().set_aside.len();
-            warned += usize::from(foreign_points(&all, &Source::from(&points), &FitSettings::default()).is_some());
+            warned += usize::from(outlying_points(&all, &Source::from(&points), &FitSettings::default()).is_some());
         }
     }
     println!("{draws} clean draws: {lost} points set aside, {warned} warnings");
@@ -160,8 +160,8 @@ fn sound_points_are_kept_however_they_lie() {
 
 #[test]
 #[ignore = "a long law: make laws"]
-fn foreign_points_are_found_however_the_others_lie() {
-    // share of foreign points, their distance in standard deviations, and the share that is found
+fn outlying_points_are_found_however_the_others_lie() {
+    // share of outliers, their distance in standard deviations, and the share that is found
     for (share, deviations, least) in [(0.0, 8.0, 0.97), (0.1, 10.0, 0.97), (0.25, 20.0, 0.97)] {
         let (mut there, mut found, mut wrong) = (0, 0, 0);
         for kind in Element::ALL {
@@ -190,9 +190,9 @@ fn foreign_points_are_found_however_the_others_lie() {
     }
 }
 
-/// A foreign point far from all others is found where other points control it.
+/// An outlier far from all others is found where other points control it.
 #[test]
-fn a_foreign_point_is_found_at_leverage_if_others_control_it() {
+fn an_outlying_point_is_found_at_leverage_if_others_control_it() {
     for kind in Element::ALL {
         let mut noise = Noise::new(93, 1);
         let mut points = built(kind, Build::ArcAndFar(60.0, 5), 60, &mut noise);
@@ -204,8 +204,8 @@ fn a_foreign_point_is_found_at_leverage_if_others_control_it() {
     }
 }
 
-/// Without noise, on a grid, and with coordinates rounded to micrometres nothing is foreign; tiny and
-/// huge units make no difference.
+/// Without noise, on a grid, and with coordinates rounded to micrometres no point is an outlier;
+/// tiny and huge units make no difference.
 #[test]
 #[ignore = "a long law: make laws"]
 fn exact_and_rounded_points_are_sound() {

@@ -36,7 +36,7 @@ fn noisy_pose(noise: &mut Noise, pose: &Pose) -> Pose {
 struct Coverage {
     components: [f64; 2],
     wholes: [f64; 2],
-    foreign: f64,
+    outlier: f64,
 }
 
 impl Coverage {
@@ -70,17 +70,17 @@ impl Coverage {
         self.add(&[shift, turn].concat(), &covariance, redundancy);
     }
 
-    fn count_foreign(&mut self, quality: &Quality) {
-        self.foreign += f64::from(u8::from(quality.foreign().is_some()));
+    fn count_outlying(&mut self, quality: &Quality) {
+        self.outlier += f64::from(u8::from(quality.outlier().is_some()));
     }
 
     fn hold(&self, what: &str, within: f64) {
         let share = |[inside, count]: [f64; 2]| inside / count;
         let (single, whole) = (share(self.components), share(self.wholes));
-        let foreign = self.foreign / self.wholes[1];
-        println!("{what}: components {single:.4}, regions {whole:.4} of {}, foreign {foreign:.4}", self.wholes[1]);
+        let outlier = self.outlier / self.wholes[1];
+        println!("{what}: components {single:.4}, regions {whole:.4} of {}, outlier {outlier:.4}", self.wholes[1]);
         assert!((single - 0.95).abs() < within && (whole - 0.95).abs() < within, "{what}");
-        assert!(foreign < 0.02, "{what}: {foreign}");
+        assert!(outlier < 0.02, "{what}: {outlier}");
     }
 }
 
@@ -116,14 +116,14 @@ fn tool_points_and_tool_frames_are_within_their_uncertainty() {
         let turn = 0.3 + noise.uniform(0.2) + 0.1 * (trial % 10) as f64;
         let poses: Vec<Pose> = (0..count).map(|_| touch(&mut noise, tool.translation_mm, fixed, turn)).collect();
         let tip = tool_point(&poses, &stated).unwrap();
-        points.count_foreign(&tip.quality);
+        points.count_outlying(&tip.quality);
         points.point(&tip.tool, tool.translation_mm, redundancy(&tip.quality, &stated));
         let mut readings: Vec<(AxisRole, Pose)> = poses.iter().map(|p| (AxisRole::Tip, *p)).collect();
         for (role, place) in [(AxisRole::Z, [0.0, 0.0, 150.0]), (AxisRole::X, [90.0, 0.0, 20.0])] {
             readings.push((role, touch(&mut noise, tool.apply(place), fixed, turn)));
         }
         let axes = tool_axes(&readings, &stated).unwrap();
-        frames.count_foreign(&axes.quality);
+        frames.count_outlying(&axes.quality);
         frames.frame(&axes.tool, &tool, redundancy(&axes.quality, &stated));
     }
     points.hold("tool-point", 0.02);
@@ -141,7 +141,7 @@ fn reflectors_are_within_their_uncertainty() {
         let points: Vec<Vector> = poses.iter().map(|p| noisy(&mut noise, world.then(p).apply(tool))).collect();
         let fit = reflector(&poses, &points, &stated).unwrap();
         assert!(!fit.ambiguous, "trial {trial}");
-        tools.count_foreign(&fit.quality);
+        tools.count_outlying(&fit.quality);
         tools.point(&fit.tool, tool, redundancy(&fit.quality, &stated));
         bases.frame(&fit.world_T_base, &world, redundancy(&fit.quality, &stated));
     }
@@ -171,7 +171,7 @@ fn hands_and_eyes_are_within_their_uncertainty() {
         // two standard deviations: each with its own redundancy, near that of positions
         let redundancy = redundancy(&fit.quality, &stated);
         let [of_hand, of_other] = &mut all[usize::from(sensor)];
-        of_hand.count_foreign(&fit.quality);
+        of_hand.count_outlying(&fit.quality);
         of_hand.frame(&fit.flange_T_hand, &hand, redundancy);
         of_other.frame(&fit.base_T_world, &other, redundancy);
     }
@@ -190,7 +190,7 @@ fn objects_are_within_their_uncertainty() {
         let known: Vec<Vector> = (0..3 + trial as usize % 8).map(|_| vector(&mut noise, 300.0)).collect();
         let measured: Vec<Vector> = known.iter().map(|p| noisy(&mut noise, object.apply(*p))).collect();
         let fit = object_frame(&known, &measured, &stated).unwrap();
-        objects.count_foreign(&fit.quality);
+        objects.count_outlying(&fit.quality);
         objects.frame(&fit.frame, &object, redundancy(&fit.quality, &stated));
         if trial % 5 < 2 {
             slips += object_slips(&known, &measured, &stated, &fit.quality).len();
@@ -232,7 +232,7 @@ fn external_axes_are_within_their_uncertainty() {
             }
         }
         let line = linear_axis(&along, &stated).unwrap();
-        lines.count_foreign(&line.quality);
+        lines.count_outlying(&line.quality);
         let d = line.direction_covariance;
         // two directions across the axis, and the scale
         let [x, y] = [axis.axis(0), axis.axis(1)];
@@ -244,7 +244,7 @@ fn external_axes_are_within_their_uncertainty() {
         let error = [dot(line.direction, x), dot(line.direction, y), line.scale - scale];
         lines.add(&error, &covariance, redundancy(&line.quality, &stated));
         let turn = rotary_axis(&about, &stated).unwrap();
-        turns.count_foreign(&turn.quality);
+        turns.count_outlying(&turn.quality);
         turns.frame(&turn.frame, &axis, redundancy(&turn.quality, &stated));
     }
     lines.hold("linear-axis", 0.02);

@@ -160,7 +160,7 @@ points-set-aside = { $count ->
     }: { $points }
     .hint = sie liegen weiter vom Element der anderen Punkte entfernt, als das Rauschen erklärt
 
-foreign-points = { $count ->
+points-outlying = { $count ->
         [one] 1 Punkt liegt weit vom Element der anderen Punkte ({ $points }) und verschiebt
        *[other] { $count } Punkte liegen weit vom Element der anderen Punkte ({ $points }) und verschieben
     } die Anpassung um { FIXED($shift, 1) } Standardunsicherheiten

@@ -1134,10 +1134,10 @@ sweep-ratio = die Zielmarken bewegen sich um { FIXED($ratio, 5) } × die Werte v
 sweep-target-moved = Zielmarke `{ $target }` hat sich in der Messreihe von `{ $joint }` vor Zeile { $row } bewegt: Abweichung von einer Bahn { FIXED($before_um, 1) } µm, von zwei Bahnen { FIXED($after_um, 1) } µm
     .hint = die Messreihe wiederholen oder die Zielmarke ab dieser Zeile anders nennen
 
-sweep-many-foreign = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
+sweep-many-outliers = { $aside } von { $readings } Messwerten der Messreihe von `{ $joint }` liegen nicht auf der Bahn der anderen
     .hint = nach einem zweiten bewegten Gelenk oder nach Zeilen einer anderen Messreihe suchen
 
-sweep-foreign = { $count ->
+sweep-outliers = { $count ->
         [one] 1 Messwert der Messreihe von `{ $joint }` ist ausgeschlossen: Zeile { $lines }
        *[other] { $count } Messwerte der Messreihe von `{ $joint }` sind ausgeschlossen: Zeilen { $lines }
     }
@@ -1333,10 +1333,10 @@ cell-slip = die Messwerte widersprechen einander um { FIXED($stated_mm, 3) } mm
     }
     .hint = die Tabelle oder die Optionen berichtigen
 
-cell-foreign = der Messwert in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_mm, 4) } mm
+cell-outlier = der Messwert in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_mm, 4) } mm
     .hint = den Messwert prüfen und mit `--without` weglassen, wenn er falsch ist
 
-cell-foreign-turned = die Orientierung in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_deg, 4) } deg
+cell-outlier-turned = die Orientierung in Zeile { $line } passt nicht zu den anderen: Residuum { FIXED($residual_deg, 4) } deg
     .hint = den Messwert prüfen und mit `--without` weglassen, wenn er falsch ist
 
 cell-noise-larger = die Residuen der Positionen betragen { FIXED($found_um, 1) } µm (Standardabweichung), mehr als die angegebene Unsicherheit erklärt; die Unsicherheiten folgen aus den Residuen

@@ -302,7 +302,7 @@ points-set-aside = { $count ->
 # uncertainty are wrong.
 # Do: Look at these points. Use `--robust` to exclude and list them, or remove them from the file.
 # Example: one point of an edge among the points of a plane
-foreign-points = { $count ->
+points-outlying = { $count ->
         [one] 1 point is
        *[other] { $count } points are
     } far from the element of all others ({ $points }): the fit is shifted by { FIXED($shift, 1) } standard uncertainties

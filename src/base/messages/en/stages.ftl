@@ -2309,14 +2309,14 @@ sweep-target-moved = target `{ $target }` moved in the sweep of `{ $joint }` bef
 # Matters: The path through most readings may be wrong.
 # Do: Check whether a second joint moved, a reflector turned away, or rows belong to another sweep.
 # Example: 5 of 24 readings are wrong by 0.7 mm
-sweep-many-foreign = { $aside } of { $readings } readings of the sweep of `{ $joint }` are not on the path of the others
+sweep-many-outliers = { $aside } of { $readings } readings of the sweep of `{ $joint }` are not on the path of the others
     .hint = check whether a second joint moved, or whether rows belong to another sweep
 
 # Means: Some readings are outliers: much farther from the path than noise can explain.
 # Matters: The axis is computed without these readings.
 # Do: Look at these rows. Remove them if you know the cause.
 # Example: a reading of another reflector
-sweep-foreign = { $count ->
+sweep-outliers = { $count ->
         [one] 1 reading of the sweep of `{ $joint }` is excluded: line { $lines }
        *[other] { $count } readings of the sweep of `{ $joint }` are excluded: lines { $lines }
     }
@@ -2749,7 +2749,7 @@ cell-data-withheld = controller data for { $maker } are not written: the answer 
 # The uncertainties are larger, because they include this residual.
 # Do: Check the reading. If it is wrong, exclude it with `--without`.
 # Example: the tip touched a place next to the fixed point once
-cell-foreign = the reading of line { $line } contradicts the others: residual { FIXED($residual_mm, 4) } mm
+cell-outlier = the reading of line { $line } contradicts the others: residual { FIXED($residual_mm, 4) } mm
     .hint = check the reading; if it is wrong, exclude it with `--without`
 
 # Means: An orientation is an outlier: noise alone causes such a residual in fewer than one of a
@@ -2757,7 +2757,7 @@ cell-foreign = the reading of line { $line } contradicts the others: residual { 
 # Matters: The reading shifts the result. The exit code is 1, and no controller data are written.
 # Do: Check the reading. If it is wrong, exclude it with `--without`.
 # Example: one pose of a camera with swapped corners
-cell-foreign-turned = the orientation of line { $line } contradicts the others: residual { FIXED($residual_deg, 4) } deg
+cell-outlier-turned = the orientation of line { $line } contradicts the others: residual { FIXED($residual_deg, 4) } deg
     .hint = check the reading; if it is wrong, exclude it with `--without`
 
 # Means: The residuals of positions are larger than the given uncertainty explains.

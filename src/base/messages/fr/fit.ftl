@@ -160,7 +160,7 @@ points-set-aside = { $count ->
     } : { $points }
     .hint = ils sont plus loin de l’élément ajusté à tous les autres que le bruit ne l’explique
 
-foreign-points = { $count ->
+points-outlying = { $count ->
         [one] 1 point est loin de l’élément ajusté à tous les autres ({ $points }) et décale
        *[other] { $count } points sont loin de l’élément ajusté à tous les autres ({ $points }) et décalent
     } l’ajustement de { FIXED($shift, 1) } incertitudes-types

@@ -1141,10 +1141,10 @@ sweep-ratio = les cibles se déplacent de { FIXED($ratio, 5) } × les valeurs de
 sweep-target-moved = la cible `{ $target }` a bougé dans le balayage de `{ $joint }` avant la ligne { $row } : écart à une seule trajectoire { FIXED($before_um, 1) } µm, à deux trajectoires { FIXED($after_um, 1) } µm
     .hint = refaire le balayage, ou donner un autre nom à la cible à partir de cette ligne
 
-sweep-many-foreign = { $aside } lectures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
+sweep-many-outliers = { $aside } lectures sur { $readings } du balayage de `{ $joint }` ne sont pas sur la trajectoire des autres
     .hint = chercher une deuxième articulation qui bouge, ou des lignes d’un autre balayage
 
-sweep-foreign = { $count ->
+sweep-outliers = { $count ->
         [one] { $count } lecture du balayage de `{ $joint }` est exclue : ligne { $lines }
        *[other] { $count } lectures du balayage de `{ $joint }` sont exclues : lignes { $lines }
     }
@@ -1339,10 +1339,10 @@ cell-slip = les lectures se contredisent de { FIXED($stated_mm, 3) } mm (écart
     }
     .hint = corriger le tableau ou les options
 
-cell-foreign = la lecture de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_mm, 4) } mm
+cell-outlier = la lecture de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_mm, 4) } mm
     .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
 
-cell-foreign-turned = l’orientation de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_deg, 4) } deg
+cell-outlier-turned = l’orientation de la ligne { $line } ne s’accorde pas avec les autres : résidu { FIXED($residual_deg, 4) } deg
     .hint = vérifier la lecture, et l’omettre par `--without` si elle est fausse
 
 cell-noise-larger = les résidus des positions sont de { FIXED($found_um, 1) } µm (écart-type), plus que l’incertitude indiquée n’en explique ; les incertitudes sont calculées à partir des résidus
