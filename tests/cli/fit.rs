@@ -115,7 +115,7 @@ fn qif_features_are_set_against_what_the_file_states() {
         assert!(text(&refused.stderr).says(part), "{}", text(&refused.stderr));
     }
     let none = etalon(folder.path(), &["fit", "plane", "b.qif"]);
-    assert!(text(&none.stderr).contains("features with points in the file: circle3d"), "{}", text(&none.stderr));
+    assert!(text(&none.stderr).has_phrase("no-feature-fitted.hint seen=circle3d"), "{}", text(&none.stderr));
     // neither nominal, stated nor internal: the radius of the centres is no answer
     let bare = bore().replace("Diameter>", "Depth>");
     std::fs::write(folder.path().join("b.qif"), bare).unwrap();

@@ -276,7 +276,7 @@ fn a_motion_that_does_not_explain_everything_is_named() {
     let answer = json(&etalon(&folder.path(), &arguments));
     let meaning = answer["meaning"].as_str().unwrap();
     assert_eq!((answer["verdict"].as_str(), answer["moved"].is_null()), (Some("other"), true), "{answer}");
-    assert!(meaning.contains("a movement of the base by x +0.0"), "{meaning}");
+    assert!(meaning.has_phrase("base-motion-explains-most") && meaning.contains(" x +0.0"), "{meaning}");
     assert!(!meaning.contains("no motion"), "{meaning}");
 }
 
@@ -673,5 +673,5 @@ fn what_was_not_drawn_is_not_said_to_contain_anything() {
         text(&answered.stdout).split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let without = said(&["--resamples", "0"]);
-    assert!(without.contains("include the given uncertainties only") && !without.contains("bootstrap"), "{without}");
+    assert!(without.has_phrase("draws-without-model-report") && !without.contains("bootstrap"), "{without}");
 }

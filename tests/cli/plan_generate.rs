@@ -2,6 +2,7 @@
 
 use super::{etalon, text_of};
 use crate::support::root;
+use crate::support::said::Says;
 use etalon::base::pose::{cross, dot, minus, norm};
 use etalon::controllers::commands::{Freedoms, language};
 use etalon::documents::PlanDocument;
@@ -387,7 +388,7 @@ fn an_arm_between_instrument_and_reflector_hides_it() {
     assert_eq!(behind.status.code(), Some(2));
     let said = text_of(&behind);
     assert!(
-        said.contains("[no-candidate-generated]") && said.contains("20000 with a reflector hidden by q3"),
+        said.contains("[no-candidate-generated]") && said.has_phrase("draws-hidden count=20000 obstacle=q3"),
         "{said}"
     );
 }

@@ -70,7 +70,7 @@ fn order_unit_and_direction_of_joints_and_the_unit_of_points_are_found() {
     let document = proposed(at, arm.as_ref(), &text);
     assert_eq!(document.kind, "export with joints", "{}", document.toml);
     assert!(document.toml.contains("q1_deg = \"a1\"") && document.toml.contains("unit = \"mm\""), "{}", document.toml);
-    assert!(document.reasons.iter().any(|r| r.english().contains("reproduces `X`, `Y`, `Z` in mm with a residual of")));
+    assert!(document.reasons.iter().any(|r| r.english().has_phrase("robot-reproduces points=`X`, `Y`, `Z` unit=mm")));
     assert!(!document.toml.contains("UNIT"), "{}", document.toml);
     // the second and the third column exchanged, the fifth against its direction, in rad and metres
     let text = table(
@@ -194,7 +194,7 @@ fn the_program_takes_a_robot() {
     );
     std::fs::write(at.join("f.csv"), text).unwrap();
     let (code, said) = program(at, &["formats", "f.csv", "--robot", "nominal/robot.toml"]);
-    assert!(code == Some(0) && said.contains("because the nominal robot reproduces"), "{said}");
+    assert!(code == Some(0) && said.has_phrase("robot-reproduces"), "{said}");
     let (code, said) = program(at, &["formats", "f.csv", "--robot", "none.toml"]);
     assert!(code == Some(2) && said.contains("none.toml"), "{said}");
 }

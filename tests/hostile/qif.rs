@@ -158,7 +158,7 @@ fn references_and_ranges_that_lead_nowhere_are_reported() {
         points == 0
             && said.contains("[reference-broken]")
             && said.contains("`WholePointSetId` refers to 3")
-            && said.contains("did you mean `2`"),
+            && said.has_phrase("did-you-mean name=2"),
         "{said}"
     );
     let (points, said) = read(&plane("<WholePointSetId xId=\"7\">2</WholePointSetId>", SET));

@@ -132,7 +132,10 @@ fn trap_9_names_that_occur_twice_are_no_key() {
     let export =
         "[[export]]\nfile = \"o.txt\"\nunit = \"mm\"\nformat = \"polyworks\"\nlabel = \"{target}_{pose}_{cycle}\"";
     let told = campaign(export, &files).1.unwrap_err().to_string();
-    assert!(told.says("error[target-twice] target=K pose=1") && told.contains("the first is o.txt:1"), "{told}");
+    assert!(
+        told.says("error[target-twice] target=K pose=1") && told.has_phrase("target-twice.hint file=o.txt line=1"),
+        "{told}"
+    );
     // names of SpatialAnalyzer are keys with their group alone
     let points = read("G1, P1, 1, 2, 3\nG2, P1, 4, 5, 6\n", "\"spatialanalyzer\"").unwrap();
     assert_eq!(points.iter().map(|p| &*p.label).collect::<Vec<_>>(), ["G1::P1", "G2::P1"]);

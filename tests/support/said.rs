@@ -1,7 +1,8 @@
 //! Messages in what a program says, by id and arguments.
 
 use etalon::base::catalogue::{Argument, FILES, Phrase};
-use etalon::base::phrase;
+use etalon::base::message::{Message, Severity};
+use etalon::base::{error, phrase};
 use std::collections::BTreeSet;
 
 /// A text with messages.
@@ -12,7 +13,8 @@ pub trait Says {
     /// have blanks. It is a mistake of the test if the message lacks a stated argument.
     fn says(&self, expected: &str) -> bool;
 
-    /// `true` if the text has a phrase of the catalogue by id and arguments: `fields-like like=first-row`.
+    /// `true` if the text has a phrase of the catalogue by id and arguments: `fields-like like=first-row`; or the hint or expectation of a
+    /// message: `target-twice.hint line=1`.
     fn has_phrase(&self, expected: &str) -> bool;
 }
 
@@ -50,21 +52,31 @@ fn name(text: &str) -> &str {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()
 }
 
-/// Pattern of the English sentence of a message.
+/// Id, and `hint` or `expected` behind its dot.
+fn id_and_attribute(id: &str) -> (&str, Option<&str>) {
+    id.split_once('.').map_or((id, None), |(id, attribute)| (id, Some(attribute)))
+}
+
+/// Pattern of the English sentence of a message, or of an attribute of it.
 fn pattern(id: &str) -> String {
+    let (id, attribute) = id_and_attribute(id);
     let start = format!("\n{id} =");
     let rest = FILES.iter().find_map(|(_, texts)| texts[0].split_once(&start)).map(|(_, rest)| rest);
     let mut lines = rest.unwrap_or_else(|| panic!("`{id}` is not in the catalogue")).lines();
     let first = lines.next().unwrap_or_default();
-    // the lines that continue the entry, without its attributes
-    let more = lines.take_while(|line| line.starts_with([' ', '}']) && !line.trim_start().starts_with('.'));
-    [first].into_iter().chain(more).collect::<Vec<_>>().join("\n")
+    let entry = [first].into_iter().chain(lines.take_while(|line| line.starts_with([' ', '}'])));
+    let is_attribute = |line: &&str| line.trim_start().starts_with('.');
+    let start = attribute.map(|attribute| format!(".{attribute} ="));
+    let mut entry = entry.skip_while(|line| start.as_ref().is_some_and(|start| !line.trim_start().starts_with(start)));
+    let first = entry.next().unwrap_or_else(|| panic!("`{id}` lacks {attribute:?}"));
+    [first].into_iter().chain(entry.take_while(|line| !is_attribute(line))).collect::<Vec<_>>().join("\n")
 }
 
 /// English sentences of a message, one for each variant that the stated arguments leave open.
 fn sentences(id: &str, arguments: &str) -> Vec<String> {
     let pattern = pattern(id);
     let free = pattern.split('$').skip(1).map(|rest| (name(rest).to_owned(), Argument::Text(FREE.to_owned())));
+    let (id, attribute) = id_and_attribute(id);
     let mut phrase = Phrase { id: id.to_owned().into(), arguments: free.collect() };
     let mut stated: Vec<(&str, String)> = Vec::new();
     for word in arguments.split(' ').filter(|word| !word.is_empty()) {
@@ -98,7 +110,12 @@ fn sentences(id: &str, arguments: &str) -> Vec<String> {
         };
         phrases = phrases.into_iter().flat_map(variants).collect();
     }
-    phrases.iter().map(|phrase| phrase.text("en")).collect()
+    let text = |phrase: Phrase| match attribute {
+        None => phrase.text("en"),
+        Some("hint") => Message::new(Severity::Error, phrase).hint.unwrap_or_default(),
+        Some(_) => Message::new(Severity::Error, phrase).expected.unwrap_or_default(),
+    };
+    phrases.into_iter().map(text).collect()
 }
 
 /// `true` if a text has the parts between free arguments, one behind the other, the last one up to the end of a word.
@@ -135,6 +152,15 @@ fn a_message_is_said_by_its_id_and_its_arguments() {
         assert!(!said.says(expected), "{expected}");
     }
     assert!(said.has_phrase("target-twice pose=1") && !said.has_phrase("target-twice pose=2"), "{said}");
+    let hinted = error!("no-feature-fitted", kind = "plane", seen = "sphere").to_string();
+    assert!(
+        hinted.has_phrase("no-feature-fitted.hint seen=sphere")
+            && !hinted.has_phrase("no-feature-fitted.hint seen=cone")
+    );
+    assert!(
+        hinted.has_phrase("no-feature-fitted.expected") && hinted.has_phrase("no-feature-fitted kind=plane"),
+        "{hinted}"
+    );
     let missing = format!("error[key-missing]: {}", phrase!("key-missing", key = "name", has_section = "no"));
     assert!(missing.says("[key-missing] key=name") && !missing.says("[key-missing] key=nam"));
     let variant = format!("error[quote-unmatched]: {}", phrase!("quote-unmatched", fault = "behind"));

@@ -1,5 +1,6 @@
 //! The PreXYT against the thesis' table 3.1 and an independent implementation's sensitivity study.
 
+use crate::support::said::Says;
 use etalon::base::noise::Noise;
 use etalon::identify::{Observation, ResidualKind, Settings, identify};
 use etalon::robots::{PlanarPose, Prexyt, Robot};
@@ -279,7 +280,7 @@ fn a_single_theta_is_warned_of() {
             let said = found
                 .warnings
                 .iter()
-                .any(|w| w.hint.as_deref().is_some_and(|h| h.contains("different values of |theta|")));
+                .any(|w| w.hint.as_deref().is_some_and(|h| h.has_phrase("measure-different-angles")));
             assert!(said, "{:?}", found.warnings);
             assert_eq!(names, [["d", "x_c"]], "{kind:?} {seed}");
             predicted.push(found.standard_uncertainty(6).expect("identified"));

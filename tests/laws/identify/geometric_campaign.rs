@@ -278,9 +278,9 @@ fn a_geometric_calibration_needs_no_log_and_no_identification() {
     assert_eq!(etalon(&scratch, "report").0, Some(0));
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     assert!(
-        html.contains("Geometry alone")
-            && html.contains("Measurements of the geometric calibration")
-            && !html.contains("compared with the identification")
+        html.has_phrase("geometry-alone")
+            && html.has_phrase("geometry-alone-title")
+            && !html.has_phrase("geometry-beside-identification")
     );
     // half of it is refused by name
     scratch.replace("campaign.toml", "turn = \"turn-{target}-{pose}\"", "");
@@ -314,7 +314,7 @@ fn arc_turn_and_shaft_are_campaigns_of_their_own() {
         assert_eq!(found.steps.len(), fits, "{keys}: {:?}", found.steps);
         assert_eq!(etalon(&scratch, "report").0, Some(0), "{keys}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-        assert!(html.contains("Geometry alone") && !html.contains("compared with the identification"), "{keys}");
+        assert!(html.has_phrase("geometry-alone") && !html.has_phrase("geometry-beside-identification"), "{keys}");
     }
     for (keys, said) in [
         (shaft.to_owned(), "`arc`, which `shaft` needs"),

@@ -598,8 +598,5 @@ fn directions_of_approach_with_the_other_sign_are_warned_of() {
         "q2_direction = \"D2\"\nq3_direction = \"D3\"\nq4_direction = \"D4\"\n",
     );
     let (_, said) = etalon(&scratch, "run");
-    assert!(
-        said.contains("warning[backlash-negative]") && said.contains("check the sign of the directions of approach"),
-        "{said}"
-    );
+    assert!(said.contains("warning[backlash-negative]") && said.has_phrase("backlash-negative.hint"), "{said}");
 }
