@@ -70,6 +70,20 @@ def test_what_is_no_array_of_points_is_refused():
         fit.sphere(noise.normal(size=(20, 3)), probe_radius_mm=1.0)
 
 
+@pytest.mark.parametrize(
+    "options, id",
+    [
+        ({"probe_radius_mm": 1.0}, "probe-side-missing"),
+        ({"probe_side": "inside"}, "probe-radius-missing"),
+        ({"probe_radius_mm": 1.0, "probe_side": "left"}, "probe-side-unknown"),
+    ],
+)
+def test_a_probe_is_refused_as_on_the_command_line(options, id):
+    with pytest.raises(etalon.Error) as raised:
+        fit.sphere(noise.normal(size=(20, 3)), **options)
+    assert raised.value.id == id
+
+
 def test_a_minimum_zone_is_no_wider_than_the_form_of_least_squares():
     angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
     points = np.column_stack([np.cos(angle), np.sin(angle)]) * (10 + noise.normal(0, 0.01, (40, 1)))

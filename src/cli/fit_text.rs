@@ -30,34 +30,16 @@ pub(super) fn as_text(document: &FitDocument) -> String {
     let direction_u = u.and_then(|u| u.direction_deg);
     line(phrase!("fit-normal"), document.geometry.normal.as_ref().map(vector), "", direction_u);
     line(phrase!("fit-axis"), document.geometry.axis.as_ref().map(vector), "", direction_u);
-    line(
-        phrase!("fit-radius"),
-        document.geometry.radius_mm.map(|r| format!("{r:.6}")),
-        "mm",
-        u.and_then(|u| u.radius_mm),
-    );
-    line(
-        phrase!("fit-minor-radius"),
-        document.geometry.minor_radius_mm.map(|r| format!("{r:.6}")),
-        "mm",
-        u.and_then(|u| u.minor_radius_mm),
-    );
-    line(
-        phrase!("fit-apex-angle"),
-        document.geometry.apex_angle_deg.map(|a| format!("{a:.6}")),
-        "deg",
-        u.and_then(|u| u.apex_angle_deg),
-    );
-    let [rms, max, form] = [document.deviations.rms_mm, document.deviations.max_mm, document.deviations.form_mm]
-        .map(|v| format!("{v:.6}"));
+    let fixed = |value: f64| format!("{value:.6}");
+    let geometry = &document.geometry;
+    line(phrase!("fit-radius"), geometry.radius_mm.map(fixed), "mm", u.and_then(|u| u.radius_mm));
+    line(phrase!("fit-minor-radius"), geometry.minor_radius_mm.map(fixed), "mm", u.and_then(|u| u.minor_radius_mm));
+    line(phrase!("fit-apex-angle"), geometry.apex_angle_deg.map(fixed), "deg", u.and_then(|u| u.apex_angle_deg));
+    let deviations = &document.deviations;
+    let [rms, max, form] = [deviations.rms_mm, deviations.max_mm, deviations.form_mm].map(fixed);
     let spread = phrase!("fit-spread", rms, max, form).to_string();
     line(phrase!("fit-residuals"), Some(spread), "mm", None);
-    line(
-        phrase!("fit-flatness"),
-        document.deviations.flatness.as_ref().map(|f| format!("{:.6}", f.flatness_mm)),
-        "mm",
-        None,
-    );
+    line(phrase!("fit-flatness"), deviations.flatness.as_ref().map(|f| fixed(f.flatness_mm)), "mm", None);
     if let Some(contacts) = &document.deviations.contacts {
         let numbers = |points: &[usize]| points.iter().map(usize::to_string).collect::<Vec<_>>().join(" ");
         let held =

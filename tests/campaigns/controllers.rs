@@ -139,7 +139,7 @@ fn a_urdf_with_calibrated_origins_is_the_identified_robot() {
     scratch.replace("robot.toml", "exported/calibrated.urdf", "arm.urdf");
     let arguments = ["export", &found, "--format", "urdf", "--robot", &file, "--to", &folder, "--force"];
     let (code, said) = etalon(&arguments[..8]);
-    assert!(code == Some(2) && said.contains("not converged"), "{said}");
+    assert!(code == Some(2) && said.contains("error[parameters-not-converged]"), "{said}");
     assert_eq!(etalon(&arguments).0, Some(0));
     let forced = std::fs::read_to_string(out.join("calibrated.urdf")).unwrap();
     assert!(forced.contains("NOT FIT FOR A CONTROLLER, written by force: "), "{forced}");

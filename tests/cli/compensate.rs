@@ -583,7 +583,7 @@ fn parameters_that_failed_their_checks_compensate_nothing() {
     let bad = std::fs::read_to_string(&real.parameters).unwrap().replace("step_vanished", "lost_patience");
     std::fs::write(&real.parameters, bad).unwrap();
     let (_, code, said) = real.table("pose,x_mm,y_mm,qw,qx,qy,qz\n1,200,150,1,0,0,0\n", &[]);
-    assert!(code == Some(2) && said.contains("not converged"), "{said}");
+    assert!(code == Some(2) && said.says("error[parameters-not-converged]"), "{said}");
 }
 
 /// At B = ±90 deg, where A and C have one effect, the commanded angles have the orientation of the pose.

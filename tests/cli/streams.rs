@@ -69,7 +69,7 @@ fn a_weave_in_a_campaign_tells_what_the_command_tells() {
     assert!((weave.ws_percent - 25.0).abs() < 0.1 && (weave.wf_percent - 20.0).abs() < 0.2, "{weave:?}");
     assert_eq!((weave.commanded_stroke_mm, weave.commanded_frequency_hz), (4.0, 2.5));
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-    assert!(html.contains("weaving stroke") && html.contains("mm, commanded 4.000 mm: WS "), "{html}");
+    assert!(html.has_phrase("weaving-stroke") && html.contains("mm, commanded 4.000 mm: WS "), "{html}");
     let alone =
         "iso9283 --stream seam.csv --path seam-path.csv --weave-stroke-mm 4 --weave-hz 2.5 --weave-across 0,1,0 --json";
     let alone = etalon(&scratch.path(), &alone.split(' ').collect::<Vec<_>>());
