@@ -6,7 +6,9 @@ use crate::support::scratch::{Scratch, copy_sample, etalon};
 use etalon::base::noise::Noise;
 use etalon::base::pose::{Pose, Vector, minus, norm};
 use etalon::campaign::read_robot;
-use etalon::identify::{Condition, Distance, Fixture, Kind, Known, Observation, Orientation, Seen, Settings, identify};
+use etalon::identify::{
+    Condition, Distance, Fixture, Identification, Kind, Known, Observation, Orientation, Seen, Settings, identify,
+};
 use etalon::robots::{Effect, Quantity, Robot, Role};
 use std::fmt::Write;
 use std::process::Command;
@@ -397,6 +399,24 @@ impl Stations {
     }
 }
 
+/// Intervals (95 %) of the parameters `own` hold the truth in 95 % of the draws, and chi-square is that of the noise.
+fn intervals_hold(what: &str, truth: &[f64], own: &[usize], mut draw: impl FnMut() -> Identification) {
+    let (mut held, mut all, mut chi) = (0, 0, 0.0);
+    let draws = 30;
+    for _ in 0..draws {
+        let found = draw();
+        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
+        for &i in own {
+            let u = found.standard_uncertainty(i).unwrap();
+            held += usize::from((found.values[i] - truth[i]).abs() < 1.96 * u);
+            all += 1;
+        }
+    }
+    let share = held as f64 / all as f64;
+    println!("{what}: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
+    assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
+}
+
 #[test]
 fn stations_tied_by_common_points_come_back_with_intervals_that_hold() {
     let mut site = Stations::new(45);
@@ -408,21 +428,11 @@ fn stations_tied_by_common_points_come_back_with_intervals_that_hold() {
         assert!(off < 1e-7, "{}: off by {off}", site.robot.parameters()[i].name);
     }
     assert!(apart_mm(site.robot.as_ref(), &found.values, &site.truth, &mut site.noise) < 1e-7);
-    let (mut held, mut all, mut chi) = (0, 0, 0.0);
-    let draws = 30;
-    for _ in 0..draws {
+    let truth = site.truth.clone();
+    intervals_hold("stations", &truth, &own, || {
         let (observations, settings) = site.observed(40, U_MM);
-        let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
-        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
-        for &i in &own {
-            let u = found.standard_uncertainty(i).unwrap();
-            held += usize::from((found.values[i] - site.truth[i]).abs() < 1.96 * u);
-            all += 1;
-        }
-    }
-    let share = held as f64 / all as f64;
-    println!("stations: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
-    assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
+        identify(site.robot.as_ref(), &observations, &settings).unwrap()
+    });
 }
 
 /// Poses of a probe from two stations: position and orientation tie the second to the world of the first.
@@ -493,21 +503,11 @@ fn poses_from_two_stations_come_back_with_intervals_that_hold() {
         let off = (found.values[i] - site.truth[i]).abs();
         assert!(off < 1e-7, "{}: off by {off}", site.robot.parameters()[i].name);
     }
-    let (mut held, mut all, mut chi) = (0, 0, 0.0);
-    let draws = 30;
-    for _ in 0..draws {
+    let truth = site.truth.clone();
+    intervals_hold("poses of stations", &truth, &own, || {
         let (observations, settings) = site.observed(40, 1.0);
-        let found = identify(site.robot.as_ref(), &observations, &settings).unwrap();
-        chi += found.residuals.chi_square.unwrap() / found.residuals.degrees_of_freedom as f64 / f64::from(draws);
-        for &i in &own {
-            let u = found.standard_uncertainty(i).unwrap();
-            held += usize::from((found.values[i] - site.truth[i]).abs() < 1.96 * u);
-            all += 1;
-        }
-    }
-    let share = held as f64 / all as f64;
-    println!("poses of stations: {all} intervals, {:.1} % hold the truth; chi-square {chi:.3}", 100.0 * share);
-    assert!((share - 0.95).abs() < 0.046 && (chi - 1.0).abs() < 0.05, "{share} {chi}");
+        identify(site.robot.as_ref(), &observations, &settings).unwrap()
+    });
 }
 
 /// The same by a table with a column `station`: the program finds what the library finds, and refuses what it cannot weigh.

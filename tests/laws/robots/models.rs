@@ -46,16 +46,18 @@ pub fn jacobian_is_the_numeric_derivative(robot: &dyn Robot, q: &[f64]) {
     }
 }
 
+/// Rows of the modified table of an IRB 120: alpha (deg), a (mm), theta (deg), d (mm).
+const IRB120: [(f64, f64, f64, f64); 6] = [
+    (0.0, 0.0, 0.0, 290.0),
+    (-90.0, 0.0, -90.0, 0.0),
+    (0.0, 270.0, 0.0, 0.0),
+    (-90.0, 70.0, 0.0, 302.0),
+    (90.0, 0.0, 0.0, 0.0),
+    (-90.0, 0.0, 180.0, 72.0),
+];
+
 fn irb120() -> Serial {
-    let rows = [
-        (0.0, 0.0, 0.0, 290.0),
-        (-90.0, 0.0, -90.0, 0.0),
-        (0.0, 270.0, 0.0, 0.0),
-        (-90.0, 70.0, 0.0, 302.0),
-        (90.0, 0.0, 0.0, 0.0),
-        (-90.0, 0.0, 180.0, 72.0f64),
-    ];
-    let joints: Vec<SerialJoint> = rows
+    let joints: Vec<SerialJoint> = IRB120
         .iter()
         .enumerate()
         .map(|(i, &(alpha, a, theta, d))| SerialJoint {
@@ -218,16 +220,8 @@ fn serial_nominal_is_the_product_of_craigs_matrices() {
     // an independent product of 4x4 matrices for the IRB 120 at one pose
     let robot = irb120();
     let q: [f64; 6] = [0.2, -0.3, 0.4, 0.5, -0.6, 0.7];
-    let rows = [
-        (0.0, 0.0, 0.0, 290.0),
-        (-90.0, 0.0, -90.0, 0.0),
-        (0.0, 270.0, 0.0, 0.0),
-        (-90.0, 70.0, 0.0, 302.0),
-        (90.0, 0.0, 0.0, 0.0),
-        (-90.0, 0.0, 180.0, 72.0f64),
-    ];
     let mut t = nalgebra::Matrix4::<f64>::identity();
-    for ((alpha, a, theta, d), q) in rows.into_iter().zip(q) {
+    for ((alpha, a, theta, d), q) in IRB120.into_iter().zip(q) {
         let (sa, ca) = f64::to_radians(alpha).sin_cos();
         let (st, ct) = (f64::to_radians(theta) + q).sin_cos();
         // Craig, eq. 3.6
