@@ -53,11 +53,6 @@ pub struct Form {
 }
 
 impl Form {
-    /// Form of a sheet of a workbook, of a topic of a recording or of an array.
-    pub fn with_sheet(sheet: Option<String>) -> Self {
-        Self { sheet, ..Self::default() }
-    }
-
     /// This form for a text with commas and decimal points: without marks, encoding and sheet.
     #[must_use]
     pub fn without_marks(&self) -> Self {

@@ -4,13 +4,12 @@ mod by_robot;
 mod labels;
 mod layout;
 mod native;
-#[cfg(test)]
-mod reading_tests;
 mod recording;
 mod several;
-#[cfg(test)]
-mod stranger_tests;
+mod statements;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 use by_robot::{against, branches, kinematics, motion, turned};
 use layout::{arrays, coordinates, headings, lines, meaning, table};
@@ -30,7 +29,7 @@ use super::{Point, ros_bag, workbook};
 use crate::dialect::{ColumnRole, Unit, quoted};
 use against::Remarks;
 use etalon_base::catalogue::Phrase;
-use etalon_base::message::{Message, Place, Result, count, printable};
+use etalon_base::message::{Message, Place, Result, count};
 use etalon_base::worded::Worded;
 use etalon_base::{error, phrase};
 use etalon_documents::{FormatsColumn, FormatsDocument, Reading};
@@ -40,6 +39,7 @@ use etalon_tables::{Decimal, Encoding};
 use headings::Heading;
 use lines::{JOINTS, Proposal};
 use meaning::{Interpretation, Meaning, PointSet, Taken};
+use statements::{Label, Line, Lines, OPEN_UNIT, Target};
 use std::path::{Path, PathBuf};
 use table::{Column, Table};
 
@@ -94,15 +94,41 @@ fn known(text: &str) -> Option<Known> {
 /// Score above which a log is proposed in its format; below it the format is a question.
 const SURE: f64 = 0.5;
 
-/// Writes the form of the labels of an export into the lines of a file that is proposed alone.
-fn state_label_form(document: &mut FormatsDocument, labels: &[String]) {
-    let has_both = |(form, targets): &(String, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
-    let Some((form, _)) = labels::label_form(labels).filter(has_both) else { return };
-    let line = format!("label = {}   # all {} labels have this form\n", quoted(&form), labels.len());
-    // a format of its own gives no form of its labels
-    match document.format.is_some() {
-        true => document.toml += &line,
-        false => document.toml = document.toml.replacen(several::LABEL_LINE, &line, 1),
+/// Proposal for a file: its document, whose lines are values until they are printed.
+#[derive(Debug, Default)]
+pub(crate) struct Proposed {
+    pub document: FormatsDocument,
+    pub lines: Lines,
+}
+
+impl Proposed {
+    /// The document with its lines.
+    pub fn printed(self) -> FormatsDocument {
+        FormatsDocument { toml: self.lines.to_string(), ..self.document }
+    }
+
+    /// The document with these lines, below its reasons, doubts and questions.
+    pub fn with_remarks(document: FormatsDocument, lines: Lines) -> Self {
+        let lines = remarks(&document).followed_by(lines);
+        Self { document, lines }
+    }
+
+    /// Adds a doubt above all lines.
+    pub fn doubt(&mut self, doubt: Phrase) {
+        self.lines.doubt(&doubt);
+        self.document.doubt(doubt);
+    }
+
+    /// Writes the form of the labels of an export into the lines of a file that is proposed alone.
+    fn state_label_form(&mut self, labels: &[String]) {
+        let has_both = |(form, targets): &(String, Vec<String>)| form.contains("{pose}") && targets.len() > 1;
+        let Some((form, _)) = labels::label_form(labels).filter(has_both) else { return };
+        let line = Line::Label(Label::Known { form, labels: labels.len(), stationary: 0 });
+        // a format of its own gives no form of its labels
+        match self.document.format.is_some() {
+            true => self.lines.push(line),
+            false => self.lines.replace(&Line::Label(Label::Open), &[line]),
+        }
     }
 }
 
@@ -124,7 +150,7 @@ pub fn propose_file(path: &Path) -> Result<FormatsDocument> {
 /// Fails if the file is missing, empty or not text, or if no way of reading yields rows of numbers.
 pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<FormatsDocument> {
     let mut labels: Vec<String> = Vec::new();
-    let mut document = propose_corrected(
+    let mut proposed = propose_corrected(
         path,
         None,
         robot,
@@ -133,8 +159,8 @@ pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<Format
             robot.map(|robot| against::correct(robot, table, found)).unwrap_or_default()
         }),
     )?;
-    state_label_form(&mut document, &labels);
-    Ok(document)
+    proposed.state_label_form(&labels);
+    Ok(proposed.printed())
 }
 
 /// Correction of the interpretation of a table before its lines are written.
@@ -151,7 +177,7 @@ fn propose_corrected(
     sheet: Option<&str>,
     robot: Option<&dyn Robot>,
     correct: Option<Correct>,
-) -> Result<FormatsDocument> {
+) -> Result<Proposed> {
     let name = path.display().to_string();
     let (bytes, is_cut) = read_start(path)?;
     let here = |message: Message| message.at(Place::file(name.as_str()));
@@ -196,7 +222,8 @@ fn propose_corrected(
     if structure::is_of_matrices(&text) {
         return Err(here(error!("matrices-in-blocks")).into());
     }
-    let mut document = propose_in(&name, &text, None, correct);
+    let mut proposed = propose_in(&name, &text, None, correct);
+    let document = &mut proposed.document;
     if document.readings.is_empty() && document.format.is_none() {
         let message = match () {
             () if structure::has_lists(&text) => error!("numbers-in-brackets"),
@@ -206,21 +233,16 @@ fn propose_corrected(
         return Err(here(message).into());
     }
     if is_cut && !document.facts.is_sampled {
-        document.because(phrase!("because-sampled", rows = document.rows));
-        let reason = document.reasons.last().map_or("", Worded::english);
-        document.toml = document.toml.replacen('\n', &format!("\n# because {reason}\n"), 1);
+        let reason = phrase!("because-sampled", rows = document.rows);
+        let below_first = proposed.lines.0.len().min(1);
+        proposed.lines.0.insert(below_first, Line::Remark(format!("because {reason}")));
+        document.because(reason);
     }
     if let Some(encoding) = encoding {
-        let line = format!("encoding = {:?}\n", encoding.name());
-        let with_encoding = |text: &str| match text.starts_with("file = ") {
-            true => format!("{text}{line}"),
-            false => text.to_owned(),
-        };
-        document.toml = document.toml.split_inclusive('\n').map(with_encoding).collect();
-        document.doubt(phrase!("doubt-encoding", encoding = encoding.name()));
-        document.toml.insert_str(0, &format!("# DOUBT: {}\n", document.doubts.last().map_or("", Worded::english)));
+        proposed.lines.insert_behind_files(&Line::Text(format!("encoding = {:?}\n", encoding.name())));
+        proposed.doubt(phrase!("doubt-encoding", encoding = encoding.name()));
     }
-    Ok(document)
+    Ok(proposed)
 }
 
 /// Names of the sheets of a workbook; none for other files.
@@ -247,17 +269,15 @@ fn propose_workbook(
     bytes: &[u8],
     sheet: Option<&str>,
     mut correct: Option<Correct>,
-) -> std::result::Result<FormatsDocument, Message> {
+) -> std::result::Result<Proposed, Message> {
     let mut book = Workbook::open(bytes)?;
     let names = book.sheets();
     for name in names.iter().filter(|name| sheet.is_none_or(|sheet| sheet == *name)) {
-        let mut document = propose_in(file, &book.text(name, Decimal::Point)?, Some(name), reborrowed(&mut correct));
-        if !document.readings.is_empty() {
-            if let Some(doubt) = workbook::others(&names, name).filter(|_| sheet.is_none()) {
-                document.toml.insert_str(0, &format!("# DOUBT: {doubt}\n"));
-                document.doubt(doubt);
-            }
-            return Ok(document);
+        let mut proposed = propose_in(file, &book.text(name, Decimal::Point)?, Some(name), reborrowed(&mut correct));
+        if !proposed.document.readings.is_empty() {
+            let doubt = workbook::others(&names, name).filter(|_| sheet.is_none());
+            doubt.into_iter().for_each(|doubt| proposed.doubt(doubt));
+            return Ok(proposed);
         }
     }
     Err(error!("no-rows-of-numbers", file = "workbook"))
@@ -279,16 +299,11 @@ fn decoded(bytes: Vec<u8>) -> std::result::Result<(String, Option<Encoding>), Me
 /// Proposes interpretations of a text, and lines for campaign.toml for the first interpretation.
 /// Statements that the file does not contain become questions.
 pub fn propose(file: &str, text: &str) -> FormatsDocument {
-    propose_in(file, text, None, None)
+    propose_in(file, text, None, None).printed()
 }
 
 /// Returns the proposal for a text that gives its format.
-fn propose_known_format(
-    empty: &FormatsDocument,
-    file: &str,
-    text: &str,
-    correct: Option<Correct>,
-) -> Option<FormatsDocument> {
+fn propose_known_format(empty: &FormatsDocument, file: &str, text: &str, correct: Option<Correct>) -> Option<Proposed> {
     let Known::Points(format, Recognised { what, unit, .. }) = known(text)? else { return None };
     let mut document = empty.clone();
     document.format = Some(format.to_owned());
@@ -302,35 +317,26 @@ fn propose_known_format(
     unread.into_iter().for_each(|doubt| document.doubt(doubt));
     document.rows = points.len();
     let (mut table, mut found) = points_alone(&points, unit);
-    if let Some(correct) = correct {
-        let remarks = correct(&mut table, &mut found);
-        (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
-        remarks.reasons.into_iter().for_each(|reason| document.because(reason));
-        remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
-    }
+    correct.into_iter().for_each(|correct| correct(&mut table, &mut found).add_to(&mut document));
     if !points.is_empty() && points.iter().all(|point| point.refused.is_some()) {
         document.kind = "unknown".to_owned();
-        document.toml = with_remarks(&document, &format!("# `{file}`: no row has the coordinates of a point\n"));
-        return Some(document);
+        let lines = Lines::default().with_text(format!("# `{file}`: no row has the coordinates of a point\n"));
+        return Some(Proposed::with_remarks(document, lines));
     }
     let (stated, unit) = (unit, unit.or(table.columns[0].heading.unit));
     let unit_line = if stated.is_some() { lines::unit_line(unit) } else { lines::fitted_unit_line(unit) };
-    let lines = format!("[[export]]\nfile = {}\nformat = {format:?}\n{unit_line}", quoted(file));
+    let mut lines = Lines::element("export").with(Line::File(file.to_owned()));
+    lines.push(Line::Format(format!("{format:?}")));
+    lines.push(Line::Text(unit_line));
     if unit.is_none() {
         document.ask(phrase!("ask-unit"));
     }
     let columns = Format::named(format).map(|format| format.dialect.columns.roles()).unwrap_or_default();
     let labelled = points.is_empty() || points.iter().any(|point| !point.label.is_empty());
-    let lines = match columns.is_empty() && labelled || columns.contains(&ColumnRole::Label) {
-        true => lines,
-        false => {
-            lines
-                + "target = \"?\"               # which target the rows are of\n\
-                   pose = \"row\"               # if the number of the row is the number of the pose\n"
-        }
-    };
-    document.toml = with_remarks(&document, &lines);
-    Some(document)
+    if !(columns.is_empty() && labelled || columns.contains(&ColumnRole::Label)) {
+        lines = lines.with(Line::Target(Target::Open)).with(Line::PoseByRow);
+    }
+    Some(Proposed::with_remarks(document, lines))
 }
 
 /// Table of points that a format of its own gives, in their unit.
@@ -360,7 +366,7 @@ fn points_alone(points: &[Point], unit: Option<&'static str>) -> (Table, Interpr
 }
 
 /// Proposes interpretations of a text, or of a sheet whose cells are separated by tabs.
-fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<Correct>) -> FormatsDocument {
+fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<Correct>) -> Proposed {
     let mut document =
         FormatsDocument { schema: "etalon/formats/1".to_owned(), file: file.to_owned(), ..FormatsDocument::default() };
     if sheet.is_none()
@@ -397,22 +403,21 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
         document.ask(phrase!("ask-joints-of-format"));
         let lines = match proposal.filter(|_| !kind.has_channels()) {
             Some(proposal) => proposal.log(Some(*kind)),
-            None => format!(
-                "[log]\nfile = {}\nformat = {:?}\ncolumns = {{ q1_UNIT = \"NAME\" }}\n{JOINTS}",
-                quoted(file),
-                kind.about().name
-            ),
+            None => Lines::section("log")
+                .with(Line::File(file.to_owned()))
+                .with(Line::Format(format!("{:?}", kind.about().name)))
+                .with(Line::Columns(vec![(format!("q1_{OPEN_UNIT}"), quoted("NAME"))]))
+                .with_text(JOINTS),
         };
-        document.toml = with_remarks(&document, &lines);
-        return document;
+        return Proposed::with_remarks(document, lines);
     }
     if best.is_some_and(|(_, (table, found))| divides_lists(table, found)) {
         document.readings.clear();
-        return document;
+        return Proposed { document, lines: Lines::default() };
     }
     let (Some((best, (table, found))), Some(proposal)) = (best, proposal) else {
-        document.toml = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
-        return document;
+        let text = format!("# `{file}`: no reading as delimited text gives rows with two or more numbers\n");
+        return Proposed { document, lines: Lines::default().with_text(text) };
     };
     let remarks = remarks.unwrap_or_default();
     (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
@@ -438,8 +443,7 @@ fn propose_in(file: &str, text: &str, sheet: Option<&str>, mut correct: Option<C
     if let Some((kind, found)) = log {
         document.ask(phrase!("ask-log-of-format", what = found.what, format = kind.about().name));
     }
-    document.toml = with_remarks(&document, &lines);
-    document
+    Proposed::with_remarks(document, lines)
 }
 
 /// `true` if the delimiter divides lists: in brackets, or in the cells of a table without headings.
@@ -540,258 +544,22 @@ fn doubts(guesses: &[Guess], rows_may_differ: bool) -> Vec<Phrase> {
     doubts
 }
 
-/// Returns the lines with comments above them: reasons, doubts and questions.
-fn with_remarks(document: &FormatsDocument, lines: &str) -> String {
-    let mut out = String::new();
-    let mut remark = |text: String| out.push_str(&format!("# {}\n", printable(&text)));
-    remark(format!("proposed for `{}`", document.file));
-    document.reasons.iter().for_each(|reason| remark(format!("because {reason}")));
-    document.doubts.iter().for_each(|doubt| remark(format!("DOUBT: {doubt}")));
-    document.questions.iter().for_each(|question| remark(format!("QUESTION: {question}")));
+/// Returns reasons, doubts, questions and the meaning of the columns as comments.
+fn remarks(document: &FormatsDocument) -> Lines {
+    let mut out = Lines::default();
+    let remark = Line::Remark;
+    out.push(remark(format!("proposed for `{}`", document.file)));
+    document.reasons.iter().for_each(|reason| out.push(remark(format!("because {reason}"))));
+    document.doubts.iter().for_each(|doubt| out.push(remark(format!("DOUBT: {doubt}"))));
+    document.questions.iter().for_each(|question| out.push(Line::Question(question.clone())));
     for column in document.columns.iter().take(SHOWN_COLUMNS) {
         let why = if column.why.english().is_empty() { String::new() } else { format!(": {}", column.why) };
         let heading = column.heading.as_ref().map(|heading| format!(" `{heading}`")).unwrap_or_default();
-        remark(format!("column {}{heading} is {}{why}", column.number, column.taken_for));
+        out.push(remark(format!("column {}{heading} is {}{why}", column.number, column.taken_for)));
     }
     if document.columns.len() > SHOWN_COLUMNS {
-        remark(format!("and {} more, which --json lists", count(document.columns.len() - SHOWN_COLUMNS, "column")));
+        let more = count(document.columns.len() - SHOWN_COLUMNS, "column");
+        out.push(remark(format!("and {more} more, which --json lists")));
     }
-    out + lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_sheet_whose_first_row_is_shorter_than_the_others_is_proposed() {
-        let text = "4711\t2.0\nP\ta\tb\t1.5\t2.5\t3.5\nQ\ta\tb\t4.5\t5.5\t6.5\n";
-        assert_eq!(propose_in("f.xlsx", text, Some("S"), None).readings[0].columns.len(), 6);
-    }
-
-    #[test]
-    fn delimiter_and_decimal_are_proposed_and_the_unit_is_asked() {
-        let text = propose("p.txt", "Name;X;Y;Z\nA;1,25;2,5;-3,75\nB;4,125;5,5;6,25\n").toml;
-        let stated = "delimiter = \";\", decimal = \",\", header = 1, columns = [\"label\", \"x\", \"y\", \"z\"]";
-        assert!(text.contains(stated), "{text}");
-        assert!(text.contains("unit = \"?\"") && text.contains("# because 2 of 2 rows have 4 fields"), "{text}");
-        let text = propose("p.txt", "1.25 2.5 3.5\n4.5 5.5 6.5\n").toml;
-        assert!(text.contains("delimiter = \"blank\", decimal = \".\", columns = [\"x\", \"y\", \"z\"]"), "{text}");
-    }
-
-    #[test]
-    fn both_halves_of_a_mixed_file_are_proposed() {
-        let text = propose(
-            "m.csv",
-            "pose;target;x_mm;y_mm;z_mm;J1_rad;J2_rad\n1;K;1,5;2,5;3,5;0,1;0,2\n2;K;1,6;2,6;3,6;0,3;0,4\n",
-        )
-        .toml;
-        // joints with other names than q1, q2 may be the joints of a URDF: a table of observations
-        assert!(text.contains("[observations]") && text.contains("column 6 `J1_rad` is joint 1"), "{text}");
-        assert!(!text.contains("[log]") && !text.contains("pose = \"row\""), "{text}");
-        let text = propose("m.csv", "pose;x;y;z\n1;1,5;2,5;3,5\n2;1,6;2,6;3,6\n").toml;
-        assert!(text.contains("target = \"?\"") && !text.contains("pose = \"row\""), "{text}");
-        let text = propose("m.csv", "target;x;y;z\nK;1,5;2,5;3,5\nL;1,6;2,6;3,6\n").toml;
-        assert!(!text.contains("target = \"?\"") && text.contains("pose = \"row\""), "{text}");
-    }
-
-    #[test]
-    fn joints_beside_orientations_are_a_table_of_observations() {
-        let text = propose(
-            "m.csv",
-            "J1;J2;X;Y;Z;QW;QX;QY;QZ\n0,1;0,2;1,5;2,5;3,5;1,0;0,0;0,0;0,0\n0,3;0,4;1,6;2,6;3,6;0,8;0,6;0,0;0,0\n",
-        )
-        .toml;
-        let columns = "columns = { q1_UNIT = \"J1\", q2_UNIT = \"J2\", x_UNIT = \"X\", y_UNIT = \"Y\", z_UNIT = \"Z\", qw = \"QW\", qx = \"QX\"";
-        assert!(text.contains("[observations]") && text.contains(columns) && !text.contains("orientation ="), "{text}");
-        let text = propose(
-            "m.csv",
-            "J1_rad;J2_rad;x_mm;y_mm;z_mm;Rx;Ry;Rz\n0,1;0,2;1,5;2,5;3,5;1,0;0,0;0,0\n0,3;0,4;1,6;2,6;3,6;0,8;0,6;0,0\n",
-        )
-        .toml;
-        assert!(
-            text.contains("q1_rad = \"J1_rad\"")
-                && text.contains("x_mm = \"x_mm\"")
-                && text.contains("a_UNIT = \"Rx\""),
-            "{text}"
-        );
-        assert!(text.contains("orientation = \"?\"") && text.contains("decimal = \",\""), "{text}");
-    }
-
-    #[test]
-    fn four_columns_of_length_one_are_a_quaternion_under_any_headings() {
-        let turns = ["0.5,0.5,0.5,-0.5", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"];
-        let of = |head: &str, rows: &[&str]| {
-            let rows = rows.iter().enumerate().map(|(i, row)| format!("{}.5,{}.25,3.5,{row}\n", 1 + 7 * i, 2 + i * i));
-            propose("m.csv", &(format!("X,Y,Z,{head}\n") + &rows.collect::<String>()))
-        };
-        let asks = |document: &FormatsDocument| {
-            document
-                .questions
-                .iter()
-                .any(|question| question.phrase().is_some_and(|phrase| phrase.id == "ask-quaternion-order"))
-        };
-        for (head, columns) in [
-            ("Q0,Qx,Qy,Qz", "\"z\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
-            ("e0,e1,e2,e3", "\"z\", \"qw\", \"qx\", \"qy\", \"qz\"]"),
-        ] {
-            let document = of(head, &turns);
-            assert!(document.toml.contains(columns) && !asks(&document), "{head}: {}", document.toml);
-        }
-        for head in ["ori_x,ori_y,ori_z,ori_s", "q_i,q_j,q_k,q_r", "Quat x,Quat y,Quat z,Quat w"] {
-            let document = of(head, &turns);
-            let read = document.toml.contains("\"z\", \"qx\", \"qy\", \"qz\", \"qw\"]");
-            assert!(read && document.doubts.is_empty() && !asks(&document), "{head}: {}", document.toml);
-        }
-        assert!(of("q3,q0,q1,q2", &turns).toml.contains("\"z\", \"qz\", \"qw\", \"qx\", \"qy\"]"));
-        // nothing names the scalar: a question
-        for head in ["A,B,C,D", "q1,q2,q3,q4", "e1,e2,e3,e4"] {
-            let document = of(head, &turns);
-            assert!(!document.toml.contains("\"qw\"") || asks(&document), "{head}: {}", document.toml);
-            assert!(document.toml.contains("\"qw\"") || !document.doubts.is_empty(), "{head}: {}", document.toml);
-        }
-        // numbers from 1 of another length are joints
-        let joints = of("q1,q2,q3,q4", &["0.5,0.5,0.5,-0.4", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"]);
-        assert!(joints.toml.contains("q4_UNIT = \"q4\"") && !joints.toml.contains("qw"), "{}", joints.toml);
-        // a direction beside an empty column, and numbers of another length
-        for (head, rows) in [
-            ("nx,ny,nz,k", ["0.6,0.8,0,0", "0.36,0.48,0.8,0", "0,0,1,0", "0.8,0,0.6,0"]),
-            ("A,B,C,D", ["0.5,0.5,0.5,-0.4", "0.48,0.6,0.64,0", "0.1,0.7,0.1,0.7", "0.8,0,0.36,0.48"]),
-        ] {
-            let document = of(head, &rows);
-            assert!(!document.toml.contains("qw"), "{}", document.toml);
-        }
-    }
-
-    #[test]
-    fn columns_that_nothing_reads_are_in_doubt() {
-        let unread = |text: &str| {
-            let document = propose("m.csv", text);
-            let mut doubts = document.doubts.iter().filter_map(|doubt| doubt.phrase().cloned());
-            doubts.find(|doubt| doubt.id == "doubt-columns-not-read")
-        };
-        for (text, columns) in [
-            ("X,Y,Z,sigma x\n1.5,2.5,3.5,0.1\n4.5,5.5,7.5,0.2\n", vec!["4 `sigma x`"]),
-            ("X,Y,Z,Distance\n1.5,2.5,3.5,100.5\n4.5,5.5,7.5,101.5\n", vec!["4 `Distance`"]),
-            ("X,Y,Z,Laune\n1.5,2.5,3.5,7.25\n4.5,5.5,7.5,6.25\n", vec!["4 `Laune`"]),
-        ] {
-            assert_eq!(unread(text), Some(phrase!("doubt-columns-not-read", columns, more = 0)), "{text}");
-        }
-        let whole = "X,Y,Z,ux,uy,uz,speed\n1.5,2.5,3.5,0.1,0.1,0.2,4.5\n4.5,5.5,7.5,0.2,0.1,0.2,5.5\n";
-        assert_eq!(unread(whole), None);
-    }
-
-    #[test]
-    fn comma_and_comma_is_never_proposed() {
-        let text = propose("p.txt", "1,25\t2,50\t3,75\n").toml;
-        assert!(text.contains("decimal = \",\""), "{text}");
-        assert!(!propose("p.txt", "1,25,2,50,3,75\n").toml.contains("decimal = \",\""));
-        assert!(propose("p.txt", "no numbers here\n").toml.contains("no reading"));
-    }
-
-    #[test]
-    fn the_share_is_one_of_rows() {
-        let document = propose("p.txt", "a 1 2 3\nb 4 5 6\nc 7 8\nd 9 10 11\n");
-        assert_eq!(document.readings[0].share, 0.75);
-        assert!(
-            document
-                .doubts
-                .iter()
-                .any(|d| d.english().contains("1 row cannot be read in this way; the first is line 3")),
-            "{document:?}"
-        );
-        assert!(document.doubts.iter().any(|d| d.english().contains("no number has a decimal mark")), "{document:?}");
-    }
-
-    #[test]
-    fn a_log_is_not_an_export() {
-        for (text, columns) in [
-            (
-                "pose,run,RP1,RP2,RP3\n1,1,0.5,3.25,4.5\n",
-                "columns = { pose = \"pose\", cycle = \"run\", q1_UNIT = \"RP1\", q2_UNIT",
-            ),
-            ("1.5 2.5 3.5 4.5 5.5 6.5\n", "columns = { q1_UNIT = 1, q2_UNIT = 2"),
-            (
-                "timestamp,actual_q_0,actual_q_1\n0.1,0.2,0.3\n",
-                "columns = { time_s = \"timestamp\", q1_rad = \"actual_q_0\", q2_rad = \"actual_q_1\" }",
-            ),
-        ] {
-            let toml = propose("l.csv", text).toml;
-            assert!(toml.contains("[log]") && !toml.contains("[[export]]") && toml.contains(columns), "{toml}");
-        }
-        assert!(
-            propose("p.xyz", "1.5 2.5 3.5 0.0 0.6 0.8\n").toml.contains("\"x\", \"y\", \"z\", \"i\", \"j\", \"k\"")
-        );
-    }
-
-    #[test]
-    fn a_log_format_is_recognised_with_its_reason_and_asked_where_the_mark_is_weak() {
-        for (text, format, mark) in [
-            ("timestamp,actual_q_0\n0.1,0.2\n", "ur_rtde", "RTDE's names of joint positions"),
-            ("Timestamp,A1,IPOC\n2024-09-24,1.5,12\n", "kuka_rsi", "`IPOC`"),
-            ("%time,field.header.seq,field.position0\n1,2,0.5\n", "ros", "`rostopic echo -p`"),
-            ("Name\tscope\nStarttime of export\t132959733843760000\n\nName\tq\n", "twincat", "start of the export"),
-        ] {
-            let document = propose("l.csv", text);
-            assert_eq!(document.format.as_deref(), Some(format), "{document:?}");
-            assert!(document.reasons[0].english().contains(mark), "{document:?}");
-            assert!(
-                document.toml.contains(&format!("[log]\nfile = \"l.csv\"\nformat = \"{format}\"\n")),
-                "{document:?}"
-            );
-        }
-        let document = propose("l.csv", "one,ten\n0,0\n1,10\n2,20\n,0\n");
-        assert_eq!(document.format, None);
-        assert!(document.questions.iter().any(|question| question.english().contains("Galil")), "{document:?}");
-    }
-
-    #[test]
-    fn what_a_mark_means_may_be_in_doubt() {
-        let doubts = propose("p.txt", "a;1,250;2,500;3,750\nb;4,125;5,500;6,250\n").doubts;
-        assert!(doubts.iter().any(|d| d.english().contains("it may be a thousands mark")), "{doubts:?}");
-        let thousands = propose("p.txt", "a;1.234,50;-2.345,25;3,75\nb;4.125,00;5,50;6,25\n").toml;
-        assert!(thousands.contains("decimal = \",\", thousands = \".\""), "{thousands}");
-    }
-
-    /// Points of which a few exceed a metre, in every pair of marks; the marks are proposed and x,
-    /// y and z are found, with one number in groups of three as with many. A text that two pairs of
-    /// marks read is in doubt.
-    #[test]
-    fn groups_of_three_digits_are_proposed_with_their_mark() {
-        let rows = |decimal: &str, group: &str, large: usize| -> String {
-            let row = |i: usize| {
-                let z =
-                    if i < large { format!("1{group}0{i:02}{decimal}1369") } else { format!("9{i:02}{decimal}9525") };
-                format!("A_{i}_1;-{i}91{decimal}2391;140{decimal}39{i:02};{z}\r\n")
-            };
-            (10..40).map(row).collect()
-        };
-        for (decimal, group, key) in [
-            (",", ".", "."),
-            (".", ",", ","),
-            (".", "'", "'"),
-            (".", "\u{2019}", "'"),
-            (",", "'", "'"),
-            (",", " ", " "),
-            (",", "\u{a0}", " "),
-            (".", "\u{202f}", " "),
-        ] {
-            for large in [11, 15, 40] {
-                let text = format!("\u{feff}Name;X [mm];Y [mm];Z [mm]\r\n{}", rows(decimal, group, large));
-                let document = propose("p.csv", text.trim_start_matches('\u{feff}'));
-                let wanted = format!("decimal = {decimal:?}, thousands = {key:?}");
-                assert!(document.toml.contains(&wanted), "{decimal} {group} {large}: {}", document.toml);
-                assert_eq!(document.readings[0].columns, ["label", "x", "y", "z"], "{decimal} {group} {large}");
-                assert!(document.doubts.is_empty(), "{decimal} {group} {large}: {:?}", document.doubts);
-            }
-            let plain = propose("p.csv", &rows(decimal, "", 40));
-            assert!(!plain.toml.contains("thousands"), "{}", plain.toml);
-        }
-        let ambiguous = propose("p.csv", "a;1,234;2,345;3,456\nb;4,567;5,678;6,789\nc;4,367;5,278;6,189\n");
-        assert!(
-            ambiguous.doubts.iter().any(|d| d.english().contains("it may be a thousands mark")),
-            "{:?}",
-            ambiguous.doubts
-        );
-    }
+    out
 }

@@ -1,8 +1,9 @@
 //! Proposal for a recording of ROS 2 (MCAP): a log for the first topic of joint values, an export
 //! for each topic of measured poses or points.
 
+use super::Proposed;
 use super::motion::Motion;
-use super::with_remarks;
+use super::statements::{Line, Lines, Target};
 use crate::dialect::quoted;
 use crate::mcap::Topic;
 use crate::ros_bag::{self, Kind, POSITION, STAMP};
@@ -10,7 +11,6 @@ use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
 use etalon_robots::{Joint, Quantity, Robot};
-use std::fmt::Write as _;
 
 /// Name of the storage of a recording in MCAP.
 const MCAP: &str = "mcap";
@@ -19,11 +19,7 @@ const MCAP: &str = "mcap";
 ///
 /// # Errors
 /// Fails if the recording cannot be read, or has no topic of a known type.
-pub(super) fn propose_recording(
-    file: &str,
-    bytes: &[u8],
-    robot: Option<&dyn Robot>,
-) -> Result<FormatsDocument, Message> {
+pub(super) fn propose_recording(file: &str, bytes: &[u8], robot: Option<&dyn Robot>) -> Result<Proposed, Message> {
     let topics = ros_bag::topics(bytes)?;
     let known: Vec<(&Topic, Kind)> = topics.iter().filter_map(|topic| Some((topic, topic.kind()?))).collect();
     if known.is_empty() {
@@ -35,7 +31,7 @@ pub(super) fn propose_recording(
     let storage = if ros_bag::is_database(bytes) { "db3" } else { MCAP };
     document.format = Some(storage.to_owned());
     document.because(phrase!("because-recording", storage));
-    let mut lines = String::new();
+    let mut lines = Lines::default();
     let mut is_named = false;
     // joint values first: the document is a log if there are any
     let (logs, exports): (Vec<_>, Vec<_>) = known.into_iter().partition(|(_, kind)| *kind == Kind::JointState);
@@ -62,8 +58,10 @@ pub(super) fn propose_recording(
         let head = text.lines().next().unwrap_or_default();
         let named = robot.filter(|_| is_log).and_then(|robot| named_joints(robot, head));
         is_named |= named.is_some();
-        lines +=
-            &if is_log { log(file, topic, named.unwrap_or_else(|| joints(head))) } else { export(file, topic, *kind) };
+        lines = lines.followed_by(match is_log {
+            true => log(file, topic, named.unwrap_or_else(|| joints(head))),
+            false => export(file, topic, *kind),
+        });
     }
     if is_named {
         document.because(phrase!("because-joints-named"));
@@ -78,8 +76,7 @@ pub(super) fn propose_recording(
         // the only topic of a known type cannot be read
         ros_bag::text(bytes, logs.first().or(exports.first()).map_or("", |(topic, _)| &topic.name))?;
     }
-    document.toml = with_remarks(&document, &lines);
-    Ok(document)
+    Ok(Proposed::with_remarks(document, lines))
 }
 
 /// Returns the motion of the first topic of joint values.
@@ -118,15 +115,15 @@ fn joints(head: &str) -> Vec<(String, String)> {
     (1..).zip(columns).map(|(joint, column)| (format!("q{joint}_rad"), column.to_owned())).collect()
 }
 
-fn log(file: &str, topic: &Topic, joints: Vec<(String, String)>) -> String {
-    let mut columns = format!("time_s = {}", quoted(STAMP));
-    for (key, column) in joints {
-        let _ = write!(columns, ", {key} = {}", quoted(&column));
-    }
-    format!("[log]\nfile = {}\ntopic = {}\ncolumns = {{ {columns} }}\n", quoted(file), quoted(&topic.name))
+fn log(file: &str, topic: &Topic, joints: Vec<(String, String)>) -> Lines {
+    let columns = std::iter::once(("time_s".to_owned(), STAMP.to_owned())).chain(joints);
+    Lines::section("log")
+        .with(Line::File(file.to_owned()))
+        .with_text(format!("topic = {}\n", quoted(&topic.name)))
+        .with(Line::Columns(columns.map(|(key, column)| (key, quoted(&column))).collect()))
 }
 
-fn export(file: &str, topic: &Topic, kind: Kind) -> String {
+fn export(file: &str, topic: &Topic, kind: Kind) -> Lines {
     let columns = match kind {
         Kind::PointStamped => "x = \"point.x\", y = \"point.y\", z = \"point.z\"",
         _ => {
@@ -134,10 +131,12 @@ fn export(file: &str, topic: &Topic, kind: Kind) -> String {
              qx = \"pose.orientation.x\", qy = \"pose.orientation.y\", qz = \"pose.orientation.z\""
         }
     };
-    format!(
-        "[[export]]\nfile = {}\nunit = \"m\"                 # REP 103\nformat = {{ topic = {}, header = 1, columns = {{ \
-         time_s = \"{STAMP}\", {columns} }} }}\ntarget = \"?\"               # which target the rows are of\n",
-        quoted(file),
-        quoted(&topic.name)
-    )
+    let topic = quoted(&topic.name);
+    Lines::element("export")
+        .with(Line::File(file.to_owned()))
+        .with_text("unit = \"m\"                 # REP 103\n")
+        .with(Line::Format(format!(
+            "{{ topic = {topic}, header = 1, columns = {{ time_s = \"{STAMP}\", {columns} }} }}"
+        )))
+        .with(Line::Target(Target::Open))
 }

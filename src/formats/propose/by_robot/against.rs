@@ -6,6 +6,7 @@ use crate::propose::table::{Column, Table, heading_without_unit, joint_columns};
 use crate::propose::turned;
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use etalon_documents::FormatsDocument;
 use etalon_robots::Robot;
 use std::collections::BTreeSet;
 
@@ -18,6 +19,15 @@ pub(crate) struct Remarks {
     pub joints_named: bool,
     /// Largest residual (mm) of points that the nominal robot reproduces.
     pub reproduced_mm: Option<f64>,
+}
+
+impl Remarks {
+    /// Adds the remarks to the document of a proposal.
+    pub fn add_to(self, document: &mut FormatsDocument) {
+        (document.facts.joints_named, document.facts.reproduced_mm) = (self.joints_named, self.reproduced_mm);
+        self.reasons.into_iter().for_each(|reason| document.because(reason));
+        self.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
+    }
 }
 
 /// Maximum number of targets in a column of targets.

@@ -5,11 +5,11 @@ use crate::dialect::{ColumnRole, quoted};
 use crate::logs::{ArrayFile, ArrayParts, LogKind};
 use crate::propose::coordinates::FEWEST_OF_POINTS;
 use crate::propose::headings::{Heading, Word};
-use crate::propose::lines::{fitted_unit_line, joint_entry, roles, unit_line};
+use crate::propose::lines::{fitted_unit_line, joint_column, roles, unit_line};
 use crate::propose::meaning::{Evidence, Interpretation, Meaning, PointSet};
-use crate::propose::several::{POSE_LINE, TARGET_LINE};
+use crate::propose::statements::{Line, Lines, OPEN_TIME, OPEN_UNIT, Target};
 use crate::propose::table::{Column, MOST_ROWS, Table};
-use crate::propose::{Correct, columns, with_remarks};
+use crate::propose::{Correct, Proposed, columns};
 use etalon_base::message::Message;
 use etalon_base::{error, phrase};
 use etalon_documents::FormatsDocument;
@@ -23,7 +23,7 @@ pub(crate) fn propose_arrays(
     contents: &ArrayFile,
     format: LogKind,
     correct: Option<Correct>,
-) -> Result<FormatsDocument, Message> {
+) -> Result<Proposed, Message> {
     let arrays = format.arrays(contents)?;
     let Some(widest) = most_likely(&arrays, contents, format) else {
         return Err(error!("no-rows-of-numbers", file = "arrays"));
@@ -43,12 +43,7 @@ pub(crate) fn propose_arrays(
     document.because(phrase!("because-arrays-of-numbers", arrays = all));
     let (mut table, mut found) = interpreted(&arrays, widest, contents, format)?;
     other_arrays(&arrays, widest, &mut found);
-    if let Some(correct) = correct {
-        let remarks = correct(&mut table, &mut found);
-        (document.facts.joints_named, document.facts.reproduced_mm) = (remarks.joints_named, remarks.reproduced_mm);
-        remarks.reasons.into_iter().for_each(|reason| document.because(reason));
-        remarks.doubts.into_iter().for_each(|doubt| document.doubt(doubt));
-    }
+    correct.into_iter().for_each(|correct| correct(&mut table, &mut found).add_to(&mut document));
     found.doubts.iter().for_each(|doubt| document.doubt(doubt.text.clone()));
     found.questions.iter().for_each(|question| document.ask(question.text.clone()));
     document.columns = columns(&table, &found);
@@ -60,8 +55,8 @@ pub(crate) fn propose_arrays(
                 document.ask(phrase!("ask-unit"));
             }
             let sets = 0..found.points.len();
-            let head = format!("[[export]]\nfile = {}\n", quoted(file));
-            sets.map(|set| head.clone() + &array_lines(widest, &table, &found, set, unit)).collect()
+            let head = Lines::element("export").with(Line::File(file.to_owned()));
+            sets.flat_map(|set| [head.clone(), array_lines(widest, &table, &found, set, unit)]).collect()
         }
         None => {
             let joints = found.joint_columns();
@@ -73,8 +68,7 @@ pub(crate) fn propose_arrays(
             log_lines(file, about.name, &table, &found)
         }
     };
-    document.toml = with_remarks(&document, &lines);
-    Ok(document)
+    Ok(Proposed::with_remarks(document, lines))
 }
 
 /// Names of arrays of accelerations, rates and forces, in lower case.
@@ -233,41 +227,43 @@ fn array_lines(
     found: &Interpretation,
     set: usize,
     unit: Option<&'static str>,
-) -> String {
+) -> Lines {
     let roles = roles(found, set);
     let named = roles.iter().zip(&table.columns).filter(|(role, _)| **role != ColumnRole::Skip);
     let columns: Vec<String> = named
         .map(|(role, column)| {
             let is_open = *role == ColumnRole::TimeS && found.clock.question.is_some();
-            let name = if is_open { "time_UNIT" } else { role.name() };
+            let name = if is_open { OPEN_TIME } else { role.name() };
             format!("{name} = {}", quoted(column.name.as_deref().unwrap_or_default()))
         })
         .collect();
-    let is_timed = found.first(Meaning::Time).is_some();
-    format!(
-        "format = {{ sheet = {}, header = 1, columns = {{ {} }} }}\n{}{TARGET_LINE}{}",
-        quoted(&array.name),
-        columns.join(", "),
-        if unit.is_some() { fitted_unit_line(unit) } else { unit_line(None) },
-        if is_timed { "" } else { POSE_LINE }
-    )
+    let form = format!("{{ sheet = {}, header = 1, columns = {{ {} }} }}", quoted(&array.name), columns.join(", "));
+    let mut lines = Lines::default().with(Line::Format(form));
+    lines.push(Line::Text(if unit.is_some() { fitted_unit_line(unit) } else { unit_line(None) }));
+    lines.push(Line::Target(Target::Open));
+    if found.first(Meaning::Time).is_none() {
+        lines.push(Line::PoseByRow);
+    }
+    lines
 }
 
 /// Lines of a log of arrays.
-fn log_lines(file: &str, format: &str, table: &Table, found: &Interpretation) -> String {
+fn log_lines(file: &str, format: &str, table: &Table, found: &Interpretation) -> Lines {
     let name = |at: usize| table.columns[at].name.as_deref();
     let time = found.first(Meaning::Time).and_then(name).map(|time| {
-        let unit = if found.clock.question.is_some() { "UNIT" } else { found.clock.unit.unwrap_or("s") };
-        format!("time_{unit} = {}", quoted(time))
+        let unit = if found.clock.question.is_some() { OPEN_UNIT } else { found.clock.unit.unwrap_or("s") };
+        (format!("time_{unit}"), quoted(time))
     });
     let joint = |(k, at): (usize, usize)| {
         let key = found.joint_names.get(k).cloned().unwrap_or_else(|| format!("q{}", k + 1));
-        let unit = table.columns[at].heading.unit.unwrap_or("UNIT");
-        joint_entry(&format!("{key}_{unit}"), found.reversed.contains(&at), name(at), at + 1)
+        let unit = table.columns[at].heading.unit.unwrap_or(OPEN_UNIT);
+        (format!("{key}_{unit}"), joint_column(found.reversed.contains(&at), name(at), at + 1))
     };
     let joints = found.joint_columns().into_iter().enumerate().map(joint);
-    let columns: Vec<String> = time.into_iter().chain(joints).collect();
-    format!("[log]\nfile = {}\nformat = {format:?}\ncolumns = {{ {} }}\n", quoted(file), columns.join(", "))
+    Lines::section("log")
+        .with(Line::File(file.to_owned()))
+        .with(Line::Format(format!("{format:?}")))
+        .with(Line::Columns(time.into_iter().chain(joints).collect()))
 }
 
 #[cfg(test)]
@@ -303,8 +299,10 @@ mod tests {
             archive.start_file(format!("{name}.npy"), zip::write::SimpleFileOptions::default()).unwrap();
             archive.write_all(&npy(values)).unwrap();
         }
-        let proposed =
-            |bytes: &[u8]| propose_arrays("p.npz", &bytes.into(), LogKind::from_array_file(bytes).unwrap(), None);
+        let proposed = |bytes: &[u8]| {
+            propose_arrays("p.npz", &bytes.into(), LogKind::from_array_file(bytes).unwrap(), None)
+                .map(Proposed::printed)
+        };
         let document = proposed(&archive.finish().unwrap().into_inner()).unwrap();
         assert!(document.toml.contains("sheet = \"hand\""), "{}", document.toml);
         let asked = phrase!("ask-other-arrays", used = "hand", others = vec!["`arm`", "`foot`"], more = 0);
@@ -319,7 +317,9 @@ mod tests {
         let values: Vec<f64> = (0..20).flat_map(pose).collect();
         let proposed = |values: &[f64]| {
             let bytes = npy(values);
-            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap(), None).unwrap()
+            propose_arrays("p.npy", &bytes.as_slice().into(), LogKind::from_array_file(&bytes).unwrap(), None)
+                .unwrap()
+                .printed()
         };
         let document = proposed(&values);
         assert_eq!(document.kind, "export", "{}", document.toml);

@@ -6,7 +6,7 @@ use crate::logs::LogKind;
 use crate::points::{Point, has_frame_on_points};
 use crate::propose::coordinates;
 use crate::propose::meaning::{Evidence, Fractions, Interpretation, Meaning, PointSet};
-use crate::propose::several::{LABEL_LINE, POSE_LABEL_LINE, POSE_LINE, TARGET_LINE};
+use crate::propose::statements::{Label, Line, Lines, OPEN_UNIT, Target};
 use crate::propose::table::Table;
 use crate::table::QUATERNION;
 use etalon_base::catalogue::Phrase;
@@ -28,9 +28,6 @@ const ROTATION_REMARK: &str = "   # rotation: \"zyx\", \"fixed xyz\" .. for thre
 /// Remark on columns that nothing tells.
 const COLUMNS_REMARK: &str = "# the columns in order, [\"x\", \"y\", \"z\", \"-\", ...]; columns of joints by \
      their numbers in `joints = { q1_deg = 1, ... }` below";
-
-/// Line of a proposal for a point that may be in two frames.
-const FRAMES_LINE: &str = "target = \"?\"               # a target of its own, or the same point in another frame\n";
 
 /// Maximum number of problems of a trial that are repeated as doubts.
 const SHOWN: usize = 3;
@@ -67,14 +64,14 @@ pub(crate) fn fitted_unit_line(unit: Option<&str>) -> String {
     unit_line(unit).replace("the file states it", "the kinematics of the nominal robot fit with it")
 }
 
-/// Returns the entry of a joint in `columns` of a log or `joints` of an export: its column by its
-/// heading, or by its number.
-pub(crate) fn joint_entry(key: &str, is_reversed: bool, heading: Option<&str>, number: usize) -> String {
+/// Returns the column of a joint in `columns` of a log or `joints` of an export, by its heading or
+/// by its number.
+pub(crate) fn joint_column(is_reversed: bool, heading: Option<&str>, number: usize) -> String {
     match (is_reversed, heading) {
-        (false, Some(name)) => format!("{key} = {}", quoted(name)),
-        (false, None) => format!("{key} = {number}"),
-        (true, Some(name)) => format!("{key} = {{ name = {}, per_count = -1 }}", quoted(name)),
-        (true, None) => format!("{key} = {{ number = {number}, per_count = -1 }}"),
+        (false, Some(name)) => quoted(name),
+        (false, None) => number.to_string(),
+        (true, Some(name)) => format!("{{ name = {}, per_count = -1 }}", quoted(name)),
+        (true, None) => format!("{{ number = {number}, per_count = -1 }}"),
     }
 }
 
@@ -166,7 +163,7 @@ pub(crate) fn roles(found: &Interpretation, set: usize) -> Vec<ColumnRole> {
 
 impl Proposal<'_> {
     /// Returns the lines, and adds doubts and questions to the document.
-    pub fn lines(&self, document: &mut FormatsDocument) -> String {
+    pub fn lines(&self, document: &mut FormatsDocument) -> Lines {
         let found = self.found;
         let joints = found.joint_columns();
         let polar = roles(found, 0).iter().any(|role| role.is_angle());
@@ -327,57 +324,57 @@ impl Proposal<'_> {
     }
 
     /// Returns the lines of exports of points.
-    fn points(&self, document: &mut FormatsDocument) -> String {
+    fn points(&self, document: &mut FormatsDocument) -> Lines {
         document.kind = "export".to_owned();
-        let mut out = String::new();
-        for set in 0..self.found.points.len().max(1) {
-            out += &self.export(document, set);
-        }
+        let lines = (0..self.found.points.len().max(1)).map(|set| self.export(document, set)).collect();
         if self.found.points.len() > 1 {
             document.because(phrase!("because-several-points", count = self.found.points.len()));
         }
         self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
-        out
+        lines
     }
 
     /// Returns the lines of an export whose columns nothing tells.
-    fn open(&self, document: &mut FormatsDocument) -> String {
+    fn open(&self, document: &mut FormatsDocument) -> Lines {
         document.kind = "export".to_owned();
         document.ask(phrase!("ask-unit"));
         let columns = Columns::InOrder(vec![ColumnRole::Skip]);
         let form = Dialect { form: self.best.form.clone(), columns, ..Dialect::default() }.to_string();
-        format!(
-            "[[export]]\nfile = {}\nformat = {}   {COLUMNS_REMARK}\n{}{TARGET_LINE}{POSE_LINE}",
-            quoted(self.file),
-            form.replace("columns = [\"-\"]", "columns = \"?\""),
-            unit_line(None)
-        )
+        let form = form.replace("columns = [\"-\"]", "columns = \"?\"");
+        self.new_export(format!("{form}   {COLUMNS_REMARK}"))
+            .with_text(unit_line(None))
+            .with(Line::Target(Target::Open))
+            .with(Line::PoseByRow)
+    }
+
+    /// Returns the first lines of an export of the file.
+    fn new_export(&self, format: String) -> Lines {
+        Lines::element("export").with(Line::File(self.file.to_owned())).with(Line::Format(format))
     }
 
     /// Returns the lines of one export.
-    fn export(&self, document: &mut FormatsDocument, set: usize) -> String {
+    fn export(&self, document: &mut FormatsDocument, set: usize) -> Lines {
         let roles = roles(self.found, set);
         let points = self.found.points.get(set);
         let distance = || Unit::named(self.table.columns[self.found.first(Meaning::Distance)?].heading.unit?);
         let unit = points.map_or_else(distance, |points| self.unit(points));
         let dialect = self.dialect(set);
-        let mut out = format!("[[export]]\nfile = {}\nformat = {}\n", quoted(self.file), self.written(&dialect));
+        let mut lines = self.new_export(self.written(&dialect));
         let fitted = |at: &usize| self.table.columns[*at].heading.fitted;
-        out += &match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
+        lines.push(Line::Text(match points.is_some_and(|points| points.columns.iter().flatten().all(fitted)) {
             true => fitted_unit_line(unit.map(Unit::name)),
             false => unit_line(unit.map(Unit::name)),
-        };
+        }));
         let of: Vec<ColumnRole> = roles.iter().copied().filter(|role| role.is_coordinate()).collect();
         let kind = coordinate_type(&of).unwrap_or(CoordinateType::Cartesian);
         if dialect.angle_unit.is_none() && of.iter().any(|role| role.is_angle()) {
             document.ask(phrase!("ask-angle-unit"));
         }
         let named = self.table.columns.iter().any(|column| column.name.is_some());
-        if named {
-            let _ = writeln!(out, "# the columns are {}", kind.name());
-        } else {
-            let _ = writeln!(out, "# are the columns x, y, z in this order, and {}?", kind.name());
-        }
+        lines.push(Line::Remark(match named {
+            true => format!("the columns are {}", kind.name()),
+            false => format!("are the columns x, y, z in this order, and {}?", kind.name()),
+        }));
         if set == 0 {
             self.tried(&dialect, unit).into_iter().for_each(|doubt| document.doubt(doubt));
             self.blocks().into_iter().for_each(|question| document.ask(question));
@@ -390,10 +387,8 @@ impl Proposal<'_> {
         }
         let has = |role: ColumnRole| roles.contains(&role);
         let several_points = self.found.points.len() > 1;
-        if has(ColumnRole::Label) && several_points {
-            out.push_str(POSE_LABEL_LINE);
-        } else if has(ColumnRole::Label) {
-            out.push_str(LABEL_LINE);
+        if has(ColumnRole::Label) {
+            lines.push(Line::Label(if several_points { Label::Pose } else { Label::Open }));
         }
         if !has(ColumnRole::Target) && (several_points || !has(ColumnRole::Label)) {
             let alike = |name: &str| {
@@ -402,25 +397,21 @@ impl Proposal<'_> {
             let tag = points.map(|points| coordinates::target_name(&points.tag));
             let tag = tag.filter(|tag| self.found.points.len() > 1 && !alike(tag));
             let tag = points.and_then(|points| self.group(points)).or(tag);
-            match tag {
-                _ if self.found.is_in_turned_frames(self.table) => out.push_str(FRAMES_LINE),
-                Some(tag) if tag.parse::<u32>().is_ok() => {
-                    let _ = writeln!(out, "target = \"marker_{tag}\"");
-                }
-                Some(tag) if !tag.is_empty() => {
-                    let _ = writeln!(out, "target = {}", quoted(&tag));
-                }
-                _ => out.push_str(TARGET_LINE),
-            }
+            lines.push(Line::Target(match tag {
+                _ if self.found.is_in_turned_frames(self.table) => Target::InOtherFrame,
+                Some(tag) if tag.parse::<u32>().is_ok() => Target::Named(format!("marker_{tag}"), ""),
+                Some(tag) if !tag.is_empty() => Target::Named(tag, ""),
+                _ => Target::Open,
+            }));
         }
         // a column or the label may give the pose; the times of several targets tell their poses
         let several = has(ColumnRole::Timestamp) && has(ColumnRole::Target) && self.has_several_targets();
         let stated = [ColumnRole::Label, ColumnRole::Pose];
         let timed = [ColumnRole::TimeS, ColumnRole::TimeMs, ColumnRole::TimeUs, ColumnRole::TimeNs];
         if !several && !stated.iter().chain(&timed).any(|role| has(*role)) {
-            out.push_str(POSE_LINE);
+            lines.push(Line::PoseByRow);
         }
-        out
+        lines
     }
 
     /// `true` if the column of targets has several names.
@@ -498,7 +489,7 @@ impl Proposal<'_> {
     }
 
     /// Returns the lines of a file with joints and points.
-    fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
+    fn mixed(&self, document: &mut FormatsDocument, joints: &[usize]) -> Lines {
         document.because(self.named(joints, phrase!("says-joints-beside")));
         self.not_read().into_iter().for_each(|doubt| document.doubt(doubt));
         let open = self.are_open(joints);
@@ -514,17 +505,24 @@ impl Proposal<'_> {
             return self.observations(joints, &turned);
         }
         document.kind = "export with joints".to_owned();
-        let columns: Vec<String> =
-            joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
-        let joints = format!("joints = {{ {} }}\n", columns.join(", "));
+        let joints = self.joints_line(joints);
         let sets = 0..self.found.points.len().max(1);
-        let remark = if open { JOINTS } else { "" };
-        sets.map(|set| self.export(document, set) + &joints).collect::<String>() + remark
+        let lines: Lines = sets.map(|set| self.export(document, set).with_text(joints.clone())).collect();
+        lines.with_text(if open { JOINTS } else { "" })
+    }
+
+    /// Returns the line of the joints of an export.
+    fn joints_line(&self, joints: &[usize]) -> String {
+        let entry = |(k, at): (usize, &usize)| {
+            let (key, column) = self.joint(k, *at, self.joint_unit(*at));
+            format!("{key} = {column}")
+        };
+        format!("joints = {{ {} }}\n", joints.iter().enumerate().map(entry).collect::<Vec<_>>().join(", "))
     }
 
     /// Returns `true` if neither headings nor kinematics state all joints and their units.
     fn are_open(&self, joints: &[usize]) -> bool {
-        let is_open = |at: &usize| self.joint_unit(*at) == "UNIT" || self.heading(*at).is_none();
+        let is_open = |at: &usize| self.joint_unit(*at) == OPEN_UNIT || self.heading(*at).is_none();
         !self.found.by_kinematics && joints.iter().any(is_open)
     }
 
@@ -534,78 +532,82 @@ impl Proposal<'_> {
     }
 
     /// Returns the entry of a joint in `columns` of a log or `joints` of an export.
-    fn joint(&self, k: usize, at: usize, unit: &str) -> String {
-        let key = format!("{}_{unit}", self.joint_key(k));
-        joint_entry(&key, self.found.reversed.contains(&at), self.heading(at), at + 1)
+    fn joint(&self, k: usize, at: usize, unit: &str) -> (String, String) {
+        let column = joint_column(self.found.reversed.contains(&at), self.heading(at), at + 1);
+        (format!("{}_{unit}", self.joint_key(k)), column)
     }
 
     /// Returns the unit of the column of a joint, as the suffix of its key.
     fn joint_unit(&self, at: usize) -> &'static str {
-        self.table.columns[at].heading.unit.filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or("UNIT")
+        self.table.columns[at].heading.unit.filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(OPEN_UNIT)
     }
 
     /// Returns the columns of pose, cycle, target and joints with their names in observations.
-    fn observation_columns(&self, joints: &[usize]) -> Vec<String> {
-        let mut columns: Vec<String> = Vec::new();
-        let mut column = |name: String, at: usize| columns.push(format!("{name} = {}", self.column(at)));
+    fn observation_columns(&self, joints: &[usize]) -> Vec<(String, String)> {
+        let mut columns = Vec::new();
+        let mut column = |name: String, at: usize| columns.push((name, self.column(at)));
         for (name, meaning) in [("pose", Meaning::Pose), ("cycle", Meaning::Cycle), ("target", Meaning::Target)] {
             if let Some(at) = self.found.first(meaning) {
                 column(name.to_owned(), at);
             }
         }
         for (k, at) in joints.iter().enumerate() {
-            let (key, unit) = (self.joint_key(k), self.joint_unit(*at));
-            columns.push(match self.found.reversed.contains(at) {
-                false => format!("{key}_{unit} = {}", self.column(*at)),
+            let source = match self.found.reversed.contains(at) {
+                false => self.column(*at),
                 true => {
                     let name = self.heading(*at).map_or_else(|| format!("${}", at + 1), str::to_owned);
-                    format!("{key}_{unit} = {}", quoted(&format!("-1 * {name}")))
+                    quoted(&format!("-1 * {name}"))
                 }
-            });
+            };
+            columns.push((format!("{}_{}", self.joint_key(k), self.joint_unit(*at)), source));
         }
         columns
     }
 
     /// Returns the lines of a table of observations with joints, positions and orientations.
-    fn observations(&self, joints: &[usize], turned: &[usize]) -> String {
+    fn observations(&self, joints: &[usize], turned: &[usize]) -> Lines {
         let points = &self.found.points[0];
-        let unit = self.unit(points).map_or("UNIT", Unit::name);
+        let unit = self.unit(points).map_or(OPEN_UNIT, Unit::name);
         let mut columns = self.observation_columns(joints);
         for (name, at) in ["x", "y", "z"].into_iter().zip(points.columns) {
-            columns.extend(at.map(|at| format!("{name}_{unit} = {}", self.column(at))));
+            columns.extend(at.map(|at| (format!("{name}_{unit}"), self.column(at))));
         }
-        let angle = self.found.orientations.rotation.unit.unwrap_or("UNIT");
+        let angle = self.found.orientations.rotation.unit.unwrap_or(OPEN_UNIT);
         let order = self.found.orientations.rotation.order.as_deref();
         let names = if order == Some(ROTATION_VECTOR) { ["rx", "ry", "rz"] } else { ["a", "b", "c"] };
         match turned.len() {
-            4 => columns
-                .extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| format!("{name} = {}", self.column(*at)))),
-            _ => columns.extend(
-                names.into_iter().zip(turned).map(|(name, at)| format!("{name}_{angle} = {}", self.column(*at))),
-            ),
+            4 => {
+                columns.extend(QUATERNION.into_iter().zip(turned).map(|(name, at)| (name.to_owned(), self.column(*at))))
+            }
+            _ => columns
+                .extend(names.into_iter().zip(turned).map(|(name, at)| (format!("{name}_{angle}"), self.column(*at)))),
         }
         let remark = if self.are_open(joints) { JOINTS } else { "" };
-        let mut out = format!("{}columns = {{ {} }}\n{remark}", self.table_lines("[observations]"), columns.join(", "));
+        let mut lines = self.table_lines("observations", None).with(Line::Columns(columns)).with_text(remark);
         if let (3, Some(order)) = (turned.len(), order.filter(|order| *order != ROTATION_VECTOR)) {
-            let _ = writeln!(out, "orientation = {}", quoted(order));
+            lines.push(Line::Text(format!("orientation = {}\n", quoted(order))));
         } else if turned.len() == 3 && order.is_none() {
-            out.push_str(
+            lines = lines.with_text(
                 "orientation = \"?\"          # order of the three angles: \"zyx\", \"fixed xyz\" ..; without it the error names the orders that fit. Of a\n\
                  # rotation vector name the columns rx_UNIT, ry_UNIT, rz_UNIT instead\n",
             );
         }
-        out + &self.target_and_pose("probe", "the body that was measured")
+        lines.followed_by(self.target_and_pose("probe", "the body that was measured"))
     }
 
-    /// Returns the section and the form of a table.
-    fn table_lines(&self, head: &str) -> String {
+    /// Returns the section and the form of a table, which a log in a known format states.
+    fn table_lines(&self, section: &'static str, format: Option<LogKind>) -> Lines {
         let form = &self.best.form;
-        let mut out = format!("{head}\nfile = {}\n", quoted(self.file));
+        let lines = Lines::section(section).with(Line::File(self.file.to_owned()));
+        let mut out = String::new();
         match (&form.sheet, form.delimiter) {
             (Some(sheet), _) => {
                 let _ = writeln!(out, "sheet = {}", quoted(sheet));
             }
             (None, delimiter) => {
+                if let Some(format) = format {
+                    let _ = writeln!(out, "format = {:?}", format.about().name);
+                }
                 let delimiter = delimiter.map_or(",", Delimiter::name);
                 let _ = writeln!(out, "delimiter = {delimiter:?}\ndecimal = {:?}", form.decimal().name());
                 if let Some(thousands) = form.thousands {
@@ -616,44 +618,45 @@ impl Proposal<'_> {
         if let Some(comment) = &form.comment {
             let _ = writeln!(out, "comment = {}", quoted(comment));
         }
-        if head == "[log]" {
-            return out;
-        }
-        if self.best.header != 1 {
+        if section != "log" && self.best.header != 1 {
             let _ = writeln!(out, "header = {}", self.best.header);
         }
-        out
+        lines.with_text(out)
     }
 
-    fn target_and_pose(&self, target: &str, what: &str) -> String {
-        let mut out = String::new();
+    fn target_and_pose(&self, target: &str, what: &'static str) -> Lines {
+        let mut lines = Lines::default();
         if self.found.first(Meaning::Target).is_none() {
-            let _ = writeln!(out, "target = {target:?}           # {what}");
+            lines.push(Line::Target(Target::Named(target.to_owned(), what)));
         }
         if self.found.first(Meaning::Pose).is_none() {
-            out.push_str(POSE_LINE);
+            lines.push(Line::PoseByRow);
         }
-        out
+        lines
     }
 
     /// Returns the lines of joints and one length (draw wire or ball bar).
-    fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> String {
+    fn distances(&self, document: &mut FormatsDocument, joints: &[usize], distance: usize) -> Lines {
         document.kind = "observations".to_owned();
         document.because(self.named(&[joints, &[distance]].concat(), phrase!("says-joints-and-length")));
         document.ask(phrase!("ask-anchor"));
-        let unit = self.table.columns[distance].heading.unit.unwrap_or("UNIT");
+        let unit = self.table.columns[distance].heading.unit.unwrap_or(OPEN_UNIT);
         let mut columns = self.observation_columns(joints);
-        columns.push(format!("distance_{unit} = {}", self.column(distance)));
-        format!("{}columns = {{ {} }}\n{JOINTS}", self.table_lines("[observations]"), columns.join(", "))
-            + "kind = \"distance\"\nconstants = { other = \"anchor\" }   # the point from which the distance is measured\n"
-            + &self.target_and_pose("ball", "the end of the wire on the robot")
+        columns.push((format!("distance_{unit}"), self.column(distance)));
+        self.table_lines("observations", None)
+            .with(Line::Columns(columns))
+            .with_text(JOINTS)
+            .with_text(
+                "kind = \"distance\"\nconstants = { other = \"anchor\" }   # the point from which the distance is measured\n",
+            )
+            .followed_by(self.target_and_pose("ball", "the end of the wire on the robot"))
     }
 
     /// Returns the lines of joints, a commanded point and its difference from the measured point.
-    fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> String {
+    fn computed(&self, document: &mut FormatsDocument, joints: &[usize]) -> Lines {
         let (Some(commanded), Some(difference)) = (&self.found.commanded.alone, &self.found.commanded.difference)
         else {
-            return String::new();
+            return Lines::default();
         };
         document.kind = "export".to_owned();
         let both = commanded.columns.into_iter().chain(difference.columns).flatten().collect::<Vec<usize>>();
@@ -680,32 +683,26 @@ impl Proposal<'_> {
         let unit = self.unit(commanded);
         let (form, columns) = (self.best.form.clone(), Columns::Named(columns));
         let dialect = Dialect { form, columns, ..Dialect::default() };
-        let mut out = format!(
-            "[[export]]\nfile = {}\nformat = {dialect}\n{}",
-            quoted(self.file),
-            unit_line(unit.map(Unit::name))
-        );
+        let mut lines = self.new_export(dialect.to_string()).with_text(unit_line(unit.map(Unit::name)));
         if unit.is_none() {
             document.ask(self.unit_of_lengths(Some(commanded)));
         }
         if !named {
-            out.push_str("target = \"?\"               # which target the rows are of\n");
+            lines.push(Line::Target(Target::Open));
         }
         if !numbered {
-            out.push_str(POSE_LINE);
+            lines.push(Line::PoseByRow);
         }
         if joints.len() >= 2 {
             document.kind = "export with joints".to_owned();
             document.ask(phrase!("ask-joints"));
-            let columns: Vec<String> =
-                joints.iter().enumerate().map(|(k, at)| self.joint(k, *at, self.joint_unit(*at))).collect();
-            let _ = write!(out, "joints = {{ {} }}\n{JOINTS}", columns.join(", "));
+            lines = lines.with_text(self.joints_line(joints)).with_text(JOINTS);
         }
-        out
+        lines
     }
 
     /// Returns the remark on a table without joints and measured points.
-    fn commanded(&self, document: &mut FormatsDocument) -> String {
+    fn commanded(&self, document: &mut FormatsDocument) -> Lines {
         document.kind = "unknown".to_owned();
         if self.found.commanded.alone.is_some() {
             document.kind = "commanded".to_owned();
@@ -713,29 +710,23 @@ impl Proposal<'_> {
             document.facts.without_attained = Some(doubt.clone());
             document.doubt(doubt);
         }
-        format!(
+        Lines::default().with_text(format!(
             "# `{}`: no column is a measured coordinate or a joint; state what the columns are in `columns`\n",
             self.file
-        )
+        ))
     }
 
     /// Returns the lines of a log, in a known format or as delimited text.
-    pub fn log(&self, kind: Option<LogKind>) -> String {
-        let format = kind.map(|kind| format!("format = {:?}\n", kind.about().name)).unwrap_or_default();
-        let mut out = self.table_lines("[log]").replacen("delimiter", &format!("{format}delimiter"), 1);
-        match self.best.header {
-            rows @ (0 | 1) => {
-                let _ = writeln!(out, "header = {}", rows == 1);
-            }
-            rows => {
-                let _ = writeln!(out, "header = {rows}");
-            }
-        }
+    pub fn log(&self, kind: Option<LogKind>) -> Lines {
+        let lines = self.table_lines("log", kind).with_text(match self.best.header {
+            rows @ (0 | 1) => format!("header = {}\n", rows == 1),
+            rows => format!("header = {rows}\n"),
+        });
         let unit_of = |at: usize| {
             let name = self.table.columns[at].name.as_deref();
             name.zip(kind).and_then(|(name, kind)| kind.column_unit(name))
         };
-        let mut columns: Vec<String> = Vec::new();
+        let mut columns = Vec::new();
         for (at, taken) in self.found.taken.iter().enumerate() {
             let key = match taken.meaning {
                 Meaning::Pose => "pose".to_owned(),
@@ -743,7 +734,7 @@ impl Proposal<'_> {
                 Meaning::Label => "label".to_owned(),
                 Meaning::Time => {
                     let unit = unit_of(at).or(self.found.clock.unit).filter(|u| ["s", "ms", "us", "ns"].contains(u));
-                    let open = if kind.is_none() && self.found.clock.question.is_some() { "UNIT" } else { "s" };
+                    let open = if kind.is_none() && self.found.clock.question.is_some() { OPEN_UNIT } else { "s" };
                     format!("time_{}", unit.unwrap_or(open))
                 }
                 _ => match unit_of(at) {
@@ -753,18 +744,14 @@ impl Proposal<'_> {
                     _ => continue,
                 },
             };
-            columns.push(match self.seconds(at).filter(|_| taken.meaning == Meaning::Time) {
-                Some(computed) => format!("{key} = {}", quoted(&computed)),
-                None => format!("{key} = {}", self.column(at)),
-            });
+            let seconds = self.seconds(at).filter(|_| taken.meaning == Meaning::Time);
+            columns.push((key, seconds.map_or_else(|| self.column(at), |computed| quoted(&computed))));
         }
         for (k, at) in self.found.joint_columns().into_iter().enumerate() {
             let unit =
                 unit_of(at).filter(|unit| ["deg", "rad", "mm", "m"].contains(unit)).unwrap_or(self.joint_unit(at));
             columns.push(self.joint(k, at, unit));
         }
-        let _ = writeln!(out, "columns = {{ {} }}", columns.join(", "));
-        out.push_str(JOINTS);
-        out
+        lines.with(Line::Columns(columns)).with_text(JOINTS)
     }
 }
