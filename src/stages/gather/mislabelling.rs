@@ -96,7 +96,7 @@ pub(super) fn misplaced(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 fn neighbours<'a>(points: impl Iterator<Item = &'a Point>, near: f64) -> Vec<(&'a Point, &'a Point)> {
     let named = points.filter(|p| !name(p).is_empty() && p.xyz_mm[0].is_finite());
     // by name: repeats of one point are many
-    let mut cells: IndexMap<[i64; 3], IndexMap<&str, Vec<&Point>>> = IndexMap::new();
+    let mut cells: BTreeMap<[i64; 3], IndexMap<&str, Vec<&Point>>> = BTreeMap::new();
     let mut pairs = Vec::new();
     for point in named {
         let place = point.xyz_mm.map(|v| v / (2.0 * near));
