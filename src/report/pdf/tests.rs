@@ -37,6 +37,32 @@ fn the_demo_is_typeset_and_its_bytes_are_the_same_twice() {
     }
 }
 
+/// A word may break, and its text has no mark of it: a reader finds the name of a file.
+#[test]
+fn long_words_are_found_in_the_text() {
+    let name = "measurements_of_a_robot/in_a_long_folder_of_files.csv";
+    let Some(read) = extract_text(&typeset_report(&with_text(name))) else { return };
+    assert!(read.contains("measurements_of_a_robot") && !read.contains('\u{200b}'), "{read}");
+}
+
+/// A figure moves as a whole: sections of figures follow the sections of text, and annexes need no new page.
+#[test]
+fn pages_before_figures_are_filled() {
+    let documents = Documents::demo();
+    let Some(text) = extract_text(&typeset_report(&documents)) else { return };
+    let words = Words::default();
+    let pages: Vec<&str> = text.split('\u{c}').collect();
+    let page = |title: &str| {
+        let is_heading = |line: &str| line.trim_start_matches(|c: char| c.is_ascii_digit() || c == ' ') == title;
+        pages.iter().position(|page| page.lines().any(is_heading)).unwrap_or_else(|| panic!("{title}: {text}"))
+    };
+    let [budget, figures] = [tr!(words, "uncertainty-budget"), tr!(words, "pictures")].map(|title| page(&title));
+    assert!(budget <= figures, "{budget} {figures}");
+    let signed = page(&tr!(words, "signatures"));
+    let annex = pages.iter().position(|page| page.lines().any(|line| line.trim_start().starts_with("A ")));
+    assert_eq!(annex, Some(signed), "{text}");
+}
+
 #[test]
 fn hostile_names_are_printed_as_they_are() {
     let hostile =

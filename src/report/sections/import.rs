@@ -1,5 +1,6 @@
 //! Imported rows, and all rows that were rejected or unmatched.
 
+use super::provenance::below_variable;
 use crate::model::{Block, Columns, Section, Table, Text, term};
 use crate::words::{Words, isolated, names, tr};
 use etalon_base::message::one_line;
@@ -10,7 +11,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let mut section = Section::new("import", tr!(words, "import"));
     section.push(Block::Table(sources(&results.import.sources, words)));
     for source in results.import.sources.iter().filter(|s| !s.refused.is_empty()) {
-        let file = isolated(&one_line(&source.file));
+        let file = isolated(&one_line(below_variable(&source.file)));
         let title = tr!(words, "refused-rows", refused = source.refused.len(), total = file);
         let columns = Columns::<Refused>::new()
             .sheet(phrase!("file"), "", |_| source.file.as_str())
@@ -33,7 +34,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
 
 fn sources(sources: &[Source], words: &Words) -> Table {
     let columns = Columns::<Source>::new()
-        .page(phrase!("file"), "", |s| s.file.as_str())
+        .page(phrase!("file"), "", |s| below_variable(&s.file))
         .page(phrase!("kind"), "", |s| term(words, names::kind(s.kind)))
         .page(phrase!("bytes"), "", |s| s.bytes)
         .page(phrase!("read-as"), "", |s| Text::worded(&s.dialect, words))

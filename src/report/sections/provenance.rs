@@ -6,7 +6,7 @@ use etalon_base::phrase;
 use etalon_documents::{Provenance, Results, Source};
 
 /// Path of an input below the folder that an environment variable names: `$NAME/path`.
-fn below_variable(name: &str) -> &str {
+pub(super) fn below_variable(name: &str) -> &str {
     name.strip_prefix('$').and_then(|rest| rest.split_once('/')).map_or(name, |(_, path)| path)
 }
 
