@@ -913,6 +913,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "Iso9283Drift": {
         "ap_mm": ("", []),
+        "dap_expanded_uncertainty_mm": ("", None),
         "dap_mm": ("", None),
         "drp_mm": ("", None),
         "is_significant": ("", False),
@@ -1037,13 +1038,16 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "distance_mm": ("", None),
         "from": ("", None),
         "moves": ("", None),
+        "posing_expanded_uncertainty_s": ("", None),
         "posing_s": ("", None),
         "to": ("", None),
     },
     "Iso9283Settling": {
         "arrivals": ("", None),
+        "overshoot_expanded_uncertainty_mm": ("", None),
         "overshoot_mm": ("", None),
         "pose": ("", None),
+        "stabilisation_expanded_uncertainty_s": ("", None),
         "stabilisation_s": ("", None),
     },
     "Iso9283Standstill": {

@@ -1384,6 +1384,8 @@ class Iso9283Drift(Record):
     """Drift of one pose (7.6)."""
     ap_mm: NDArray[np.float64]
     """AP of each set."""
+    dap_expanded_uncertainty_mm: float | None
+    """Expanded uncertainty of `dap_mm`: scatter within the sets."""
     dap_mm: float
     """|AP at the start − AP at the end|."""
     drp_mm: float
@@ -1613,6 +1615,8 @@ class Iso9283Posing(Record):
     """Pose at the start."""
     moves: int
     """Number of moves."""
+    posing_expanded_uncertainty_s: float | None
+    """Expanded uncertainty of this time: scatter of the moves, and sampling interval."""
     posing_s: float
     """Mean posing time."""
     to: int | str
@@ -1622,10 +1626,14 @@ class Iso9283Settling(Record):
     """Arrivals at one pose (7.4, 7.5)."""
     arrivals: int
     """Number of arrivals that settled."""
+    overshoot_expanded_uncertainty_mm: float | None
+    """Expanded uncertainty of this overshoot: scatter of a sample about the standstill."""
     overshoot_mm: float
     """Largest overshoot; zero if no arrival left the limit band again."""
     pose: int | str
     """Name of the pose."""
+    stabilisation_expanded_uncertainty_s: float | None
+    """Expanded uncertainty of this time: scatter of the arrivals, and sampling interval."""
     stabilisation_s: float
     """Mean stabilisation time."""
 

@@ -129,8 +129,14 @@ mirror! {
         arrivals: usize,
         /// Mean stabilisation time.
         stabilisation_s: f64,
+        /// Expanded uncertainty of this time: scatter of the arrivals, and sampling interval.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        stabilisation_expanded_uncertainty_s: Option<f64>,
         /// Largest overshoot; zero if no arrival left the limit band again.
         overshoot_mm: f64,
+        /// Expanded uncertainty of this overshoot: scatter of a sample about the standstill.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        overshoot_expanded_uncertainty_mm: Option<f64>,
     }
 }
 
@@ -161,6 +167,9 @@ mirror! {
         distance_mm: f64,
         /// Mean posing time.
         posing_s: f64,
+        /// Expanded uncertainty of this time: scatter of the moves, and sampling interval.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        posing_expanded_uncertainty_s: Option<f64>,
     }
 }
 
@@ -177,9 +186,9 @@ impl Iso9283StreamDocument {
             samples: stream.len(),
             left_out: recording.left_out.clone(),
             duration_s: time_s[time_s.len() - 1] - time_s[0],
-            settling: all(settling(&standing)),
+            settling: all(settling(stream, &standing)),
             arrivals: all(courses(stream, &standing)),
-            posing: all(moves(&standing)),
+            posing: all(moves(stream, &standing)),
             messages: messages(recording, settings, &standing),
             standstills: all(standing),
             path: None,

@@ -441,6 +441,9 @@ mirror! {
         rp_mm: Vec<f64>,
         /// |AP at the start − AP at the end|.
         dap_mm: f64,
+        /// Expanded uncertainty of `dap_mm`: scatter within the sets.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        dap_expanded_uncertainty_mm: Option<f64>,
         /// |RP at the start − RP at the end|.
         drp_mm: f64,
         /// Number of sets until AP settled.

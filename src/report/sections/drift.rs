@@ -37,6 +37,7 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
         .page(phrase!("pose"), "", |d| d.pose)
         .page(phrase!("sets"), "", |d| d.ap_mm.len())
         .page("dAP", "µm", |d| um(d.dap_mm))
+        .page("U (95 %)", "µm", |d| um(d.dap_expanded_uncertainty_mm))
         .page("dRP", "µm", |d| um(d.drp_mm))
         .page(phrase!("settled-after-set"), "", |d| {
             d.settled_after.map_or_else(|| Cell::from(Text::from("–")), Into::into)
@@ -59,6 +60,7 @@ fn sets<'a>(document: &'a Iso9283Document, words: &Words) -> Table {
         .sheet("AP", "mm", |s| s.of.ap_mm.get(s.i).copied())
         .sheet("RP", "mm", |s| s.of.rp_mm.get(s.i).copied())
         .sheet("dAP", "mm", |s| s.of.dap_mm)
+        .sheet("U (95 %)", "mm", |s| s.of.dap_expanded_uncertainty_mm)
         .sheet("dRP", "mm", |s| s.of.drp_mm)
         .sheet(phrase!("settled-after-set"), "", |s| s.of.settled_after);
     Table::new(words, &rows, columns).on(phrase!("sheet-iso9283-drift"))

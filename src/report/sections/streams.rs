@@ -1,6 +1,6 @@
 //! Recorded motions: table of ISO 9283 characteristics, and figures of path, drift and arrivals.
 
-use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers};
+use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers, significant};
 use crate::number;
 use crate::plots::curves::{Curve, Curves, Mark};
 use crate::words::{Words, tr};
@@ -294,7 +294,9 @@ fn settling(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("pose"), "", |s| s.pose)
         .both(phrase!("arrivals"), "", |s| s.arrivals)
         .both(phrase!("stabilisation-time"), "s", |s| fixed(s.stabilisation_s, 3))
-        .micrometres(phrase!("overshoot"), |s| s.overshoot_mm);
+        .both("U (95 %)", "s", |s| significant(s.stabilisation_expanded_uncertainty_s, 2))
+        .micrometres(phrase!("overshoot"), |s| s.overshoot_mm)
+        .micrometres("U (95 %)", |s| s.overshoot_expanded_uncertainty_mm);
     Table::new(words, &named.stream.settling, columns).on(phrase!("sheet-stabilisation"))
 }
 
@@ -305,7 +307,8 @@ fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("to-pose"), "", |p| p.to)
         .both(phrase!("moves"), "", |p| p.moves)
         .both(phrase!("distance"), "mm", |p| fixed(p.distance_mm, 3))
-        .both(phrase!("posing-time"), "s", |p| fixed(p.posing_s, 3));
+        .both(phrase!("posing-time"), "s", |p| fixed(p.posing_s, 3))
+        .both("U (95 %)", "s", |p| significant(p.posing_expanded_uncertainty_s, 2));
     Table::new(words, &named.stream.posing, columns).on(phrase!("sheet-posing"))
 }
 

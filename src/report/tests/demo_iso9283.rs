@@ -42,6 +42,7 @@ pub(crate) fn whole() -> Characteristics {
         ap_mm: vec![0.04, 0.05, 0.056],
         rp_mm: vec![0.02, 0.021, 0.02],
         dap_mm: 0.016,
+        dap_expanded_uncertainty_mm: Some(0.0042),
         drp_mm: 0.0,
         settled_after: None,
     }];

@@ -39,7 +39,14 @@ fn standing() -> Iso9283StreamDocument {
         left_out: vec![],
         duration_s: 30.0,
         standstills: (0..6).map(standstill).collect(),
-        settling: vec![Iso9283Settling { pose: 1.into(), arrivals: 3, stabilisation_s: 0.31, overshoot_mm: 0.021 }],
+        settling: vec![Iso9283Settling {
+            pose: 1.into(),
+            arrivals: 3,
+            stabilisation_s: 0.31,
+            stabilisation_expanded_uncertainty_s: Some(0.052),
+            overshoot_mm: 0.021,
+            overshoot_expanded_uncertainty_mm: Some(0.006),
+        }],
         arrivals: vec![Iso9283Arrival {
             pose: 1.into(),
             cycle: 1,

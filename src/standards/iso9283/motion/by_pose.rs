@@ -4,6 +4,7 @@ use crate::iso9283::motion::Standing;
 use crate::iso9283::motion::posing_time::Posing;
 use crate::iso9283::motion::stabilisation::{Arrival, stabilisation_time_s};
 use crate::iso9283::motion::stream::Stream;
+use crate::iso9283::statistics::repeats::mean_uncertainty;
 use etalon_base::pose::{minus, norm};
 use etalon_base::pose_name::PoseName;
 use std::collections::BTreeMap;
@@ -23,24 +24,55 @@ pub struct Settling {
     pub arrivals: usize,
     /// Mean stabilisation time.
     pub stabilisation_s: f64,
+    /// Expanded uncertainty of this time: scatter of the arrivals, and sampling interval.
+    pub stabilisation_expanded_uncertainty_s: Option<f64>,
     /// Largest overshoot; zero if no arrival left the limit band again.
     pub overshoot_mm: f64,
+    /// Expanded uncertainty of this overshoot: scatter of a sample about the standstill, without
+    /// the motion between two samples.
+    pub overshoot_expanded_uncertainty_mm: Option<f64>,
 }
 
 /// Stabilisation and overshoot by pose.
-pub fn settling(standing: &[Standing]) -> Vec<Settling> {
-    let mut by_pose: BTreeMap<PoseName, (Vec<Arrival>, f64)> = BTreeMap::new();
+pub fn settling(stream: &Stream, standing: &[Standing]) -> Vec<Settling> {
+    let mut by_pose: BTreeMap<PoseName, Vec<(&Standing, Arrival, f64)>> = BTreeMap::new();
     for s in standing {
-        let (Some((pose, _)), Some(arrival), Some(overshoot)) = (s.visit, s.arrival, s.overshoot_mm) else { continue };
-        let (arrivals, largest) = by_pose.entry(pose).or_default();
-        arrivals.push(arrival);
-        *largest = largest.max(overshoot);
+        if let (Some((pose, _)), Some(arrival), Some(overshoot)) = (s.visit, s.arrival, s.overshoot_mm) {
+            by_pose.entry(pose).or_default().push((s, arrival, overshoot));
+        }
     }
-    let settled = |(pose, (arrivals, overshoot_mm)): (PoseName, (Vec<Arrival>, f64))| {
-        let stabilisation_s = stabilisation_time_s(&arrivals)?;
-        Some(Settling { pose, arrivals: arrivals.len(), stabilisation_s, overshoot_mm })
+    let settled = |(pose, found): (PoseName, Vec<(&Standing, Arrival, f64)>)| {
+        let arrivals: Vec<Arrival> = found.iter().map(|(_, arrival, _)| *arrival).collect();
+        let times: Vec<f64> = arrivals.iter().map(|arrival| arrival.stabilisation_s).collect();
+        let (farthest, _, overshoot_mm) = found.into_iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+        Some(Settling {
+            pose,
+            arrivals: arrivals.len(),
+            stabilisation_s: stabilisation_time_s(&arrivals)?,
+            stabilisation_expanded_uncertainty_s: mean_uncertainty(&times, interval_s(stream)),
+            overshoot_mm,
+            overshoot_expanded_uncertainty_mm: scatter_mm(stream, farthest)
+                .filter(|_| overshoot_mm > 0.0)
+                .map(|u| 2.0 * u),
+        })
     };
     by_pose.into_iter().filter_map(settled).collect()
+}
+
+/// Median interval of the samples.
+fn interval_s(stream: &Stream) -> f64 {
+    let mut steps: Vec<f64> = stream.time_s().windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    steps[steps.len() / 2]
+}
+
+/// Standard deviation (mm) of a coordinate of a sample about the mean of the standstill, with the
+/// uncertainty of this mean (GUM 4.2.2, 4.2.3): noise of the instrument and of the standing robot.
+fn scatter_mm(stream: &Stream, standing: &Standing) -> Option<f64> {
+    let samples = &stream.positions_mm()[standing.standstill.middle()];
+    let (n, dimension) = (samples.len() as f64, standing.mean_mm.len() as f64);
+    let squares: f64 = samples.iter().map(|p| norm(minus(*p, standing.standstill.mean_mm)).powi(2)).sum();
+    (samples.len() > 1).then(|| (squares / ((n - 1.0) * dimension) * (1.0 + 1.0 / n)).sqrt())
 }
 
 /// Course of one arrival, from the first entry into the limit band.
@@ -92,10 +124,12 @@ pub struct Moves {
     pub distance_mm: f64,
     /// Mean posing time.
     pub posing_s: f64,
+    /// Expanded uncertainty of this time: scatter of the moves, and sampling interval.
+    pub posing_expanded_uncertainty_s: Option<f64>,
 }
 
 /// Posing times by pair of poses.
-pub fn moves(standing: &[Standing]) -> Vec<Moves> {
+pub fn moves(stream: &Stream, standing: &[Standing]) -> Vec<Moves> {
     let mut by_pair: BTreeMap<(PoseName, PoseName), Vec<Posing>> = BTreeMap::new();
     for pair in standing.windows(2) {
         if let (Some((from, _)), Some((to, _)), Some(posing)) = (pair[0].visit, pair[1].visit, pair[1].posing) {
@@ -104,7 +138,15 @@ pub fn moves(standing: &[Standing]) -> Vec<Moves> {
     }
     let mean_move = |((from, to), moves): ((PoseName, PoseName), Vec<Posing>)| {
         let mean = |of: fn(&Posing) -> f64| moves.iter().map(of).sum::<f64>() / moves.len() as f64;
-        Moves { from, to, moves: moves.len(), distance_mm: mean(|p| p.distance_mm), posing_s: mean(|p| p.time_s) }
+        let times: Vec<f64> = moves.iter().map(|posing| posing.time_s).collect();
+        Moves {
+            from,
+            to,
+            moves: moves.len(),
+            distance_mm: mean(|p| p.distance_mm),
+            posing_s: mean(|p| p.time_s),
+            posing_expanded_uncertainty_s: mean_uncertainty(&times, interval_s(stream)),
+        }
     };
     by_pair.into_iter().map(mean_move).collect()
 }

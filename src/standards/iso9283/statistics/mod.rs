@@ -2,6 +2,7 @@
 
 pub mod bootstrap;
 pub mod interval;
+pub(crate) mod repeats;
 pub mod sample;
 pub mod scatter;
 pub mod uncertainty_ratio;
