@@ -111,6 +111,29 @@ fn the_display_after_loading_is_that_of_the_file() {
     assert!(refused.says("error[file-not-of-run] file=other.ini"), "{refused}");
 }
 
+/// A display knows joint values alone: the announced poses are without load, torques, temperature and direction of approach.
+#[test]
+fn the_announced_display_is_that_of_the_joint_values_alone() {
+    for sample in ["elastic-arm", "payload-arm", "rail-arm", "torque-arm", "warming-arm"] {
+        let scratch = copy_sample(sample);
+        ends(&scratch, "run", 0, &[]);
+        let campaign: CampaignSummary = scratch.document("campaign.json");
+        let file = campaign.controller_files.iter().find(|file| file.check.is_some()).unwrap();
+        let check = file.check.as_ref().unwrap();
+        let values: Vec<String> = check.joint_values.iter().map(f64::to_string).collect();
+        let table = format!("pose,{}\n1,{}\n", check.joints.join(","), values.join(","));
+        std::fs::write(scratch.path().join("joints.csv"), table).unwrap();
+        let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
+        let loaded = ["--parameters", "out/parameters.json", "--loaded", &file.file];
+        let output = etalon(&scratch.path(), &[&direct[..], &loaded[..]].concat());
+        assert!(output.status.success(), "{sample}: {}", text_of(&output));
+        let csv = String::from_utf8(output.stdout).unwrap();
+        let found = csv.lines().nth(1).unwrap().split(',').skip(1).map(|v| v.parse::<f64>().unwrap());
+        let apart = found.zip(check.after.xyz_mm).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 1e-9, "{sample}: {apart} mm");
+    }
+}
+
 /// After mastering, the joint values of the controller contain the loaded zeros: the robot is the same.
 #[test]
 fn a_robot_with_loaded_zeros_is_verified_by_its_new_joint_values() {
