@@ -79,7 +79,8 @@ pub enum ActionKind {
     Load,
     /// Correct programs by the residual field, in addition to the loaded parameters.
     Compensate,
-    /// Compare a few poses with the loaded parameters, and go back if they contradict.
+    /// Compare a few poses with the loaded parameters, and go back if they contradict. If
+    /// nothing is to be loaded: run again, and restore what was loaded before.
     Verify,
     /// Keep the nominal parameters: a controller file is hardly better than nominal.
     KeepNominal,
@@ -246,8 +247,13 @@ impl Evidence<'_> {
         });
         // the step that closes the loop follows what changes the robot
         let changes = |action: &Action| matches!(action.action, ActionKind::Load | ActionKind::Compensate);
-        if let Some(last) = all.iter().rposition(changes) {
-            all.insert(last + 1, self.verify(loading));
+        match all.iter().rposition(changes) {
+            Some(last) => all.insert(last + 1, self.verify(loading)),
+            None if loading.is_some_and(|loading| loading.answer != LoadAnswer::Load) => {
+                all.truncate(MOST - 1);
+                all.push(self.run_again());
+            }
+            None => {}
         }
         all.truncate(MOST);
         all
@@ -315,11 +321,15 @@ impl Evidence<'_> {
         let names: Vec<PoseName> = poses.iter().map(|p| p.pose).collect();
         // a fit names its worst poses only
         let more = robust.disagreeing.max(names.len()) - names.len().min(POSES);
+        // the error of this pose in the table of errors
+        let after = self.errors.iter().filter(|e| e.set == PoseSet::Calibration && e.pose == worst.pose);
+        let largest = after.map(|e| norm(e.after_mm)).max_by(f64::total_cmp);
+        let error_mm = largest.unwrap_or(worst.residual_over_sigma * robust.sigma_mm);
         let what = phrase!("action-measure-again", count = names.len().min(POSES), poses = listed(&names), more);
         let reason = phrase!(
             "action-measure-again-reason",
             pose = worst.pose,
-            error = length(worst.residual_over_sigma * robust.sigma_mm),
+            error = length(error_mm),
             times = format!("{:.1}", worst.residual_over_sigma)
         );
         Some(Action::new(ActionKind::MeasureAgain, what, reason).gain(self.without(&names)))
@@ -344,8 +354,14 @@ impl Evidence<'_> {
     fn remedy(&self, reason: &Reason, verdict: &VerdictDocument) -> Option<Action> {
         let limit = |name: &LimitQuantity| verdict.limits.iter().find(|l| l.name == *name);
         match reason {
-            Reason::LimitNotMet { limit: name } => self.search_cause(limit(name)?),
-            Reason::LimitUndecided { limit: name } => self.decide(limit(name)?),
+            Reason::LimitNotMet { limit: name } => {
+                let limit = limit(name)?;
+                self.use_all_parameters(limit).or_else(|| self.search_cause(limit))
+            }
+            Reason::LimitUndecided { limit: name } => {
+                let limit = limit(name)?;
+                self.use_all_parameters(limit).or_else(|| self.decide(limit))
+            }
             Reason::NotAssessable { limit: name } => {
                 let what = phrase!("action-measure-quantity", limit = name.to_string());
                 let reason = phrase!("action-measure-quantity-reason");
@@ -381,15 +397,6 @@ impl Evidence<'_> {
     /// Search for the cause of errors beyond a limit, which begins at the worst pose.
     fn search_cause(&self, limit: &LimitVerdict) -> Option<Action> {
         let (value, beyond) = (limit.value?, limit.value? - limit.limit);
-        if let Some(whole) = self.met_with_all_parameters(limit) {
-            let what = phrase!("action-use-all-parameters", limit = limit.name.phrase());
-            let [value, whole, limit] = match limit.unit.as_str() {
-                "mm" => lengths([value, whole, limit.limit]),
-                _ => [value, whole, limit.limit].map(|v| in_unit(v, limit)),
-            };
-            let reason = phrase!("action-use-all-parameters-reason", value, whole, limit);
-            return Some(Action::new(ActionKind::MeetLimit, what, reason));
-        }
         let worst = limit.name.limited_error().and_then(|(quantity, _)| {
             let deciding = self.judged.accuracy?.sets.iter().rfind(|s| s.count > 0)?.name;
             let all = self.errors.iter().filter(|e| e.set == deciding && e.quantity == quantity);
@@ -411,12 +418,19 @@ impl Evidence<'_> {
         Some(if self.judged.parameters.is_some() { action.command("etalon recommend .") } else { action })
     }
 
-    /// Value of a limit with all identified parameters, if it is met with them and missed with the
-    /// values of the file to load.
-    fn met_with_all_parameters(&self, limit: &LimitVerdict) -> Option<f64> {
+    /// Another way to the controller than the file to load, if a limit is met with all identified
+    /// parameters and not with the values of this file.
+    fn use_all_parameters(&self, limit: &LimitVerdict) -> Option<Action> {
         self.judged.loaded?;
-        let whole = self.judged.accuracy?.limits.iter().find(|l| l.name == limit.name && l.met)?;
-        whole.value
+        let met = self.judged.accuracy?.limits.iter().find(|l| l.name == limit.name && l.acceptance.is_accepted())?;
+        let compared = [limit.value?, met.value?, limit.limit];
+        let what = phrase!("action-use-all-parameters", limit = limit.name.phrase());
+        let [value, whole, limit] = match limit.unit.as_str() {
+            "mm" => lengths(compared),
+            _ => compared.map(|v| in_unit(v, limit)),
+        };
+        let reason = phrase!("action-use-all-parameters-reason", value, whole, limit);
+        Some(Action::new(ActionKind::MeetLimit, what, reason))
     }
 
     /// Uncertainty at which a limit can be decided, and its largest source; a decision rule, if so
@@ -507,18 +521,33 @@ impl Evidence<'_> {
     fn verify(&self, loading: Option<&Loading>) -> Action {
         let name = loading.and_then(|loading| loading.file.as_ref());
         let file = name.and_then(|name| self.campaign.controller_files.iter().find(|file| file.file == *name));
-        let what = match file.and_then(|file| file.check.as_ref()) {
+        let check = file.and_then(|file| file.check.as_ref());
+        let what = match check {
             Some(check) if file.is_some_and(|file| file.is_for_controllers) => {
                 phrase!("action-verify-at-pose", pose = check.pose)
             }
             Some(check) => phrase!("action-verify-software-at-pose", pose = check.pose),
             None => phrase!("action-verify"),
         };
-        let reason = match &self.campaign.conditions.robot.controller_backup {
-            Some(backup) => phrase!("action-verify-backup", file = backup),
+        let backup = self.campaign.conditions.robot.controller_backup.as_deref();
+        let (count, file) = (usize::from(backup.is_some()), backup.unwrap_or_default());
+        let reason = match check {
+            Some(check) => {
+                phrase!("action-verify-moved", change = length(check.change_mm()), pose = check.pose, count, file)
+            }
+            None if count == 1 => phrase!("action-verify-backup", file),
             None => phrase!("action-verify-reason"),
         };
         Action::new(ActionKind::Verify, what, reason)
+    }
+
+    /// The next run, if nothing is loaded, and the way back for values that are loaded already.
+    fn run_again(&self) -> Action {
+        let reason = match &self.campaign.conditions.robot.controller_backup {
+            Some(backup) => phrase!("action-run-again-backup", file = backup),
+            None => phrase!("action-run-again-reason"),
+        };
+        Action::new(ActionKind::Verify, phrase!("action-run-again"), reason)
     }
 
     /// Validation, without which errors are too small or, for one of the `reasons`, unknown.

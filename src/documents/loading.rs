@@ -6,6 +6,8 @@ use crate::{
     CampaignSummary, ControllerFiles, ControllersDocument, FieldHeldOut, Figure, Judged, Reason, VerdictDocument,
     WrittenFile,
 };
+use etalon_base::catalogue::Phrase;
+use etalon_base::phrase;
 use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
@@ -150,6 +152,19 @@ impl Loading {
             errors: Some(first.errors.clone()),
             effects: Vec::new(),
         })
+    }
+}
+
+impl Loading {
+    /// Instruction to load nothing, with its reason; `None` if the answer is to load.
+    pub fn withheld(&self) -> Option<Phrase> {
+        let effects = || self.effects.iter().map(|effect| effect.phrase()).collect::<Vec<_>>();
+        match self.answer {
+            LoadAnswer::Load => None,
+            LoadAnswer::KeepNominal => Some(phrase!("recommend-nominal")),
+            LoadAnswer::IdentifyFurther => Some(phrase!("recommend-further", effects = effects())),
+            LoadAnswer::Resolve => Some(phrase!("recommend-resolve")),
+        }
     }
 }
 

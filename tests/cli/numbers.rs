@@ -262,6 +262,13 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let files = documents.read("campaign.json")["controller_files"].as_array()?.clone();
             vec![files.iter().map(|file| &file["check"]["pose"]).find(|pose| !pose.is_null()).map(number)?]
         }
+        () if starts("Loading moves taught positions by up to #") => {
+            let files = documents.read("campaign.json")["controller_files"].as_array()?.clone();
+            let check = files.iter().map(|file| &file["check"]).find(|check| !check.is_null())?;
+            let at = |row: &str| (0..3).map(|i| number(&check[row]["xyz_mm"][i])).collect::<Vec<_>>();
+            let squares: f64 = at("before").iter().zip(at("after")).map(|(a, b)| (a - b).powi(2)).sum();
+            vec![squares.sqrt(), number(&check["pose"])]
+        }
         // the name of a hash
         () if s.template.contains(" its SHA-#") => vec![256.0],
         () if starts("Residuals are # ×") || s.template.contains("residuals are # ×") => vec![documents.ratio()],
@@ -291,10 +298,11 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             named
         }
         () if starts("Pose # disagrees with the others: #") => {
-            let robust = documents.read("parameters.json")["robust"].clone();
-            let worst = robust["poses"][0].clone();
-            let over = number(&worst["residual_over_sigma"]);
-            vec![number(&worst["pose"]), over * number(&robust["sigma_mm"]), over]
+            let worst = documents.read("parameters.json")["robust"]["poses"][0].clone();
+            // the table of errors has the error of the pose
+            let shown: f64 = s.numbers[1].text.parse().ok()?;
+            let error_mm = if s.numbers[1].unit == "µm" { 1e-3 * shown } else { shown };
+            vec![number(&worst["pose"]), error_mm, number(&worst["residual_over_sigma"])]
         }
         () if s.template.contains("the distance from a validation pose to the nearest calibration pose") => {
             let distance = &accuracy["validation_distance"];

@@ -45,7 +45,8 @@ fn long_words_are_found_in_the_text() {
     assert!(read.contains("measurements_of_a_robot") && !read.contains('\u{200b}'), "{read}");
 }
 
-/// A figure moves as a whole: sections of figures follow the sections of text, and annexes need no new page.
+/// A figure moves as a whole: sections of figures follow the sections of text, and annexes the
+/// signatures.
 #[test]
 fn pages_before_figures_are_filled() {
     let documents = Documents::demo();

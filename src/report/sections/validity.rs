@@ -140,6 +140,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .decisive();
     effects.push(Block::Table(Table::new(words, &document.steps, columns).on(phrase!("effects-section"))));
     let mut parameters = Section::new("parameters", tr!(words, "parameters-title")).on_terminal();
+    // nothing is loaded before the next steps of the run
+    let is_withheld = document.loading.as_ref().is_some_and(|loading| loading.withheld().is_some());
     let change = |p: &ParameterVerdict| {
         let u = (p.change / p.change_over_u).abs();
         number_cell(p.change, |v| (if v > 0.0 { "+" } else { "" }).to_owned() + &number::with_uncertainty(v, Some(u)))
@@ -154,7 +156,8 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
         .both(phrase!("folds-over-u"), "", |p| significant(p.fold_sd_over_u, 2))
         .both(phrase!("stability"), "", |p| fixed(p.part_change_over_sd, 1))
         .both(phrase!("limit"), "", |p| fixed(p.part_change_limit, 1))
-        .both(phrase!("verdict"), "", |p| match p.verdict {
+        .both(phrase!("verdict"), "", move |p| match p.verdict {
+            LoadVerdict::Load if is_withheld => term(words, phrase!("to-load-later")),
             LoadVerdict::Load => term(words, phrase!("to-load")),
             LoadVerdict::Hold => term(words, phrase!("to-hold")),
         })

@@ -3,14 +3,14 @@
 use super::limits::{judged, name, reached_within};
 use super::repeatability::quarter_sentence;
 use super::{clauses, page_one};
-use crate::model::{Grade, Headline, Verdict};
+use crate::model::{Grade, Headline, Verdict, sentence};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, ControllerErrors, ControllerFiles,
     DecisionRule, ErrorQuantity, Figure, IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict,
-    ParametersDocument, PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame,
+    Loading, ParametersDocument, PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame,
     VerdictDocument, WrittenFile,
 };
 
@@ -36,8 +36,11 @@ pub(crate) fn verdict(results: &Results, words: &Words) -> Verdict {
     let set = set_of_file.or_else(|| identified.and_then(|i| headline_set(&i.accuracy)));
     let mut sentences: Vec<String> = identified.and_then(|i| alarm(&i.parameters, words)).into_iter().collect();
     sentences.extend(named(judgement, words));
+    let withheld = judgement.loading.as_ref().and_then(Loading::withheld);
+    sentences.extend(withheld.map(|answer| sentence(&words.tr(&answer))));
     sentences.extend((limits.is_empty() && judgement.verdict.is_none()).then(|| counted(&limits, words)));
     sentences.extend(judged_file.and_then(|(file, values)| file_sentence(file, values, words)));
+    sentences.extend(files_beyond_limits(results, words));
     sentences.extend(set.into_iter().flat_map(|set| errors(&limits, set, words)));
     // the reservation gives the ratio of the residuals
     let is_reserved = judgement.reasons.iter().any(|reason| matches!(reason, Reason::ModelDoesNotFit { .. }));
@@ -186,6 +189,17 @@ fn file_sentence(file: &WrittenFile, values: &ControllerFiles, words: &Words) ->
     Some(tr!(words, "verdict-is-of-file", file = file.file, count, rms, whole, unit))
 }
 
+/// Controller files with whose values a limit is not met, other than the file of the verdict.
+fn files_beyond_limits(results: &Results, words: &Words) -> Option<String> {
+    let judged = results.judged_file().map(|(_, values)| &values.formats);
+    let others = results.controllers.iter().flat_map(|c| &c.files).filter(|values| Some(&values.formats) != judged);
+    let beyond = others.filter(|values| values.limits.iter().any(|l| !l.acceptance.is_accepted()));
+    let is_beyond: Vec<&String> = beyond.flat_map(|values| &values.formats).collect();
+    let files = results.campaign.controller_files.iter().filter(|file| is_beyond.contains(&&file.format));
+    let names: Vec<String> = files.map(|file| format!("`{}`", file.file)).collect();
+    (!names.is_empty()).then(|| tr!(words, "files-beyond-limits", count = names.len(), files = names.join(", ")))
+}
+
 /// Sentences on the limited errors; without limits, on the largest leading error.
 fn errors(limits: &[&LimitVerdict], set: &AccuracySet, words: &Words) -> Vec<String> {
     let mut of_errors = limits.iter().filter(|l| l.name.limited_error().is_some()).peekable();
@@ -297,7 +311,9 @@ pub(crate) fn validation_verdict(accuracy: &AccuracyDocument, words: &Words) -> 
     let judgement = judged.verdict();
     let limits: Vec<&LimitVerdict> = accuracy.limits.iter().collect();
     let errors = headline_set(accuracy).map_or_else(Vec::new, |set| errors(&limits, set, words));
-    let sentences = named(&judgement, words).into_iter().chain(errors).chain([counted(&limits, words)]);
+    let withheld = (!judgement.passes()).then(|| tr!(words, "given-not-loaded"));
+    let sentences = named(&judgement, words).into_iter().chain(withheld).chain(errors);
+    let sentences = sentences.chain([counted(&limits, words)]);
     let sentences = sentences.chain(reservations(&judgement, words));
     let verdict = Verdict {
         met: judgement.passes(),
@@ -550,12 +566,13 @@ mod tests {
         documents.accuracy.limits[0] = limit(Some(0.038));
         let open = report_verdict(&documents);
         assert!(
-            open.class == Grade::Open && !open.met && open.sentences[1].ends_with("limit 0.05 mm: undecided."),
+            open.class == Grade::Open && !open.met && open.sentences[2].ends_with("limit 0.05 mm: undecided."),
             "{open:?}"
         );
-        assert_eq!(open.sentences[0], tr!(words, "verdict-undecided"));
+        let nothing = sentence(&tr!(words, "recommend-resolve"));
+        assert_eq!(open.sentences[..2], [tr!(words, "verdict-undecided"), nothing]);
         let undecided = tr!(words, "limits-undecided", limits = phrase!("limit-position-max"));
-        assert!(open.sentences[4].starts_with(&undecided), "{open:?}");
+        assert!(open.sentences[5].starts_with(&undecided), "{open:?}");
         let simple = LimitVerdict::judge(
             LimitQuantity::PositionMaxMm,
             0.05,
@@ -578,7 +595,7 @@ mod tests {
         documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit(None) }.with(Conformity::NotConforming);
         let bad = report_verdict(&documents);
         assert_eq!(bad.class, Grade::Bad);
-        assert_eq!(bad.sentences[4], tr!(words, "limits-not-met", count = 1, total = 2) + " " + &guarded());
+        assert_eq!(bad.sentences[5], tr!(words, "limits-not-met", count = 1, total = 2) + " " + &guarded());
         documents.accuracy.limits.clear();
         let without = report_verdict(&documents);
         assert!(without.class == Grade::Open && without.met, "{without:?}");
@@ -632,7 +649,7 @@ mod tests {
             tr!(words, "instrument-good-for-all"),
             tr!(words, "limits-undecided", limits = phrase!("limit-accuracy-max")) + " " + &guarded(),
         ];
-        assert_eq!((open.class, open.met, &open.sentences[4..]), (Grade::Open, false, &expected[..]));
+        assert_eq!((open.class, open.met, &open.sentences[5..]), (Grade::Open, false, &expected[..]));
         let poses = documents.tested.poses.as_mut().unwrap();
         poses.poses[0].ap_conformity = Some(Conformity::Conforming);
         poses.limits[0] = poses.limits[0].clone().with(Conformity::Conforming);
@@ -640,14 +657,25 @@ mod tests {
         poses.poses[1].rp_conformity = Some(Conformity::NotConforming);
         let bad = report_verdict(&documents);
         assert_eq!((bad.class, bad.met), (Grade::Bad, false));
-        assert!(bad.sentences[8].starts_with(&tr!(words, "limits-not-met", count = 1, total = 4)), "{bad:?}");
+        assert!(bad.sentences[9].starts_with(&tr!(words, "limits-not-met", count = 1, total = 4)), "{bad:?}");
         let one = tr!(words, "poses-conform", count = 1, total = 2);
         for (sentence, other) in [
-            (&bad.sentences[4], tr!(words, "poses-undecided", count = 1, poses = "2")),
-            (&bad.sentences[6], tr!(words, "poses-not-conforming", count = 1, poses = "2")),
+            (&bad.sentences[5], tr!(words, "poses-undecided", count = 1, poses = "2")),
+            (&bad.sentences[7], tr!(words, "poses-not-conforming", count = 1, poses = "2")),
         ] {
             assert!(sentence.ends_with(&format!("{one}; {other}.")), "{bad:?}");
         }
+    }
+
+    #[test]
+    fn given_parameters_that_do_not_pass_are_not_loaded() {
+        let (mut documents, words) = (Documents::demo(), Words::default());
+        let said = |documents: &Documents| validation_verdict(&documents.accuracy, &words).sentences;
+        let nothing = tr!(words, "given-not-loaded");
+        assert!(!said(&documents).contains(&nothing));
+        let limit = documents.accuracy.limits[0].clone();
+        documents.accuracy.limits[0] = LimitVerdict { limit: 0.04, ..limit }.with(Conformity::NotConforming);
+        assert_eq!(said(&documents)[1], nothing);
     }
 
     #[test]

@@ -19,12 +19,18 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let name = results.verdict.loading.as_ref()?.file.as_ref()?;
     let file = results.campaign.controller_files.iter().find(|written| written.file == *name)?;
     let mut section = Section::new("way-back", tr!(words, "way-back-title"));
-    section.push(Block::facts(vec![
+    let moved = file.check.as_ref().map(|check| {
+        let change = words.fixed(check.change_mm(), DECIMALS);
+        (tr!(words, "way-back-moved"), tr!(words, "way-back-moved-by", change, pose = check.pose).into())
+    });
+    let facts = [
         (tr!(words, "way-back-file"), backup(results, words).into()),
         (tr!(words, "way-back-loaded"), loaded(file).into()),
-    ]));
-    if let Some(check) = &file.check {
-        at_pose(&mut section, check, file, words);
+    ];
+    section.push(Block::facts(facts.into_iter().chain(moved).collect()));
+    match &file.check {
+        Some(check) => at_pose(&mut section, check, file, words),
+        None => section.push(Block::text(tr!(words, "way-back-without-display"))),
     }
     section.push(Block::text(tr!(words, "way-back-verify")));
     if file.check.as_ref().is_some_and(|check| !check.mastered_joint_values.is_empty()) {

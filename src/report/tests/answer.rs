@@ -3,6 +3,8 @@
 use super::demo::{Documents, point};
 use super::demo_iso9283;
 use crate::campaign::contents;
+use crate::model::sentence;
+use crate::sections::certificate;
 use crate::*;
 use etalon_base::message::AnsweredBy;
 use etalon_base::warning;
@@ -159,9 +161,12 @@ fn an_effect_that_improves_on_nominal_parameters_precedes_them() {
     let all = actions(&documents);
     let add = all.iter().find(|a| a.action == ActionKind::AddEffect).unwrap().what.phrase().unwrap();
     assert_eq!(add.id, "action-prove-effects-first");
+    let said = |documents: &Documents| documents.results().verdict.loading.unwrap().withheld().unwrap().id;
+    assert_eq!(said(&documents), "recommend-further");
     // clearly better than without the effect, and not than nominal parameters
     documents.accuracy.left_out = left_out(0.103, 1.19);
     assert_eq!(answer(&documents), (LoadAnswer::KeepNominal, 0));
+    assert_eq!(said(&documents), "recommend-nominal");
 }
 
 #[test]
@@ -217,6 +222,28 @@ fn an_undecided_limit_states_the_uncertainty_that_would_decide() {
     let reduce = all.iter().find(|a| a.action == ActionKind::ReduceUncertainty).unwrap();
     assert!(reduce.reason.english().starts_with("U = 10.0 µm; a decision needs 5.00 µm"), "{reduce:?}");
     assert!(!kinds(&all).contains(&ActionKind::Load), "exit code 1");
+}
+
+/// Page, terminal and certificate say that nothing is to be loaded; the last step is the way back.
+#[test]
+fn a_verdict_that_loads_nothing_says_so_in_every_rendering() {
+    let mut documents = measured();
+    let open = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.05, 0.045, Some(0.01), DecisionRule::Guarded);
+    documents.accuracy.limits[0] = open;
+    let again = |documents: &Documents| actions(documents).pop().unwrap();
+    let ids = |step: &Action| [&step.what, &step.reason].map(|text| text.phrase().unwrap().id.clone());
+    assert_eq!(ids(&again(&documents)), ["action-run-again", "action-run-again-reason"]);
+    documents.campaign.conditions.robot.controller_backup = Some("before.ini".to_owned());
+    let step = again(&documents);
+    assert_eq!(ids(&step), ["action-run-again", "action-run-again-backup"]);
+    assert!(step.action == ActionKind::Verify && step.reason.english().contains("before.ini"), "{step:?}");
+    let (words, results) = (Words::default(), documents.results());
+    let renderer = Renderer::campaign(&results).unwrap();
+    let page = String::from_utf8(renderer.file("html").unwrap()).unwrap();
+    let certificate = certificate::contents(&results, contents(&results, &words), &words).verdict.sentences.join(" ");
+    for text in [&page, &renderer.terminal(), &certificate] {
+        assert!(text.contains(&sentence(&tr!(words, "recommend-resolve"))), "{text}");
+    }
 }
 
 #[test]
@@ -355,6 +382,22 @@ fn verdict_figure_and_steps_are_about_the_file_that_is_to_be_loaded() {
     let errors = contents.sections.iter().find(|s| s.id == "errors").unwrap();
     let first = serde_json::to_string(&errors.blocks[0]).unwrap();
     assert!(first.contains("zeros.ini"), "{first}");
+}
+
+#[test]
+fn a_further_file_that_misses_a_limit_is_named() {
+    let mut results = with_file_of_zeros();
+    let of_zeros = results.controllers.as_ref().unwrap().files[0].clone();
+    let formats = vec!["urdf".to_owned()];
+    results.controllers.as_mut().unwrap().files.push(ControllerFiles { formats, ..of_zeros });
+    results.campaign.controller_files.push(file("urdf", "calibrated.urdf"));
+    let words = Words::default();
+    let named = tr!(words, "files-beyond-limits", count = 1, files = "`calibrated.urdf`");
+    let said = |results: &Results| contents(results, &words).verdict.sentences;
+    assert!(said(&results.clone().judged()).contains(&named));
+    let met = LimitVerdict::judge(LimitQuantity::PositionMaxMm, 0.1, 0.08, Some(0.004), DecisionRule::Guarded);
+    results.controllers.as_mut().unwrap().files[1].limits[0] = met;
+    assert!(!said(&results.judged()).contains(&named));
 }
 
 #[test]

@@ -247,6 +247,10 @@ action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; e
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
 action-verify = das Laden prüfen: einige Posen messen und `etalon verify` ausführen. Gelten die Parameter nicht, die vorherige Datei der Steuerung wiederherstellen
+action-verify-moved = das Laden verschiebt geteachte Positionen im Basiskoordinatensystem um bis zu { $change } (Pose { $pose }): Freiräume prüfen und Werkstücke neu einlernen. { $count ->
+        [0] Die gesicherte Datei als `controller_backup` in [conditions] nennen: der Bericht gibt dann ihren SHA-256 an
+       *[other] Die vorherige Datei ist `{ $file }`; derselbe Abschnitt nennt ihren SHA-256
+    }
 action-verify-reason = die vorherige Datei vor dem Laden sichern; `controller_backup` in [conditions] ergänzt ihren SHA-256
 action-verify-at-pose = das Laden an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt die angezeigte Pose und ihre Toleranz. Bei einem Unterschied die vorherige Datei der Steuerung wiederherstellen
 action-verify-software-at-pose = die Datei in der eigenen Software oder das erste korrigierte Programm an Pose { $pose } prüfen: „Prüfung nach dem Laden und Rückweg“ nennt Posen und Toleranz. Bei einem Unterschied den vorherigen Stand wiederherstellen
@@ -261,7 +265,7 @@ action-keep-nominal = { $count ->
        *[other] { $formats } nicht laden
     }
 action-keep-nominal-reason = RMS-Abweichung { $rms }, größte Abweichung { $max }; Nennparameter: { $nominal_rms } und { $nominal_max }
-action-load = `{ $file }`{ $count ->
+action-load = den Stand der Steuerung sichern, dann `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
     } laden
@@ -300,6 +304,9 @@ action-reduce-uncertainty = die Messunsicherheit verringern: { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; für eine Entscheidung nötig: { $required }; größter Beitrag: { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present }; für eine Entscheidung nötig: { $required }
 action-resolve = diese Warnung klären
+action-run-again = nach einer Änderung erneut ausführen, und nur eine Datei laden, die die neue Bewertung nennt
+action-run-again-backup = bis dahin behält die Steuerung ihre Werte. Sind Werte dieser Messung geladen, `{ $file }` wiederherstellen
+action-run-again-reason = bis dahin behält die Steuerung ihre Werte. Sind Werte dieser Messung geladen, die vorherige Datei der Steuerung wiederherstellen
 action-state-limits = die Toleranz der Anwendung in [limits] angeben
 action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
 action-state-limits-to-accept = nur Grenzwerte zeigen, ob die Genauigkeit für die Anwendung ausreicht

@@ -393,12 +393,12 @@ definition-ad-rd = AD: mittlerer Ist-Abstand minus Sollabstand; RD: drei Standar
 definition-ap = AP: Abstand der mittleren Istposition von der Sollposition, mit seinen Komponenten (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mittlerer Istwinkel minus Sollwinkel; RP: drei Standardabweichungen; ausgewertet für jeden Winkel (ISO 9283:1998, 7.2.1 und 7.2.2).
 definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Steigung der Ausgleichsgeraden durch die unbelastete Position (ISO 9283:1998, 10).
-definition-drift = dAP und dRP: Wert des letzten Satzes von Zyklen minus Wert des ersten (ISO 9283:1998, 7.6).
+definition-drift = dAP und dRP: Wert des letzten Satzes von Zyklen minus Wert des ersten (ISO 9283:1998, 7.6). U von dAP enthält die Streuung innerhalb der Sätze; Abweichungen, die das Messgerät wiederholt, heben sich auf.
 definition-of-errors = Definition der Abweichungen
-definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9).
+definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9). U enthält die Streuung der Bewegungen und das Abtastintervall.
 definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten. U ist die erweiterte Messunsicherheit einer Position (k = 2).
 definition-rp = RP: ISO 9283:1998, 7.2.2. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei mehreren Messwerten je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
-definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband bis zu dem Zeitpunkt, ab dem der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5).
+definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband bis zu dem Zeitpunkt, ab dem der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5). U enthält die Streuung der Ankünfte und das Abtastintervall; U eines Überschwingens enthält die Streuung im Stillstand.
 definition-standstill-distance = Abstand des Mittels jedes Stillstands vom ersten Stillstand an derselben Pose. Ein wachsender Abstand weist auf Drift hin, ein gleichbleibender auf die Wiederholgenauigkeit.
 definition-target-displacement = Verschiebung der festen Zielmarken seit ihrer ersten Messung und verbleibende Verschiebung nach Korrektur der Positionen (nicht Teil der Norm).
 definition-vap = vAP: größter Abstand zwischen den mittleren Positionen zweier Anfahrrichtungen (ISO 9283:1998, 7.2.3).
@@ -1087,10 +1087,10 @@ readings-redundancy = { $target } ({ $readings ->
     }, Redundanz { $redundancy })
 reason = Grund
 recommend-file = `{ $file }` des Laufs laden: { $load } von { $count } Parametern mit ihren identifizierten Werten; die anderen bleiben auf dem Nennwert
-recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen um mehr als 5 % kleiner
-recommend-nominal = die Nennparameter behalten: die identifizierten sind an neuen Posen nicht deutlich besser
+recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen kleiner
+recommend-nominal = nichts laden: die Nennparameter behalten. Die identifizierten sind an neuen Posen nicht deutlich besser
 recommend-parameters = die identifizierten Parameter des Laufs laden: { $load } von { $count }; die anderen bleiben auf dem Nennwert
-recommend-resolve = noch nichts laden: nach der Bewertung des Laufs darf keine Datei geladen werden; zuerst die nächsten Schritte des Laufs ausführen
+recommend-resolve = noch nichts laden: nach der Bewertung darf keine Datei geladen werden. Zuerst die nächsten Schritte des Laufs ausführen
 recommendation-title = Empfehlung der zu ladenden Parameter
 recorded = aufgezeichnet
 recorded-motion = Aufgezeichnete Bewegung
@@ -1451,6 +1451,7 @@ to-complete-count = Vor der Unterschrift zu ergänzen: { $count ->
 to-distance = bis
 to-hold = festzuhalten
 to-load = zu laden
+to-load-later = später zu laden
 to-pose = nach Pose
 tolerance = Toleranz
 tool-error-definition = { $error }; nominal minus identifiziert: Differenz der Positionen, die beide Parametersätze vorhersagen; erwartet: Betrag (k = 1) aus der Kovarianz der Parameter, der Toleranz nicht bestimmbarer Parameter, dem Modellfehler über die Unsicherheit des Messgeräts hinaus und der Lage des Punkts am Werkzeug; die Abweichungen der Zielmarken enthalten keine Parameter, die Zielmarken und Werkzeug gleich verschieben
@@ -1522,6 +1523,11 @@ vap-farthest = Größter Wert von vAP: { $distance } µm an Pose { $pose }, zwi
 velocities = Geschwindigkeiten
 velocity-sentence = Geschwindigkeit: { $velocity }.
 verdict = Bewertung
+files-beyond-limits = { $files } nicht laden: mit den Werten { $count ->
+        [one] dieser Datei
+       *[other] dieser Dateien
+    } ist ein Grenzwert nicht eingehalten.
+given-not-loaded = Die gegebenen Parameter nicht laden. Sind sie geladen, die vorherige Datei der Steuerung wiederherstellen.
 verdict-conditional = Bewertung: bedingt bestanden.
 verdict-fail = Bewertung: nicht bestanden.
 verdict-is-of-file = Diese Abweichungen gelten für `{ $file }`{ $count ->
@@ -1556,15 +1562,18 @@ way-back-before = vor dem Laden
 way-back-display = angezeigte Pose
 way-back-file = Datei vor dem Laden
 way-back-loaded = zu ladende Datei
+way-back-moved = größte Änderung einer geteachten Position
+way-back-moved-by = { $change } mm im Basiskoordinatensystem, an Pose { $pose }
 way-back-not-stated = nicht angegeben: sichern und als `controller_backup` in [conditions] angeben
-way-back-other-poses = Anzeige an anderen Posen, aus den Gelenkwerten vor dem Laden: `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters parameters.json --loaded { $file }`.
-way-back-restore = Rückweg: die gesicherte Datei wieder laden. Sie gilt wieder, wenn die Anzeige am selben Ort die erste Zeile zeigt.
-way-back-test = Vor dem Laden Pose { $pose } anfahren: { $joints }. Laden, ohne den Roboter zu bewegen. Die Anzeige muss von der ersten zur zweiten Zeile wechseln. Sie zeigt den Flansch im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
+way-back-other-poses = Anzeige an anderen Posen, aus den Gelenkwerten vor dem Laden: `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters out/parameters.json --loaded { $file }`.
+way-back-restore = Rückweg: die gesicherte Datei wieder laden. Sie gilt wieder, wenn die Anzeige am selben Ort dieselbe Pose wie vor dem Laden zeigt.
+way-back-test = Vor dem Laden Pose { $pose } anfahren: { $joints }. Laden, ohne den Roboter zu bewegen. Die Anzeige muss von der ersten zur zweiten Zeile wechseln. Sie zeigt den Flansch im Basiskoordinatensystem, ohne Werkzeug und Werkstück. Die erste Zeile gilt für Nennwerte: hat die Steuerung andere, stattdessen ihre Anzeige notieren.
 way-back-title = Prüfung nach dem Laden und Rückweg
 way-back-change-too-small = Die Rundung der Gelenkwerte und der Anzeige erklärt Unterschiede bis { $tolerance } mm; die Datei ändert diese Pose um { $change } mm. Stattdessen durch eine Messung prüfen.
 way-back-compensated = Werden stattdessen Programme mit `etalon compensate` korrigiert, keine Datei laden. Ein Ziel in der zweiten Zeile wird dann als erste Zeile befohlen, und die Anzeige muss die obigen Gelenkwerte zeigen.
 way-back-tolerance = Toleranz des Vergleichs: { $tolerance } mm. Die Rundung der Gelenkwerte und der Anzeige erklärt keinen größeren Unterschied.
-way-back-verify = Später einige Posen messen. `etalon verify` liest sie aus einer Kopie der Kampagne mit den neuen Dateien.
+way-back-without-display = Das Modell hat keine Pose eines Flansches, die eine Anzeige zeigt: die Datei durch eine Messung prüfen. Rückweg: die gesicherte Datei wieder laden.
+way-back-verify = Später einige Posen messen und die neuen Dateien in eine Kopie der Kampagne legen. Dann `etalon verify COPY --robot robot.toml --parameters out/parameters.json` ausführen.
 way-back-verify-mastered = Enthalten die Gelenkwerte der Steuerung die geladenen Nullpunkte (Justage), `--mastered { $file }` hinzufügen.
 weaker-trends = Weitere signifikante Trends
 weave = Pendeln
@@ -1576,7 +1585,7 @@ weave-passes = { $passes ->
         [one] 1 Umkehrpunkt
        *[other] { $turns } Umkehrpunkte
     }
-way-back-test-software = An Pose { $pose } die Pose des Flansches bei diesen Gelenkwerten berechnen: { $joints }. Mit den vorherigen Parametern muss die eigene Software die erste Zeile ergeben, mit der Datei die zweite. Beide Zeilen gelten im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
+way-back-test-software = An Pose { $pose } die Pose des Flansches bei diesen Gelenkwerten berechnen: { $joints }. Mit Nennparametern muss die eigene Software die erste Zeile ergeben, mit der Datei die zweite. Beide Zeilen gelten im Basiskoordinatensystem, ohne Werkzeug und Werkstück.
 weaving = Pendeln
 weaving-frequency = Pendelfrequenz
 weaving-frequency-measured = { $measured } Hz, Sollwert { $commanded } Hz: WF { $ratio } %

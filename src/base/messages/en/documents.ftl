@@ -391,6 +391,10 @@ action-agree-rule-reason = the limit lies within U = { $present }; a decision ne
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`. The field contains errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
 action-verify = test the loaded file: measure a few poses, and run `etalon verify`. If the parameters do not apply, restore the previous file of the controller
+action-verify-moved = loading moves taught positions by up to { $change } in the base frame (pose { $pose }): check clearances, and teach work objects again. { $count ->
+        [0] Name the saved file as `controller_backup` in [conditions]: the report then gives its SHA-256
+       *[other] The previous file is `{ $file }`; the same section gives its SHA-256
+    }
 action-verify-reason = save the previous file before you load; `controller_backup` in [conditions] adds its SHA-256
 action-verify-at-pose = test the loaded file at pose { $pose }: “Test after loading, and way back” gives the pose on the display and its tolerance. If it differs, restore the previous file of the controller
 action-verify-software-at-pose = test the file in your software, or the first corrected program, at pose { $pose }: “Test after loading, and way back” gives poses and tolerance. If they differ, restore what was there before
@@ -405,7 +409,7 @@ action-keep-nominal = { $count ->
        *[other] do not load { $formats }
     }
 action-keep-nominal-reason = RMS error { $rms }, largest { $max }; nominal parameters: { $nominal_rms } and { $nominal_max }
-action-load = load `{ $file }`{ $count ->
+action-load = save what the controller has now, then load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
     }
@@ -444,6 +448,9 @@ action-reduce-uncertainty = reduce the uncertainty of the { $limit }
 action-reduce-uncertainty-by-source = U = { $present }; a decision needs { $required }; largest share: { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present }; a decision needs { $required }
 action-resolve = decide how to treat this warning
+action-run-again = after a change, run again, and load only a file that the new verdict names
+action-run-again-backup = until then the controller keeps its values. If values of this campaign are loaded, restore `{ $file }`
+action-run-again-reason = until then the controller keeps its values. If values of this campaign are loaded, restore the previous file of the controller
 action-state-limits = give the tolerance of the application in [limits]
 action-state-limits-reason = a verdict needs limits
 action-state-limits-to-accept = only limits show whether the accuracy suffices for the application

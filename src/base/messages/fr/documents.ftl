@@ -241,6 +241,10 @@ action-agree-rule-reason = la limite est à l’intérieur de U = { $present }�
 action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
 action-verify = vérifier le chargement : mesurer quelques poses et lancer `etalon verify`. Si les paramètres ne conviennent pas, rétablir le fichier précédent du contrôleur
+action-verify-moved = le chargement déplace les positions apprises de { $change } au plus dans le référentiel de la base (pose { $pose }) : vérifier les dégagements et réapprendre les pièces. { $count ->
+        [0] Nommer le fichier sauvegardé `controller_backup` dans [conditions] : le rapport donne alors son SHA-256
+       *[other] Le fichier précédent est `{ $file }` ; la même section donne son SHA-256
+    }
 action-verify-reason = sauvegarder le fichier précédent avant le chargement ; `controller_backup` dans [conditions] ajoute son SHA-256
 action-verify-at-pose = vérifier le chargement à la pose { $pose } : « Vérification après chargement et retour » donne la pose affichée et sa tolérance. Si elle diffère, rétablir le fichier précédent du contrôleur
 action-verify-software-at-pose = vérifier le fichier dans votre logiciel, ou le premier programme corrigé, à la pose { $pose } : « Vérification après chargement et retour » donne les poses et la tolérance. Si elles diffèrent, rétablir l’état précédent
@@ -255,7 +259,7 @@ action-keep-nominal = { $count ->
        *[other] ne pas charger { $formats }
     }
 action-keep-nominal-reason = erreur RMS { $rms }, maximale { $max } ; paramètres nominaux : { $nominal_rms } et { $nominal_max }
-action-load = charger `{ $file }`{ $count ->
+action-load = sauvegarder l’état du contrôleur, puis charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
     }
@@ -294,6 +298,9 @@ action-reduce-uncertainty = réduire l’incertitude de mesure : { $limit }
 action-reduce-uncertainty-by-source = U = { $present } ; pour décider, il faut { $required } ; plus grande contribution : { $source } ({ $percent } %)
 action-reduce-uncertainty-reason = U = { $present } ; pour décider, il faut { $required }
 action-resolve = décider de la suite à donner à cet avertissement
+action-run-again = après une modification, relancer, et ne charger qu’un fichier que le nouveau verdict nomme
+action-run-again-backup = d’ici là, le contrôleur garde ses valeurs. Si des valeurs de cette campagne sont chargées, rétablir `{ $file }`
+action-run-again-reason = d’ici là, le contrôleur garde ses valeurs. Si des valeurs de cette campagne sont chargées, rétablir le fichier précédent du contrôleur
 action-state-limits = indiquer la tolérance de l’application dans [limits]
 action-state-limits-reason = sans limites, il n’y a pas de verdict
 action-state-limits-to-accept = seules des limites montrent si l’exactitude suffit à l’application

@@ -396,12 +396,12 @@ definition-ad-rd = AD : distance moyenne atteinte moins distance commandée ;
 definition-ap = AP : distance entre la position moyenne atteinte et la position commandée, avec ses composantes (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP : angle moyen atteint moins angle commandé ; RP : trois écarts-types ; évaluées pour chaque angle (ISO 9283:1998, 7.2.1 et 7.2.2).
 definition-compliance = Déplacement suivant la force par unité de force : pente de la droite ajustée passant par la position sans charge (ISO 9283:1998, 10).
-definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6).
+definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6). U de dAP contient la dispersion dans les séries ; les erreurs que l’instrument répète s’annulent.
 definition-of-errors = définition des erreurs
-definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9).
+definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9). U contient la dispersion des mouvements et la période d’échantillonnage.
 definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée. U est l’incertitude élargie d’une position (k = 2).
 definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
-definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5).
+definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5). U contient la dispersion des arrivées et la période d’échantillonnage ; U d’un dépassement contient la dispersion à l’arrêt.
 definition-standstill-distance = Distance entre la moyenne de chaque arrêt et celle du premier arrêt à la même pose. Une distance croissante traduit une dérive, une distance constante la répétabilité.
 definition-target-displacement = Déplacement des cibles fixes depuis leur première mesure, et déplacement restant après correction des positions (hors norme).
 definition-vap = vAP : plus grande distance entre les positions moyennes de deux directions d’approche (ISO 9283:1998, 7.2.3).
@@ -1093,10 +1093,10 @@ readings-redundancy = { $target } ({ $readings ->
     }, redondance { $redundancy })
 reason = raison
 recommend-file = charger `{ $file }` de l’exécution : { $load } paramètres sur { $count }, à leurs valeurs identifiées ; les autres restent aux valeurs nominales
-recommend-further = ne rien charger encore : identifier d’abord { $effects }, qui réduisent de plus de 5 % les erreurs aux poses omises
-recommend-nominal = garder les paramètres nominaux : les paramètres identifiés ne sont pas nettement meilleurs à de nouvelles poses
+recommend-further = ne rien charger encore : identifier d’abord { $effects }, qui réduisent les erreurs aux poses omises
+recommend-nominal = ne rien charger : garder les paramètres nominaux. Les paramètres identifiés ne sont pas nettement meilleurs à de nouvelles poses
 recommend-parameters = charger les paramètres identifiés de l’exécution : { $load } sur { $count } ; les autres restent aux valeurs nominales
-recommend-resolve = ne rien charger encore : le verdict de l’exécution ne permet de charger aucun fichier ; suivre d’abord ses prochaines étapes
+recommend-resolve = ne rien charger encore : le verdict ne permet de charger aucun fichier. Suivre d’abord les prochaines étapes de l’exécution
 recommendation-title = Recommandation des paramètres à charger
 recorded = enregistré
 recorded-motion = Mouvement enregistré
@@ -1457,6 +1457,7 @@ to-complete-count = À compléter avant signature : { $count ->
 to-distance = à
 to-hold = à fixer
 to-load = à charger
+to-load-later = à charger plus tard
 to-pose = à la pose
 tolerance = tolérance
 tool-error-definition = { $error } ; nominal moins identifié : différence entre les positions prédites par les deux jeux de paramètres ; attendue : norme (k = 1) ; contributions : covariance des paramètres, tolérance des paramètres que les données ne peuvent pas déterminer, erreur du modèle au-delà de l’incertitude de l’instrument, position du point sur l’outil ; les erreurs des cibles excluent les paramètres qui déplacent cibles et outil de la même façon
@@ -1528,6 +1529,11 @@ vap-farthest = Plus grande valeur de vAP : { $distance } µm à la pose { $pos
 velocities = vitesses
 velocity-sentence = Vitesse : { $velocity }.
 verdict = verdict
+files-beyond-limits = Ne pas charger { $files } : avec les valeurs de { $count ->
+        [one] ce fichier
+       *[other] ces fichiers
+    }, une limite n’est pas respectée.
+given-not-loaded = Ne pas charger les paramètres donnés. S’ils sont chargés, rétablir le fichier précédent du contrôleur.
 verdict-conditional = Verdict : conforme sous réserve.
 verdict-fail = Verdict : non conforme.
 verdict-is-of-file = Ces erreurs sont celles de `{ $file }`{ $count ->
@@ -1562,15 +1568,18 @@ way-back-before = avant chargement
 way-back-display = pose affichée
 way-back-file = fichier avant chargement
 way-back-loaded = fichier à charger
+way-back-moved = plus grand changement d’une position apprise
+way-back-moved-by = { $change } mm dans le référentiel de la base, à la pose { $pose }
 way-back-not-stated = non indiqué : le sauvegarder et l’indiquer comme `controller_backup` dans [conditions]
-way-back-other-poses = Affichage à d’autres poses, d’après les valeurs articulaires avant chargement : `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters parameters.json --loaded { $file }`.
-way-back-restore = Retour : recharger le fichier d’avant le chargement. Il est rétabli si l’affichage donne de nouveau la première ligne au même endroit.
-way-back-test = Avant le chargement, aller à la pose { $pose } : { $joints }. Charger sans bouger le robot. L’affichage doit passer de la première à la deuxième ligne. Il montre la bride dans le référentiel de la base, sans outil ni pièce.
+way-back-other-poses = Affichage à d’autres poses, d’après les valeurs articulaires avant chargement : `etalon kinematics direct JOINTS.csv --robot robot.toml --parameters out/parameters.json --loaded { $file }`.
+way-back-restore = Retour : recharger le fichier d’avant le chargement. Il est rétabli si l’affichage donne au même endroit la même pose qu’avant le chargement.
+way-back-test = Avant le chargement, aller à la pose { $pose } : { $joints }. Charger sans bouger le robot. L’affichage doit passer de la première à la deuxième ligne. Il montre la bride dans le référentiel de la base, sans outil ni pièce. La première ligne vaut pour les valeurs nominales : si le contrôleur en a d’autres, noter son affichage.
 way-back-title = Vérification après chargement et retour
 way-back-change-too-small = L’arrondi des valeurs articulaires et de l’affichage explique des écarts jusqu’à { $tolerance } mm ; le fichier modifie cette pose de { $change } mm. Vérifier plutôt par une mesure.
 way-back-compensated = Si l’on corrige plutôt les programmes par `etalon compensate`, ne charger aucun fichier. Une cible à la seconde ligne est alors commandée comme la première ligne, et l’affichage doit montrer les valeurs articulaires ci-dessus.
 way-back-tolerance = Tolérance de la comparaison : { $tolerance } mm. L’arrondi des valeurs articulaires et de l’affichage n’explique pas d’écart plus grand.
-way-back-verify = Plus tard, mesurer quelques poses. `etalon verify` les lit dans une copie de la campagne avec les nouveaux fichiers.
+way-back-without-display = Le modèle n’a pas de pose d’une bride que montre un affichage : vérifier le fichier par une mesure. Retour : recharger le fichier sauvegardé.
+way-back-verify = Plus tard, mesurer quelques poses et placer les nouveaux fichiers dans une copie de la campagne. Lancer ensuite `etalon verify COPY --robot robot.toml --parameters out/parameters.json`.
 way-back-verify-mastered = Si les valeurs articulaires du contrôleur contiennent les zéros chargés (calage), ajouter `--mastered { $file }`.
 weaker-trends = Autres tendances significatives
 weave = balayage
@@ -1582,7 +1591,7 @@ weave-passes = { $passes ->
         [one] { $turns } inversion
        *[other] { $turns } inversions
     }
-way-back-test-software = À la pose { $pose }, calculer la pose de la bride pour ces valeurs articulaires : { $joints }. Avec les paramètres précédents, votre logiciel doit donner la première ligne, avec le fichier la seconde. Les deux lignes sont dans le référentiel de la base, sans outil ni pièce.
+way-back-test-software = À la pose { $pose }, calculer la pose de la bride pour ces valeurs articulaires : { $joints }. Avec les paramètres nominaux, votre logiciel doit donner la première ligne, avec le fichier la seconde. Les deux lignes sont dans le référentiel de la base, sans outil ni pièce.
 weaving = Balayage
 weaving-frequency = fréquence du balayage
 weaving-frequency-measured = { $measured } Hz, commandée { $commanded } Hz : WF { $ratio } %

@@ -225,21 +225,14 @@ impl Recommendation<'_> {
 
     /// The recommendation in sentences.
     fn meaning(&self, steps: &[EffectStep], parameters: &[ParameterVerdict], errors: &HeldOutErrors) -> Vec<Phrase> {
-        let list = |effects: &mut dyn Iterator<Item = &etalon_documents::Effect>| -> Vec<Phrase> {
-            effects.map(|effect| effect.phrase()).collect()
-        };
         let loading = self.loading;
         let (load, count) = (parameters.iter().filter(|p| p.verdict == LoadVerdict::Load).count(), parameters.len());
-        let answer = match (loading.answer, &loading.file) {
-            (LoadAnswer::Load, Some(file)) => phrase!("recommend-file", file, load, count),
-            (LoadAnswer::Load, None) => phrase!("recommend-parameters", load, count),
-            (LoadAnswer::KeepNominal, _) => phrase!("recommend-nominal"),
-            (LoadAnswer::IdentifyFurther, _) => {
-                phrase!("recommend-further", effects = list(&mut loading.effects.iter()))
-            }
-            (LoadAnswer::Resolve, _) => phrase!("recommend-resolve"),
-        };
-        let effects = list(&mut steps.iter().filter(|s| s.accepted).filter_map(|s| s.effect.as_ref()));
+        let answer = loading.withheld().unwrap_or_else(|| match &loading.file {
+            Some(file) => phrase!("recommend-file", file, load, count),
+            None => phrase!("recommend-parameters", load, count),
+        });
+        let effects: Vec<Phrase> =
+            steps.iter().filter(|s| s.accepted).filter_map(|s| Some(s.effect?.phrase())).collect();
         let proven = (!effects.is_empty()).then(|| phrase!("effects-reduce-errors", effects));
         let rms = |s: &Statistics| format!("{:.4}", s.rms);
         let [nominal, all, recommended] = [&errors.none, &errors.all, &errors.recommended].map(rms);

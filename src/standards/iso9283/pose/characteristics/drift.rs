@@ -51,7 +51,7 @@ pub fn drift(pose: PoseName, sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> R
     let rp_mm: Vec<f64> = sets_mm.iter().map(|set| Ok(pose_repeatability(set)?.rp_mm)).collect::<Result<_>>()?;
     let change = |values: &[f64]| (values[values.len() - 1] - values[0]).abs();
     let dap_mm = change(&ap_mm);
-    let (u, degrees) = uncertainty_of_dap(sets_mm, commanded_mm);
+    let (u, degrees) = dap_uncertainty(sets_mm, commanded_mm);
     Ok(Drift {
         pose,
         dap_mm,
@@ -72,7 +72,7 @@ fn is_significant(dap_mm: f64, u: f64, degrees: f64) -> bool {
 
 /// Standard uncertainty of dAP, and its degrees of freedom: AP of a set has the variance s²/n, with
 /// s² along the deviation, pooled over all sets (GUM 4.2.3, 4.2.4).
-fn uncertainty_of_dap(sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> (f64, f64) {
+fn dap_uncertainty(sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> (f64, f64) {
     let (mut squares, mut degrees) = (0.0, 0);
     for set in sets_mm {
         let Some(mean) = centroid(set) else { continue };
