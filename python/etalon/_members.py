@@ -1604,6 +1604,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "determined_parameters": ("", None),
         "effective_degrees_of_freedom": ("", None),
         "extrapolation": ("JointExtrapolation", []),
+        "joint_value_standard_uncertainty_deg": ("", None),
         "kind": ("", None),
         "max": ("", None),
         "position_rms_before_mm": ("", None),
@@ -1903,8 +1904,10 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "verdict": ("", None),
     },
     "VerificationDocument": {
+        "alike": ("", []),
         "calibration": ("CampaignReference", None),
         "conditions": ("VerifiedQuantity", []),
+        "copies": ("", None),
         "expected_position_rms_mm": ("", None),
         "expected_rms_mm": ("", None),
         "explanations": ("Movement", []),

@@ -2569,6 +2569,10 @@ class ResidualSummary(Record):
     """Growth of the errors of predictions beyond the measured values of joints. Empty if the instrument explains the
     residuals, and with fewer than 16 poses.
     """
+    joint_value_standard_uncertainty_deg: float | None
+    """Given standard uncertainty (deg) of observed values of revolute joints, such as values of second encoders;
+    absent without such observations.
+    """
     kind: str
     """Residuals of targets or of the pose."""
     max: float
@@ -4025,10 +4029,14 @@ class VerdictDocument(Document):
 
 class VerificationDocument(Document):
     """Test of whether previously identified parameters explain today's observations."""
+    alike: list[str]
+    """Names of the other movements that explain the residuals about as well as `moved`."""
     calibration: CampaignReference | None
     """Campaign that identified the parameters; absent if their folder does not contain `campaign.json`."""
     conditions: Records[VerifiedQuantity]
     """Residuals of each quantity other than positions of targets."""
+    copies: int | None
+    """Number of rows whose values are equal to values of the calibration: a copy of its readings verifies nothing."""
     expected_position_rms_mm: float
     """Expected root-mean-square residual of a position if nothing has changed (mm)."""
     expected_rms_mm: float
@@ -4062,7 +4070,7 @@ class VerificationDocument(Document):
     provenance: Provenance
     """Origin of the numbers."""
     rms_mm: float
-    """Root-mean-square residual of a coordinate (mm)."""
+    """Root-mean-square residual of a coordinate (mm); zero without positions."""
     robot: str
     """Model of the robot."""
     schema: str

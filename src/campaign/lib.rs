@@ -269,6 +269,13 @@ impl Campaign {
         text.get_ref().parse().map_err(|problems: Problems| problems.at(&self.place(text)))
     }
 
+    /// Standard uncertainty (mm) of a measured coordinate: of the instrument, and of the contact if
+    /// it is given.
+    pub fn coordinate_uncertainty_mm(&self) -> f64 {
+        let contact = self.file.contact.as_ref().map_or(0.0, Contact::standard_uncertainty_mm);
+        self.file.instrument.standard_uncertainty_mm().hypot(contact)
+    }
+
     /// Settings of the identification.
     pub fn settings(&self, identify: &Identify) -> Settings {
         let instrument = self.file.instrument.standard_uncertainty_mm();

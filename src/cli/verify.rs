@@ -5,7 +5,7 @@ use super::{Output, Verdict, progress};
 use crate::run::documents::{read_loaded_parameters, read_parameters_and_run};
 use crate::stages::verify::earlier_parameters::{mastered, unknown_geometry};
 use crate::tasks::validity;
-use crate::tasks::{Inputs, Table, VerifyOptions, plan_verification, verify};
+use crate::tasks::{Inputs, Table, VerifyOptions, plan_verification, verify_new};
 use etalon_base::files;
 use etalon_base::message::Message;
 use etalon_campaign::read_robot;
@@ -15,9 +15,9 @@ use std::path::PathBuf;
 
 /// Check whether identified parameters still apply, from a few measured poses.
 ///
-/// Nothing is identified. The measured positions and orientations are compared with the values that
-/// the parameters predict. The difference is judged by the uncertainty of the measurement, of the
-/// parameters, and of the model in the calibration.
+/// Nothing is identified. The observations (positions, orientations, distances, contacts and other
+/// kinds) are compared with the values that the parameters predict. The difference is judged by the
+/// uncertainty of the measurement, of the parameters, and of the model in the calibration.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Answers: the parameters are valid; the base has moved; the zero of a joint has moved; another change.
@@ -78,6 +78,7 @@ impl Verify {
             let loaded = read_loaded_parameters(&self.parameters, Some(file))?;
             mastered(robot.build(&robot.targets_or("tool"))?, &mut document, &loaded);
         }
+        let calibrated = run.as_ref().map(|run| run.path("observations.csv"));
         let campaign = run.and_then(|run| run.json::<CampaignSummary>("campaign.json").ok());
         out.remark(validity::expired(&document, campaign.as_ref()).as_slice());
         out.remark(unknown_geometry(&document, &files::sha256(&files::read(&self.robot)?)).as_slice());
@@ -85,7 +86,7 @@ impl Verify {
         let presentation = self.reports.over(Presentation::default())?;
         let inputs = |table| Inputs { robot, stated: Table::File(&self.robot), table: Table::File(table) };
         if let Some(observations) = &self.observations {
-            let mut found = verify(&inputs(observations), &document, &self.options)?;
+            let mut found = verify_new(&inputs(observations), &document, &self.options, calibrated.as_deref())?;
             found.provenance.inputs.extend(parameters);
             found.calibration = campaign.map(CampaignReference::from);
             return self.answer(&found, &found.messages, &Renderer::verification(&found, presentation)?, out);

@@ -5,8 +5,8 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
 use etalon_identify::{
-    ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Observability, Origin, Prior,
-    RANK_TOLERANCE, SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
+    Condition, ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Kind, Observability, Origin,
+    Prior, RANK_TOLERANCE, SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
 };
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,12 +61,20 @@ fn residual_test(settings: &Settings, found: &Identification) -> ResidualTest {
     ResidualTest {
         stated_standard_uncertainty_mm: settings.standard_uncertainty_mm,
         common_standard_uncertainty_mm: settings.common_uncertainty_mm,
+        joint_value_standard_uncertainty_deg: joint_value_uncertainty_deg(&settings.conditions),
         stated_values: found.residuals.stated,
         determined_parameters: Some(found.identifiability.determined),
         chi_square: found.residuals.chi_square,
         chi_square_rejected: found.residuals.chi_square.is_some_and(rejected),
         repeats: found.residuals.replicates.map(Into::into),
     }
+}
+
+/// Root mean square (deg) of the standard uncertainties of observed values of revolute joints.
+fn joint_value_uncertainty_deg(conditions: &[Condition]) -> Option<f64> {
+    let of_joints = conditions.iter().filter(|c| matches!(c.kind, Kind::Joint(_)) && c.kind.is_angle());
+    let squares: Vec<f64> = of_joints.map(|c| c.standard_uncertainty.to_degrees().powi(2)).collect();
+    (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
 }
 
 /// Creates the document of an identification. `before` holds the values with only base and targets

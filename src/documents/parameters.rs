@@ -346,6 +346,10 @@ pub struct ResidualTest {
     /// Standard uncertainty common to all observations of the same coordinates (mm): of the
     /// instrument, if the uncertainty of the contact is given separately.
     pub common_standard_uncertainty_mm: Option<f64>,
+    /// Given standard uncertainty (deg) of observed values of revolute joints, such as values of
+    /// second encoders; absent without such observations.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint_value_standard_uncertainty_deg: Option<f64>,
     /// Number of stated values that count like measured values: shapes of rigid parts, and
     /// positions and lengths of fixed points.
     #[serde(default)]

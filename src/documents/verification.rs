@@ -51,6 +51,9 @@ pub struct ChangeEvidence {
     pub significance: f64,
     /// Object that has moved, with its displacement, if a single movement explains the residuals.
     pub moved: Option<Movement>,
+    /// Names of the other movements that explain the residuals about as well as `moved`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub alike: Vec<String>,
     /// All single movements that may explain the residuals, the best explanation first.
     pub explanations: Vec<Movement>,
     /// Detection power of these observations.
@@ -61,6 +64,10 @@ pub struct ChangeEvidence {
     pub of_rest: SumOfSquares,
 }
 
+fn is_zero(count: &usize) -> bool {
+    *count == 0
+}
+
 /// Residuals, with the values that are expected if nothing has changed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct VerifiedResiduals {
@@ -68,7 +75,11 @@ pub struct VerifiedResiduals {
     pub poses: usize,
     /// Number of measured positions.
     pub points: usize,
-    /// Root-mean-square residual of a coordinate (mm).
+    /// Number of rows whose values are equal to values of the calibration: a copy of its readings
+    /// verifies nothing.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub copies: usize,
+    /// Root-mean-square residual of a coordinate (mm); zero without positions.
     pub rms_mm: f64,
     /// Expected root-mean-square residual if nothing has changed (mm).
     pub expected_rms_mm: f64,

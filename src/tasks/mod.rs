@@ -53,4 +53,4 @@ pub use plan::{PlanOptions, SearchOptions, plan};
 pub(crate) use plan::{Simulation, choose, read_candidates};
 pub use schema::schema;
 pub use text_format::{TableFormat, TextForm, TextFormat};
-pub use verify::{VerifyOptions, plan_verification, verify};
+pub use verify::{VerifyOptions, plan_verification, verify, verify_new};

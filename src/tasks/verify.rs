@@ -6,15 +6,17 @@ use super::inputs::{Inputs, Table};
 use super::plan::read_candidates;
 use super::text_format::TableFormat;
 use crate::run::walk::{self, Observed};
+use crate::stages::calibrate::selection::export_order;
 use crate::stages::join::Observations;
 use crate::stages::kinds::{self, RowDefaults};
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::orientations::AngleOrder;
 use crate::stages::table_file::TableFile;
-use crate::stages::verify::expected_deviation::{orientation_uncertainty_rad, unknown_quantity};
+use crate::stages::verify::copies::copies;
+use crate::stages::verify::expected_deviation::{angle_uncertainty_rad, unknown_quantity};
 use crate::stages::verify::verification::{self, EarlierCalibration};
-use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
+use etalon_base::{error, warning};
 use etalon_campaign::{Campaign, ObservationsDefinition};
 use etalon_documents::{ParametersDocument, VerificationDocument, VerificationPlanDocument};
 use etalon_identify::Settings;
@@ -60,6 +62,8 @@ struct ObservedTable {
     order: Option<AngleOrder>,
     /// Standard uncertainty of a coordinate, if not the one of the calibration.
     stated_mm: Option<f64>,
+    /// Standard uncertainty of an orientation (rad), likewise.
+    stated_rad: Option<f64>,
     /// SHA-256 of the files, by name.
     inputs: BTreeMap<String, String>,
     /// Warnings about the files.
@@ -71,16 +75,29 @@ struct ObservedTable {
 /// # Errors
 /// Fails for a table or parameters that do not belong to the robot.
 pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOptions) -> Result<VerificationDocument> {
+    verify_new(inputs, document, options, None)
+}
+
+/// [`verify`] with the file of the `calibrated` observations, from which copies are told.
+///
+/// # Errors
+/// Fails like [`verify`].
+pub fn verify_new(
+    inputs: &Inputs,
+    document: &ParametersDocument,
+    options: &VerifyOptions,
+    calibrated: Option<&Path>,
+) -> Result<VerificationDocument> {
     options.check()?;
-    let ObservedTable { file: observed, order, stated_mm, inputs: files, mut messages } = options.observed(inputs)?;
+    let ObservedTable { file: observed, order, stated_mm, stated_rad, inputs: files, mut messages } =
+        options.observed(inputs)?;
     let here = |problems: Problems| observed.place(problems);
     let targets = kinds::targets(&observed.table, &inputs.robot.branches()).map_err(here)?;
     let mut robot = inputs.robot.build(&targets).map_err(here)?;
     joint_range::check_table(robot.as_ref(), &observed.table, &[], Joints::Measured).map_err(here)?;
-    let stated_rad = options.rotation_uncertainty_deg.map(f64::to_radians);
     let without = RowDefaults {
         length_mm: stated_mm.or(document.residuals.test.stated_standard_uncertainty_mm),
-        rotation_rad: stated_rad.or_else(|| orientation_uncertainty_rad(document)),
+        rotation_rad: stated_rad.or_else(|| angle_uncertainty_rad(document)),
         order,
     };
     let measured = kinds::observed(robot.as_mut(), &observed.table, without, Settings::default(), &mut messages);
@@ -89,7 +106,14 @@ pub fn verify(inputs: &Inputs, document: &ParametersDocument, options: &VerifyOp
         return Err(here(unknown.into()));
     }
     let calibration = EarlierCalibration::new(robot.as_mut(), document, stated_mm)?;
+    // an earlier file that cannot be read says nothing of the new one
+    let earlier = calibrated.and_then(|path| Table::File(path).read().ok());
+    let copies = earlier.map_or(0, |earlier| copies(&observed.table, &earlier.table));
+    if copies > 0 {
+        messages.push(warning!("readings-of-calibration", count = copies, rows = observed.table.height()).to_decide());
+    }
     let mut found = verification::verify(calibration, measured, files)?;
+    found.residuals.copies = copies;
     found.messages.splice(0..0, messages);
     Ok(found)
 }
@@ -126,6 +150,10 @@ impl VerifyOptions {
         self.standard_uncertainty_um.map(|u| u / 1000.0)
     }
 
+    fn rotation_uncertainty_rad(&self) -> Option<f64> {
+        self.rotation_uncertainty_deg.map(f64::to_radians)
+    }
+
     /// The observations as options, the campaign of `--like` or their own campaign state them.
     fn observed(&self, inputs: &Inputs) -> Result<ObservedTable> {
         if let Table::File(path) = inputs.table
@@ -140,8 +168,8 @@ impl VerifyOptions {
             }
             Some(folder) => table_like(folder, inputs.table)?,
         };
-        let stated_mm = self.standard_uncertainty_mm();
-        Ok(ObservedTable { file, order, stated_mm, inputs: inputs.sha256_by_name()?, messages: Vec::new() })
+        let (stated_mm, stated_rad) = (self.standard_uncertainty_mm(), self.rotation_uncertainty_rad());
+        Ok(ObservedTable { file, order, stated_mm, stated_rad, inputs: inputs.sha256_by_name()?, messages: Vec::new() })
     }
 
     /// The observations of a campaign: of its exports and logs, or of its table.
@@ -152,7 +180,7 @@ impl VerifyOptions {
         let campaign = Campaign::read(path)?;
         let Observed { gathered, joined, .. } = walk::observed(&campaign)?;
         let order = match &campaign.file.observations[..] {
-            [] => None,
+            [] => export_order(&campaign),
             [stated, ..] => order_in_campaign(&campaign, stated)?,
         };
         // a run identifies from the first log
@@ -165,7 +193,8 @@ impl VerifyOptions {
         Ok(ObservedTable {
             file: TableFile::in_memory(&campaign.path, table.unwrap_or_default()),
             order,
-            stated_mm: self.standard_uncertainty_mm().or(Some(campaign.file.instrument.standard_uncertainty_mm())),
+            stated_mm: self.standard_uncertainty_mm().or(Some(campaign.coordinate_uncertainty_mm())),
+            stated_rad: self.rotation_uncertainty_rad().or(campaign.file.instrument.rotation_uncertainty_rad()),
             inputs: files,
             messages: gathered.document.messages,
         })

@@ -37,6 +37,7 @@ mod tables;
 mod talk;
 mod tracim;
 mod verdict;
+mod verified;
 mod view;
 
 use crate::support::root;

@@ -196,11 +196,16 @@ const CASES: &[Case] = &[
         VERIFY,
     ),
     (
-        "verify-without-positions",
-        "draw-wire+out",
-        &[],
-        "verify @/observations.csv --robot @/robot.toml --parameters @/out/parameters.json",
+        "verify-without-observations",
+        ARM,
+        &[(
+            "out/observations.csv",
+            "",
+            "kind,pose,target,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\npoint,1,ball,10,20,30,40,50,60,,,\n",
+        )],
+        VERIFY,
     ),
+    ("readings-of-calibration count=590 rows=590", TABLE, &[], VERIFY),
     (
         "campaign-without-observations",
         TABLE,

@@ -126,9 +126,9 @@ pub struct Verification {
     pub of_rest: Test,
     /// Probability of both, if nothing has changed.
     pub p_value: f64,
-    /// Root mean square (mm) of the residual of a coordinate.
+    /// Root mean square (mm) of the residual of a coordinate; zero without positions.
     pub rms_mm: f64,
-    /// Expected root mean square (mm) if nothing has changed.
+    /// Expected root mean square (mm) if nothing has changed; zero without positions.
     pub expected_rms_mm: f64,
     /// Possible changes, the best explanation first: sufficient ones, ordered by their number of
     /// values.
@@ -149,14 +149,14 @@ impl Verification {
     }
 }
 
-/// Observations of positions, and the parameters with which they are compared.
+/// Observations, and the parameters with which they are compared.
 #[derive(Clone, Copy)]
 pub struct Comparison<'a> {
     /// The robot.
     pub robot: &'a dyn Robot,
-    /// Observations.
+    /// Observations of positions; empty if all observations are conditions of the settings.
     pub observations: &'a [Observation],
-    /// Settings, which must give the standard uncertainty of a coordinate.
+    /// Settings with conditions, which must give the standard uncertainty of a coordinate.
     pub settings: &'a Settings,
     /// The parameters.
     pub given: &'a IdentifiedParameters,
@@ -270,10 +270,13 @@ impl Comparison<'_> {
     /// The motion with the largest explained share, if it is too large to be linear, by the
     /// Gauss-Newton method; `None` if this does not converge.
     fn refine(self, moved: Moved, variance: Variance, whole: f64) -> Option<Explanation> {
+        if self.observations.is_empty() {
+            return None;
+        }
         let mut change = vec![0.0; 3];
         let mut motion = Pose::identity();
         // positions determine a large motion
-        let positions = Settings { conditions: Vec::new(), ..self.settings.clone() };
+        let positions = Settings { conditions: Vec::new(), known: Vec::new(), ..self.settings.clone() };
         for _ in 0..ITERATIONS {
             let (mut back, mut place) = (self.observations.to_vec(), self.given.clone());
             let origin = self.robot.base_origin(&self.given.values);
@@ -420,6 +423,11 @@ struct Fit {
 }
 
 impl Test {
+    /// Mean square over its expected value; NaN without degrees of freedom.
+    pub fn mean_square(&self) -> f64 {
+        self.sum / self.degrees_of_freedom as f64
+    }
+
     /// Probability of two tests, of which one may have no degrees of freedom.
     fn together(changes: &Self, rest: &Self) -> f64 {
         let least = changes.p_value.min(rest.p_value);
@@ -436,7 +444,9 @@ impl<'a> Space<'a> {
         }
         // all that has an uncertainty; of parameters that have none, one to stand for the columns
         let free = if given.free.is_empty() { vec![0] } else { given.free.clone() };
-        let problem = Residuals::new(robot, observations, settings, &free, &given.values)?;
+        let mut problem = Residuals::new(robot, observations, settings, &free, &given.values)?;
+        // the covariance has a column for each parameter
+        problem.layout = None;
         let x: Vec<f64> = free.iter().map(|&i| given.values[i]).collect();
         let (m, n) = (problem.residual_count(), free.len());
         let (mut r, mut jacobian) = (vec![0.0; m], vec![0.0; m * n]);
@@ -510,6 +520,9 @@ impl<'a> Space<'a> {
         self.problem.plain_jacobian(&self.x, &mut jacobian);
         // the first rows are coordinates of targets
         let n = self.problem.coordinate_count();
+        if n == 0 {
+            return [0.0; 2];
+        }
         r.truncate(n);
         let ours = DMatrix::from_row_slice(n, self.x.len(), &jacobian[..n * self.x.len()]) * &self.root;
         let unit2 = self.problem.unit.powi(2);
@@ -525,8 +538,10 @@ impl<'a> Space<'a> {
         [unit2 * squares, measured + misfit + unit2 * ours.norm_squared()].map(|sum| (sum / n as f64).sqrt())
     }
 
-    /// Rows of `width` numbers, which are whitened but for the errors that readings share.
+    /// Rows of `width` numbers, which are whitened but for the errors that readings share. Rows of
+    /// given values, which no motion changes, may be missing at the end.
     fn whitened(&self, mut rows: Vec<f64>, width: usize) -> DMatrix<f64> {
+        rows.resize(self.r.len() * width, 0.0);
         self.shared.whiten(&mut rows, width);
         DMatrix::from_row_slice(self.r.len(), width, &rows)
     }
@@ -534,7 +549,7 @@ impl<'a> Space<'a> {
     /// Derivatives of measured minus predicted values with respect to base and joints.
     fn columns(&self) -> Columns {
         let m = self.r.len();
-        let frame = self.whitened(self.problem.frame_jacobian(&self.x, None), 6);
+        let frame = self.whitened(self.problem.base_jacobian(&self.x), 6);
         let planar = self.of.robot.dimension() == 2;
         let axes: &[usize] = if planar { &[0, 1, 5] } else { &[0, 1, 2, 3, 4, 5] };
         let mut columns = DMatrix::zeros(m, axes.len());
@@ -631,4 +646,83 @@ fn root(covariance: DMatrix<f64>) -> Result<DMatrix<f64>> {
         row *= *s;
     }
     Ok(root)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Fixture;
+    use crate::model::kinds::{Condition, Contact, Kind, Known};
+    use etalon_base::noise::Noise;
+    use etalon_robots::{Serial, SerialJoint};
+
+    /// Standard uncertainty (mm) of a contact.
+    const U_MM: f64 = 0.01;
+
+    /// An arm whose ball touches a socket of its own at each of 14 poses, after its base has moved
+    /// along x (mm) and a zero by `joint` (rad). A table states the place of the first socket.
+    fn touching(trial: u64, base_x_mm: f64, joint: (usize, f64)) -> (Serial, Settings, IdentifiedParameters) {
+        let link = |&[alpha_rad, a_mm, theta_rad, d_mm]: &[f64; 4]| SerialJoint {
+            alpha_rad,
+            a_mm,
+            theta_rad,
+            d_mm,
+            prismatic: false,
+            parallel: false,
+        };
+        let table = [[0.0, 0.0, 0.0, 290.0], [-1.5, 0.0, -1.5, 0.0], [0.1, 270.0, 0.0, 0.0], [-1.5, 70.0, 0.0, 302.0]];
+        let links: Vec<SerialJoint> = table.iter().map(link).collect();
+        let mut robot = Serial::new(&links, &["ball".to_owned()], [0.0, 0.0, -1.0], &[], &[]);
+        let sockets: Vec<usize> = (0..14).map(|k| Fixture::Point(&format!("s{k}")).add_to(&mut robot)).collect();
+        let mut values = robot.nominal();
+        values[6..9].copy_from_slice(&[60.0, 20.0, 80.0]);
+        let mut noise = Noise::new(23, trial);
+        let mut conditions = Vec::new();
+        for (k, &socket) in sockets.iter().enumerate() {
+            let logged: Vec<f64> = (0..4).map(|_| noise.uniform(1.2)).collect();
+            let mut real = logged.clone();
+            real[joint.0] += joint.1;
+            let at = robot.position(&values, &real, 0).map(|v| v + noise.gaussian(U_MM));
+            values[socket..socket + 3].copy_from_slice(&[at[0] + base_x_mm, at[1], at[2]]);
+            conditions.push(Condition {
+                pose: (k as i64).into(),
+                cycle: 1,
+                joints: logged,
+                target: 0,
+                kind: Kind::Contact(Contact { socket }),
+                standard_uncertainty: U_MM,
+            });
+        }
+        let place_mm = std::array::from_fn(|i| values[sockets[0] + i]);
+        let known = Known::Place { point: sockets[0], place_mm, standard_uncertainty_mm: U_MM };
+        let settings =
+            Settings { standard_uncertainty_mm: Some(U_MM), conditions, known: vec![known], ..Settings::default() };
+        (robot, settings, IdentifiedParameters { values, free: Vec::new(), covariance: Vec::new() })
+    }
+
+    fn verified(trial: u64, base_x_mm: f64, joint: (usize, f64)) -> Verification {
+        let (robot, settings, given) = touching(trial, base_x_mm, joint);
+        let misfit = Misfit { conditions: vec![0.0; settings.conditions.len()], ..Misfit::default() };
+        let comparison =
+            Comparison { robot: &robot, observations: &[], settings: &settings, given: &given, misfit: &misfit };
+        comparison.verify(Variance::Stated).expect("verified")
+    }
+
+    /// Contacts without a single position, and stated values beside them.
+    #[test]
+    fn contacts_alone_are_verified() {
+        let unchanged = |trial: u64| verified(trial, 0.0, (0, 0.0));
+        // two of forty are expected; more than six have a probability of 0.3 %
+        let alarms = (0..40).filter(|trial| unchanged(*trial).is_changed()).count();
+        assert!(alarms <= 6, "{alarms}");
+        let one = unchanged(0);
+        assert!(one.of_rest.degrees_of_freedom > 30, "{one:?}");
+        assert_eq!([one.rms_mm, one.expected_rms_mm], [0.0; 2]);
+        let moved = verified(0, 0.0, (1, 0.002));
+        let cause = moved.cause().expect("a cause");
+        assert!(cause.moved == Moved::Joint(1) && (cause.change[0] - 0.002).abs() < 1e-4, "{cause:?}");
+        let moved = verified(0, 0.3, (0, 0.0));
+        let cause = moved.cause().expect("a cause");
+        assert!(cause.moved == Moved::Base && (cause.change[0] - 0.3).abs() < 0.05, "{cause:?}");
+    }
 }

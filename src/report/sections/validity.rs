@@ -2,7 +2,8 @@
 
 use super::messages;
 use crate::model::{
-    Block, Columns, Grade, Section, Table, Text, Verdict, fixed, number_cell, numbers, significant, term,
+    Block, Columns, Grade, Section, Step, Table, Text, Verdict, fixed, number_cell, numbers, sentence, significant,
+    term,
 };
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, names, tr};
@@ -10,19 +11,71 @@ use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Rank, Severity};
 use etalon_base::phrase;
 use etalon_documents::{
-    CrossValidationExtent, EffectStep, HeldOutErrors, LeastDetectable, LoadVerdict, ParameterVerdict,
-    RecommendationDocument, Statistics, VerificationDocument, VerificationPlanDocument, VerificationVerdict,
+    ChangeEvidence, CrossValidationExtent, EffectStep, HeldOutErrors, LeastDetectable, LoadVerdict, MovementValue,
+    ParameterVerdict, RecommendationDocument, Statistics, SumOfSquares, VerificationDocument, VerificationPlanDocument,
+    VerificationVerdict,
 };
 
 /// Verdict on whether the parameters still apply.
 pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
     let met = document.verdict == VerificationVerdict::Valid && !document.is_refused();
-    Verdict {
-        met,
-        class: Grade::from_met(met),
-        sentences: vec![Text::worded(&document.meaning, words).plain()],
-        ..Verdict::default()
+    let class = match document.residuals.copies {
+        0 => Grade::from_met(met),
+        _ if met => Grade::Conditional,
+        _ => Grade::Bad,
+    };
+    let sentences = vec![Text::worded(&document.meaning, words).plain()];
+    Verdict { met, class, sentences, steps: steps(document, words), ..Verdict::default() }
+}
+
+/// Next steps after a verification. Of a result that is refused, the messages say what to do.
+fn steps(document: &VerificationDocument, words: &Words) -> Vec<Step> {
+    let step = |what: String, reason: String| {
+        let [what, reason] = [what, reason].map(|text| Text::from(sentence(&text)));
+        Step { what, reason, command: None, file: None }
+    };
+    if document.is_refused() {
+        return Vec::new();
     }
+    let ChangeEvidence { moved, alike, .. } = &document.evidence;
+    let mut all = Vec::new();
+    if document.residuals.copies > 0 {
+        let reason = tr!(words, "verify-step-new-reason", count = document.residuals.copies);
+        all.push(step(tr!(words, "verify-step-new"), reason));
+    }
+    if !alike.is_empty() {
+        let named = moved.iter().map(|m| &m.name).chain(alike).map(|name| moving(name, words));
+        let motions = named.collect::<Vec<_>>().join(", ");
+        all.push(step(tr!(words, "verify-step-apart", motions), tr!(words, "verify-step-apart-reason")));
+    }
+    all.push(match (document.verdict, moved) {
+        (VerificationVerdict::Valid, _) => {
+            let keep = step(tr!(words, "verify-step-keep"), tr!(words, "verify-step-keep-reason"));
+            // copies confirm nothing
+            return if all.is_empty() { vec![keep] } else { all };
+        }
+        (VerificationVerdict::BaseMoved, _) => {
+            step(tr!(words, "verify-step-base"), tr!(words, "verify-step-base-reason"))
+        }
+        (VerificationVerdict::Joint, Some(m)) => {
+            let by = |v: &MovementValue| words.decimal(format!("{:+.4} {}", v.value, v.unit));
+            let by = m.by.iter().map(by).collect::<Vec<_>>().join(", ");
+            step(tr!(words, "verify-step-joint", joint = m.name, by), tr!(words, "verify-step-joint-reason"))
+        }
+        (VerificationVerdict::Other, Some(m)) => {
+            step(tr!(words, "verify-step-target", target = m.name), tr!(words, "verify-step-target-reason"))
+        }
+        (VerificationVerdict::Joint | VerificationVerdict::Other, None) => {
+            step(tr!(words, "verify-step-other"), tr!(words, "verify-step-other-reason"))
+        }
+    });
+    all.push(step(tr!(words, "verify-step-verify"), tr!(words, "verify-step-verify-reason")));
+    all
+}
+
+/// Name of a motion in the language of the report.
+fn moving(name: &str, words: &Words) -> String {
+    if name == "base" { tr!(words, "moved-base") } else { format!("`{name}`") }
 }
 
 /// Sections on the probability of the verdict, and on the detectable changes.
@@ -34,23 +87,34 @@ pub(crate) fn verification(document: &VerificationDocument, words: &Words) -> Ve
     let DisplayUnit { unit, factor } = number::display_unit("mm", compared.into_iter().fold(0.0, f64::max));
     let [rms, expected] = compared.map(|mm| number::significant(mm * factor, 3));
     let count = document.evidence.of_changes.degrees_of_freedom + document.evidence.of_rest.degrees_of_freedom;
+    let tested = |test: &SumOfSquares| {
+        let (sum, degrees) = (words.fixed(test.value, 1), test.degrees_of_freedom);
+        let p = words.decimal(number::p_value(test.p_value));
+        tr!(words, "sum-of-squares-tested", sum, degrees, p)
+    };
     let mut facts = vec![
         (tr!(words, "probability-by-chance"), format!("{p}; {limit}").into()),
-        (tr!(words, "position-residuals-rms"), tr!(words, "rms-expected", value = rms, expected, unit).into()),
+        (tr!(words, "test-of-changes"), tested(&document.evidence.of_changes).into()),
+        (tr!(words, "test-of-rest"), tested(&document.evidence.of_rest).into()),
     ];
+    if document.residuals.points > 0 {
+        let value = tr!(words, "rms-expected", value = rms, expected, unit);
+        facts.push((tr!(words, "position-residuals-rms"), value.into()));
+    }
     for found in &document.residuals.conditions {
         let DisplayUnit { unit, factor } = number::display_unit(&found.unit, found.rms.max(found.expected_rms));
         let [rms, expected] = [found.rms, found.expected_rms].map(|v| number::significant(v * factor, 3));
         let value = tr!(words, "rms-expected", value = rms, expected, unit);
         facts.push((tr!(words, "rms-of", quantity = words.tr(&found.quantity.phrase())), value.into()));
     }
-    facts.push((
-        tr!(words, "coordinates"),
-        tr!(words, "count-at-poses", count, poses = document.residuals.poses).into(),
-    ));
+    let counted = if document.residuals.conditions.is_empty() { phrase!("coordinates") } else { phrase!("residuals") };
+    facts.push((words.tr(&counted), tr!(words, "count-at-poses", count, poses = document.residuals.poses).into()));
     judged.push(Block::facts(facts));
     let power = &document.evidence.power;
-    vec![judged, detected(&power.least, power.probability, power.naming, words)]
+    let known: Vec<&Message> = document.messages.iter().filter(|m| m.rank != Rank::Routine).collect();
+    let warnings = (!known.is_empty()).then(|| messages::section_from_messages(&known, words));
+    let detected = detected(&power.least, power.probability, power.naming, words);
+    [judged, detected].into_iter().chain(warnings).collect()
 }
 
 /// Smallest detectable movements.
@@ -174,6 +238,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::Documents;
     use etalon_base::warning;
+    use etalon_documents::{DetectionPower, Movement, MovementKind, Provenance, VerifiedResiduals};
 
     #[test]
     fn a_recommendation_names_unstable_parameters_in_its_report() {
@@ -199,5 +264,81 @@ mod tests {
         let parameters = vec![phrase!("unstable-parameter", parameter = "theta_4", over_sd = 4.9, limit = 4.1)];
         assert!(said(&document(vec![warning!("parameters-unstable", parameters)])));
         assert!(!said(&document(Vec::new())));
+    }
+
+    /// A verification whose zero of a joint has moved, or that is valid.
+    fn verified(is_moved: bool, alike: &[&str], copies: usize, messages: Vec<Message>) -> VerificationDocument {
+        let value = MovementValue {
+            name: "q1".to_owned(),
+            unit: "deg".to_owned(),
+            value: -0.0992,
+            standard_uncertainty: Some(0.001),
+        };
+        let moved = Movement {
+            name: "q1".to_owned(),
+            kind: MovementKind::Joint,
+            by: vec![value],
+            p_left: 0.4,
+            explained_share: 0.9,
+        };
+        let test = SumOfSquares { value: 30.0, degrees_of_freedom: 10, p_value: 0.001 };
+        VerificationDocument {
+            schema: "etalon/verification/1".to_owned(),
+            robot: "serial".to_owned(),
+            calibration: None,
+            verdict: if is_moved { VerificationVerdict::Joint } else { VerificationVerdict::Valid },
+            meaning: phrase!("parameters-still-valid").into(),
+            evidence: ChangeEvidence {
+                p_value: 0.001,
+                significance: 0.05,
+                moved: is_moved.then_some(moved),
+                alike: alike.iter().map(|name| (*name).to_owned()).collect(),
+                explanations: Vec::new(),
+                power: DetectionPower { probability: 0.95, naming: 0.9, least: Vec::new() },
+                of_changes: test,
+                of_rest: test,
+            },
+            residuals: VerifiedResiduals {
+                poses: 8,
+                points: 0,
+                copies,
+                rms_mm: 0.0,
+                expected_rms_mm: 0.0,
+                position_rms_mm: 0.0,
+                expected_position_rms_mm: 0.0,
+                conditions: Vec::new(),
+                standard_uncertainty_mm: 0.01,
+                model_mm: 0.0,
+            },
+            messages,
+            provenance: Provenance {
+                version: "0.1.0".to_owned(),
+                inputs: std::collections::BTreeMap::new(),
+                seed: None,
+            },
+        }
+    }
+
+    /// What the terminal warns of is in the page too, and a step follows from it.
+    #[test]
+    fn a_verification_says_what_to_do() {
+        let words = Words::default();
+        let warning = warning!("motions-alike", count = 1, motions = ["base"]);
+        let moved = verified(true, &["base"], 0, vec![warning]);
+        let steps = |document: &VerificationDocument| -> Vec<String> {
+            still_valid(document, &words).steps.iter().map(|step| step.what.plain()).collect()
+        };
+        let [apart, joint, again] = &steps(&moved)[..] else { panic!("{:?}", steps(&moved)) };
+        assert!(apart.contains("q1") && apart.contains("base"), "{apart}");
+        assert!(joint.contains("q1") && joint.contains("-0.0992 deg"), "{joint}");
+        assert!(again.contains("etalon verify"), "{again}");
+        let sections = serde_json::to_string(&verification(&moved, &words)).unwrap();
+        assert!(sections.contains("motions-alike"), "{sections}");
+        // without positions there are no residuals of positions
+        assert!(!sections.contains(&tr!(words, "position-residuals-rms")), "{sections}");
+        let copy = still_valid(&verified(false, &[], 24, Vec::new()), &words);
+        assert!(copy.met && copy.class == Grade::Conditional && copy.steps.len() == 1);
+        let valid = still_valid(&verified(false, &[], 0, Vec::new()), &words);
+        assert!(valid.met && valid.class == Grade::Good && valid.steps.len() == 1);
     }
 }

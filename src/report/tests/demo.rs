@@ -360,6 +360,7 @@ fn residuals() -> ResidualSummary {
         test: etalon_documents::ResidualTest {
             stated_standard_uncertainty_mm: Some(0.001_35),
             common_standard_uncertainty_mm: None,
+            joint_value_standard_uncertainty_deg: None,
             chi_square: Some(212.4),
             chi_square_rejected: true,
             stated_values: 0,

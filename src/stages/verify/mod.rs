@@ -1,5 +1,6 @@
 //! Parameters of an earlier identification against new observations.
 
+pub mod copies;
 pub mod earlier_parameters;
 pub mod expected_deviation;
 pub mod expected_scatter;

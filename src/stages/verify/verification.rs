@@ -15,8 +15,8 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase, warning};
 use etalon_documents::*;
 use etalon_identify::{
-    Comparison, Detectable, EXPLAINED, Explanation, Extent, IdentifiedParameters, Moved, NAMING, Observation, POWER,
-    SIGNIFICANCE, Settings, UncertaintyBound, Verification, set_up_contradicted, set_up_far,
+    Comparison, Detectable, EXPLAINED, Explanation, Extent, IdentifiedParameters, Misfit, Moved, NAMING, Observation,
+    POWER, SIGNIFICANCE, Settings, UncertaintyBound, Variance, Verification, set_up_contradicted, set_up_far,
 };
 use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
@@ -91,9 +91,10 @@ pub fn verify(
     inputs: BTreeMap<String, String>,
 ) -> Result<VerificationDocument> {
     let EarlierCalibration { robot, parameters, noise, nominal, mut messages, .. } = calibration;
+    let poses = observed.poses();
     let Observed { observations, settings } = observed;
-    if observations.is_empty() {
-        return Err(error!("verify-without-positions").into());
+    if poses.is_empty() {
+        return Err(error!("verify-without-observations").into());
     }
     messages.extend(stale(robot, &observations));
     let positions = Settings { standard_uncertainty_mm: Some(noise.total_mm()), ..settings.clone() };
@@ -105,37 +106,30 @@ pub fn verify(
     let comparison =
         Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
     let found = comparison.verify(noise.variance).map_err(remedied)?;
-    let poses: BTreeSet<_> = observations.iter().map(|o| o.pose).collect();
     let mut deviating = None;
     if found.is_changed() && found.cause().is_none() {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
             return Err(exchanged.into());
         }
-        let valid = |kept: &[Observation]| {
-            let kept = Comparison { observations: kept, ..comparison };
-            kept.p_value(noise.variance).is_ok_and(|p| p >= SIGNIFICANCE)
+        let valid = |is_left_out: &dyn Fn(PoseName, usize) -> bool| {
+            p_value_without(comparison, noise.variance, is_left_out).is_some_and(|p| p >= SIGNIFICANCE)
         };
-        deviating = wrong_pose(&poses, &observations, valid);
-        messages.extend(deviating.map(|pose| wrong_reading(robot, pose, &observations, valid)));
+        deviating = wrong_pose(&poses, valid);
+        messages.extend(deviating.map(|pose| wrong_reading(comparison, pose, valid)));
         if deviating.is_none() {
             messages.extend(set_up_contradicted(robot, &observations, &positions).map(|w| warning_message(&w)));
         }
     }
-    let whole = found.of_changes.sum + found.of_rest.sum;
-    let movement = |e: &Explanation| movement(robot, e, whole);
-    let explanations: Vec<Movement> = found.explanations.iter().map(movement).collect();
-    let moved = found.cause().map(movement);
-    let dominant = dominant(&found).map(|(e, share)| (movement(e), share));
-    let of_position = (robot.dimension() as f64).sqrt();
-    let verdict = verdict(&found);
-    messages.extend(alike(&found, robot));
+    let alike = alike(&found, robot);
+    messages.extend(alike_message(&alike));
     if !found.is_changed() {
         let (errors, readings) = by_pose(robot, &observations, [&nominal, &parameters.values]);
         messages.extend(worse_than_nominal(&errors, readings));
     }
+    let (verdict, of_position) = (verdict(&found), (robot.dimension() as f64).sqrt());
     let meaning = match deviating {
         Some(pose) => phrase!("one-pose-deviates", pose),
-        None => meaning(verdict, moved.as_ref(), dominant.as_ref()),
+        None => meaning(robot, &found, verdict),
     };
     Ok(VerificationDocument {
         schema: "etalon/verification/1".to_owned(),
@@ -143,22 +137,11 @@ pub fn verify(
         calibration: None,
         meaning: doubted(&found, meaning).into(),
         verdict,
-        evidence: ChangeEvidence {
-            p_value: found.p_value,
-            significance: SIGNIFICANCE,
-            moved,
-            explanations,
-            power: DetectionPower {
-                probability: POWER,
-                naming: NAMING,
-                least: found.detectable.iter().flat_map(|d| least(robot, d)).collect(),
-            },
-            of_changes: sum_of_squares(&found.of_changes),
-            of_rest: sum_of_squares(&found.of_rest),
-        },
+        evidence: evidence(robot, &found, alike),
         residuals: VerifiedResiduals {
             poses: poses.len(),
             points: observations.iter().map(|o| o.targets.iter().flatten().count()).sum(),
+            copies: 0,
             rms_mm: found.rms_mm,
             expected_rms_mm: found.expected_rms_mm,
             position_rms_mm: of_position * found.rms_mm,
@@ -170,6 +153,46 @@ pub fn verify(
         messages,
         provenance: Provenance { version: env!("CARGO_PKG_VERSION").to_owned(), inputs, seed: None },
     })
+}
+
+/// Test for changes as its document has it; `alike` are the names of motions that explain as much as
+/// the cause.
+fn evidence(robot: &dyn Robot, found: &Verification, alike: Vec<String>) -> ChangeEvidence {
+    let whole = found.of_changes.sum + found.of_rest.sum;
+    let movement = |e: &Explanation| movement(robot, e, whole);
+    ChangeEvidence {
+        p_value: found.p_value,
+        significance: SIGNIFICANCE,
+        moved: found.cause().map(movement),
+        alike,
+        explanations: found.explanations.iter().map(movement).collect(),
+        power: DetectionPower {
+            probability: POWER,
+            naming: NAMING,
+            least: found.detectable.iter().flat_map(|d| least(robot, d)).collect(),
+        },
+        of_changes: sum_of_squares(&found.of_changes),
+        of_rest: sum_of_squares(&found.of_rest),
+    }
+}
+
+/// P value of a comparison without the readings of some poses and targets; `None` if the others
+/// cannot be compared.
+fn p_value_without(all: Comparison, variance: Variance, is_left_out: &dyn Fn(PoseName, usize) -> bool) -> Option<f64> {
+    let mut observations = all.observations.to_vec();
+    for o in &mut observations {
+        let pose = o.pose;
+        let left_out = o.targets.iter_mut().enumerate().filter(|(target, _)| is_left_out(pose, *target));
+        left_out.for_each(|(_, at)| *at = None);
+    }
+    observations.retain(|o| o.targets.iter().any(Option::is_some));
+    let kept = all.settings.conditions.iter().zip(&all.misfit.conditions);
+    let kept = kept.filter(|(c, _)| !is_left_out(c.pose, c.target));
+    let (conditions, sizes) = kept.map(|(c, size)| (c.clone(), *size)).unzip();
+    let settings = Settings { conditions, ..all.settings.clone() };
+    let misfit = Misfit { conditions: sizes, ..all.misfit.clone() };
+    let kept = Comparison { observations: &observations, settings: &settings, misfit: &misfit, ..all };
+    kept.p_value(variance).ok()
 }
 
 /// Squared position errors by pose with nominal and with given parameters, and their number.
@@ -308,6 +331,9 @@ fn exchanged_targets(
         let all: Vec<f64> = observations.iter().flat_map(miss).collect();
         (all.iter().sum::<f64>() / (robot.dimension() * all.len()) as f64).sqrt()
     };
+    if observations.is_empty() {
+        return None;
+    }
     let best = orders(robot.targets().len()).into_iter().map(|order| (rms(&order), order));
     let (left_mm, order) = best.min_by(|x, y| x.0.total_cmp(&y.0))?;
     let [before_mm, left_mm] = [found.rms_mm, left_mm].map(|mm| (robot.dimension() as f64).sqrt() * mm);
@@ -356,34 +382,24 @@ const MOST_POSES: usize = 100;
 /// The only pose without which the parameters are valid.
 fn wrong_pose(
     poses: &BTreeSet<PoseName>,
-    observations: &[Observation],
-    valid: impl Fn(&[Observation]) -> bool,
+    valid: impl Fn(&dyn Fn(PoseName, usize) -> bool) -> bool,
 ) -> Option<PoseName> {
     if !(3..=MOST_POSES).contains(&poses.len()) {
         return None;
     }
-    let without = |wrong: &&PoseName| {
-        valid(&observations.iter().filter(|o| o.pose != **wrong).cloned().collect::<Vec<Observation>>())
-    };
-    let all: Vec<&PoseName> = poses.iter().filter(without).collect();
+    let all: Vec<&PoseName> = poses.iter().filter(|wrong| valid(&|pose, _| pose == **wrong)).collect();
     if let [pose] = all[..] { Some(*pose) } else { None }
 }
 
 /// Warning about the only reading of a pose without which the parameters are valid, or about the
 /// pose.
-fn wrong_reading(
-    robot: &dyn Robot,
-    pose: PoseName,
-    observations: &[Observation],
-    valid: impl Fn(&[Observation]) -> bool,
-) -> Message {
-    let seen = |target: usize| observations.iter().any(|o| o.pose == pose && o.targets[target].is_some());
-    let targets: Vec<usize> = (0..robot.targets().len()).filter(|target| seen(*target)).collect();
-    let without = |target: &&usize| {
-        let mut kept = observations.to_vec();
-        kept.iter_mut().filter(|o| o.pose == pose).for_each(|o| o.targets[**target] = None);
-        valid(&kept)
-    };
+fn wrong_reading(all: Comparison, pose: PoseName, valid: impl Fn(&dyn Fn(PoseName, usize) -> bool) -> bool) -> Message {
+    let Comparison { robot, observations, settings, .. } = all;
+    let at_pose = settings.conditions.iter().filter(|c| c.pose == pose);
+    let mut targets: BTreeSet<usize> = at_pose.map(|c| c.target).collect();
+    let measured = |o: &Observation, target: usize| o.pose == pose && o.targets[target].is_some();
+    targets.extend((0..robot.targets().len()).filter(|target| observations.iter().any(|o| measured(o, *target))));
+    let without = |target: &&usize| valid(&|of, reading| of == pose && reading == **target);
     let wrong: Vec<&usize> = targets.iter().filter(without).collect();
     match wrong[..] {
         [target] if targets.len() > 1 => warning!("one-reading-contradicts", target = robot.targets()[*target], pose),
@@ -462,19 +478,27 @@ fn least(robot: &dyn Robot, detectable: &Detectable) -> Vec<LeastDetectable> {
     names.into_iter().zip(&detectable.change).map(of).collect()
 }
 
-fn meaning(verdict: VerificationVerdict, moved: Option<&Movement>, dominant: Option<&(Movement, f64)>) -> Phrase {
+/// Answer in words.
+fn meaning(robot: &dyn Robot, found: &Verification, verdict: VerificationVerdict) -> Phrase {
+    let moved = found.cause().map(|cause| movement(robot, cause, 0.0));
     let numbers = |m: &Movement| m.by.iter().map(number).collect::<Vec<_>>().join(", ");
-    let by = moved.map(numbers).unwrap_or_default();
-    let name = moved.map(|m| m.name.as_str()).unwrap_or_default();
-    match (verdict, moved) {
+    let by = moved.as_ref().map(numbers).unwrap_or_default();
+    let name = moved.as_ref().map(|m| m.name.as_str()).unwrap_or_default();
+    match (verdict, &moved) {
         (VerificationVerdict::Valid, _) => phrase!("parameters-still-valid"),
         (VerificationVerdict::BaseMoved, _) => phrase!("base-moved", by),
         (VerificationVerdict::Joint, _) => {
             phrase!("joint-zero-moved", joint = name, by = by.trim_start_matches(name).trim_start())
         }
         (VerificationVerdict::Other, Some(_)) => phrase!("target-moved", target = name, by),
-        (VerificationVerdict::Other, None) => match dominant {
-            Some((m, share)) => partly_explained(m, numbers(m), *share),
+        (VerificationVerdict::Other, None) => match dominant(found) {
+            Some((e, share)) => {
+                let m = movement(robot, e, 0.0);
+                partly_explained(&m, numbers(&m), share)
+            }
+            None if found.of_changes.p_value >= SIGNIFICANCE => {
+                phrase!("readings-scatter-more", ratio = found.of_rest.mean_square().sqrt())
+            }
             None => phrase!("parameters-no-longer-valid"),
         },
     }
@@ -497,13 +521,17 @@ fn number(v: &MovementValue) -> String {
     format!("{} {:+.digits$}{u} {}", v.name, v.value, v.unit)
 }
 
-/// Returns a warning if several motions explain the residuals about equally well.
-fn alike(found: &Verification, robot: &dyn Robot) -> Option<Message> {
-    let cause = found.cause()?;
+/// Names of the other motions that explain the residuals about as well as the cause.
+fn alike(found: &Verification, robot: &dyn Robot) -> Vec<String> {
+    let Some(cause) = found.cause() else { return Vec::new() };
     let is_near = |e: &Explanation| e.p_left > EXPLAINED && cause.explained - e.explained < DECISIVE;
     let as_well = |e: &&Explanation| *e != cause && (e.suffices() || is_near(e));
-    let others: Vec<String> = found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect();
-    (!others.is_empty()).then(|| warning!("motions-alike", count = others.len(), motions = others))
+    found.explanations.iter().filter(as_well).map(|e| movement(robot, e, 0.0).name).collect()
+}
+
+/// Warning that motions explain the residuals as well as the cause.
+fn alike_message(motions: &[String]) -> Option<Message> {
+    (!motions.is_empty()).then(|| warning!("motions-alike", count = motions.len(), motions))
 }
 
 #[cfg(test)]
@@ -535,7 +563,7 @@ mod tests {
             explanations: vec![explains(0, 12.0, 0.01), explains(1, 9.0, 0.08), explains(2, 2.0, 0.9)],
             detectable: Vec::new(),
         };
-        let message = alike(&found, &robot).expect("alike");
+        let message = alike_message(&alike(&found, &robot)).expect("alike");
         let names = [robot.joints()[1].name.as_str()];
         assert!(message.is("motions-alike", &[("count", &1), ("motions", &names)]), "{message:?}");
     }

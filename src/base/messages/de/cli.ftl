@@ -201,8 +201,11 @@ schema-unknown = unbekanntes Schema `{ $name }`
 verify-quantity-without-residuals = die Kalibrierung hat keine Residuen der Größe „{ $quantity }“: ihr Modellfehler ist unbekannt
     .hint = diese Zeilen weglassen oder mit Beobachtungen dieser Größe kalibrieren
 
-verify-without-positions = die Beobachtungen enthalten keine Position einer Zielmarke
-    .hint = Positionen der Zielmarken der Kalibrierung messen
+verify-without-observations = keine Zeile der Tabelle enthält eine Beobachtung
+    .hint = erneut messen, was bei der Kalibrierung gemessen wurde: Positionen, Abstände, Berührungen
+
+readings-of-calibration = { $count } von { $rows } Zeilen sind Messwerten der Kalibrierung gleich: sie überprüfen nichts
+    .hint = Exporte und Protokolle durch die der neuen Messung ersetzen
 
 options-of-table-for-campaign = Optionen von Tabellen wirken nicht auf die Kampagne `{ $campaign }`
     .hint = in ihrer campaign.toml angeben, wie ihre Dateien gelesen werden

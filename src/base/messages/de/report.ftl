@@ -83,7 +83,7 @@ ball = Kugel
 bar-too-uncertain = die Unsicherheit des Kalibrierstabs ist zu groß (4:1 gefordert)
 base-and-targets = Basis und Zielmarken
 base-motion-explains-most = die Parameter gelten nicht mehr: eine Bewegung der Basis um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
-base-moved = die Basis hat sich um { $by } (k = 2) bewegt
+base-moved = die Basis hat sich um { $by } bewegt (k = 2, im Weltkoordinatensystem)
 base-rotation = Drehung der Basis
 base-shift = Verschiebung der Basis
 batch-ends = { $pass } bestanden, { $conditional } bedingt, { $undecided } unentschieden, { $fail } nicht bestanden, { $failed } nicht gerechnet, { $skipped } übersprungen
@@ -672,6 +672,7 @@ instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % 
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
 left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
+moved-base = Basis
 orientations-without-quarter-rule = Die Messunsicherheit der Orientierungen wird nicht ausgewertet.
 instrument-uncertainty = Unsicherheit des Messgeräts
 instrument-uncertainty-of-position = U = { $uncertainty } µm für eine Position
@@ -690,7 +691,7 @@ iso9283-characteristics = Ergebnisse: Leistungskenngrößen (ISO 9283)
 iso9283-report = Prüfbericht nach ISO 9283:1998: { $characteristics }
 item-customer-traceability = Gegenstand, Kunde, Rückführbarkeit
 joint-motion-explains-most = die Parameter gelten nicht mehr: eine Verschiebung des Nullpunkts von Gelenk { $joint } um { $by } (k = 2) erklärt { $percent } % der Abweichung; die verbleibenden Residuen sind größer als erwartet
-joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich um { $by } (k = 2) verschoben
+joint-zero-moved = der Nullpunkt von Gelenk { $joint } hat sich verschoben: wahrer minus protokollierter Wert { $by } (k = 2)
 joints = Gelenke
 kind = Art
 knee-at = Knie: { $count }
@@ -1085,6 +1086,7 @@ readings-redundancy = { $target } ({ $readings ->
         [one] 1 Messwert
        *[other] { $readings } Messwerte
     }, Redundanz { $redundancy })
+readings-scatter-more = die Messwerte streuen { FIXED($ratio, 2) }-mal so stark wie erwartet; keine Bewegung der Basis, eines einzelnen Gelenks oder einer einzelnen Zielmarke erklärt das
 reason = Grund
 recommend-file = `{ $file }` des Laufs laden: { $load } von { $count } Parametern mit ihren identifizierten Werten; die anderen bleiben auf dem Nennwert
 recommend-further = noch nichts laden: zuerst { $effects } identifizieren; damit sind die Abweichungen an ausgelassenen Posen kleiner
@@ -1405,6 +1407,8 @@ step-shaft = Welle, Wiederholung { $repeat }, Stellung { $position }
 step-travel = Verfahrweg des Antriebs { $actuator }
 stream = Aufzeichnung
 
+sum-of-squares-tested = χ² = { $sum } bei { $degrees } Freiheitsgraden, { $p }
+
 template = Vorlage
 
 surface = Fläche
@@ -1427,6 +1431,8 @@ temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
 test-certificate = Prüfschein
 test-certificate-draft = Entwurf eines Prüfscheins
 test-cube = P1 ist die Mitte eines Würfels von { $size } mm, P2 bis P5 liegen auf den Diagonalen der Prüfebene (ISO 9283:1998, 6).
+test-of-changes = Residuen, die Basis oder Gelenke verursachen können
+test-of-rest = alle anderen Residuen
 test-of-synthetic-data = Prüfung mit synthetischen Daten, kein Prüfschein
 test-square = P1 ist die Mitte eines Quadrats von { $size } mm, P2 bis P5 liegen auf seinen Diagonalen (ISO 9283:1998, 6).
 tested-by = Geprüft von
@@ -1542,6 +1548,22 @@ verification-of-identified-parameters = Überprüfung identifizierter Parameter
 verified-by-program = ein unabhängiges Programm; nicht mit einem gekauften Exemplar der Norm verglichen
 verified-by-simulation = simulierte Bewegungen; nicht mit einem gekauften Exemplar der Norm verglichen
 verified-by-text = Text der Norm, einen veröffentlichten Datensatz und ein unabhängiges Programm
+verify-step-apart = Posen messen, die diese Bewegungen unterscheiden: { $motions }
+verify-step-apart-reason = sie erklären die Residuen gleich gut; `etalon verify --candidates` wählt Posen
+verify-step-base = Befestigung der Basis und Referenzpunkte des Weltkoordinatensystems prüfen
+verify-step-base-reason = eine Bewegung der Basis ändert keinen Parameter des Roboters selbst
+verify-step-joint = Gelenk { $joint } neu justieren oder { $by } zu seinen Gelenkwerten addieren
+verify-step-joint-reason = das Gelenk steht tatsächlich bei seinem protokollierten Wert plus dieser Änderung
+verify-step-keep = die geladene Datei behalten
+verify-step-keep-reason = keine Änderung ist signifikant; die kleinsten Änderungen, die diese Posen zeigen, stehen unten
+verify-step-new = die Posen erneut messen, Exporte und Protokolle ersetzen
+verify-step-new-reason = { $count } Zeilen sind Kopien von Messwerten der Kalibrierung
+verify-step-other = an anderen Posen erneut messen; bleibt die Abweichung, neu kalibrieren
+verify-step-other-reason = keine einzelne Bewegung erklärt sie; begann sie mit dem Laden einer Datei, die vorherige Datei wiederherstellen
+verify-step-target = Befestigung der Zielmarke { $target } prüfen
+verify-step-target-reason = den Parametern des Roboters selbst widersprechen die Messwerte nicht
+verify-step-verify = dann `etalon verify` erneut ausführen
+verify-step-verify-reason = nur neue Messwerte zeigen, dass die Änderung behoben ist
 view-as-drawn = Anfangsansicht
 view-xy = x-y
 view-xz = x-z

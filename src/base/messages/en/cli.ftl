@@ -461,12 +461,21 @@ schema-unknown = unknown schema `{ $name }`
 verify-quantity-without-residuals = the calibration has no residuals of the quantity "{ $quantity }": its model error is unknown
     .hint = remove these rows, or calibrate with observations of this quantity
 
-# Means: No row of the observations contains all coordinates of a target.
-# Matters: The motions of base and joints are computed from positions.
-# Do: Measure positions of the targets of the calibration.
-# Example: a table of contacts alone
-verify-without-positions = the observations contain no position of a target
-    .hint = measure positions of the targets of the calibration
+# Means: No row of the table contains a measured value.
+# Matters: Nothing can be compared with the parameters.
+# Do: Measure again what the calibration measured: positions, distances, contacts.
+# Example: a table of points without coordinates
+verify-without-observations = no row of the table contains an observation
+    .hint = measure again what the calibration measured: positions, distances, contacts
+
+# Means: At least half of the rows have joint values and measured values of the calibration, equal to
+# the last digit.
+# Matters: A copy of the readings shows no change of the robot: the parameters were identified from
+# them.
+# Do: Replace exports and logs by those of the new measurement.
+# Example: an unchanged copy of the campaign
+readings-of-calibration = { $count } of { $rows } rows are equal to readings of the calibration: they verify nothing
+    .hint = replace exports and logs by those of the new measurement
 
 # Means: `etalon verify` has a campaign as its observations, together with options for reading a
 # table.

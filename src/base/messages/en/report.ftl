@@ -77,7 +77,7 @@ ball = ball
 bar-too-uncertain = the uncertainty of the bar is too large (4:1 required)
 base-and-targets = base and targets
 base-motion-explains-most = the parameters are no longer valid: a movement of the base by { $by } (k = 2) explains { $percent } % of the deviation; the remaining residuals are larger than expected
-base-moved = the base has moved by { $by } (k = 2)
+base-moved = the base has moved by { $by } (k = 2, in the world frame)
 base-rotation = base rotation
 base-shift = base shift
 batch-ends = { $pass } pass, { $conditional } conditional, { $undecided } undecided, { $fail } fail, { $failed } not run, { $skipped } skipped
@@ -642,6 +642,7 @@ instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at e
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
 left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = thermal expansion of robot and part ([expansion])
+moved-base = base
 orientations-without-quarter-rule = The measurement uncertainty of orientations is not evaluated.
 instrument-uncertainty = instrument's uncertainty
 instrument-uncertainty-of-position = U = { $uncertainty } µm for a position
@@ -660,7 +661,7 @@ iso9283-characteristics = Results: performance characteristics (ISO 9283)
 iso9283-report = Test report according to ISO 9283:1998: { $characteristics }
 item-customer-traceability = Item, customer, traceability
 joint-motion-explains-most = the parameters are no longer valid: a zero offset of { $by } (k = 2) at joint { $joint } explains { $percent } % of the deviation; the remaining residuals are larger than expected
-joint-zero-moved = the zero of joint { $joint } has moved by { $by } (k = 2)
+joint-zero-moved = the zero of joint { $joint } has moved: true value minus logged value { $by } (k = 2)
 joints = joints
 kind = kind
 knee-at = knee: { $count }
@@ -1034,6 +1035,7 @@ reading-uncertainty-without-k = U = { $uncertainty } µm per reading (coverage f
 readings = readings
 readings-not-judged = { $target } ({ $readings } readings, redundancy { $redundancy }: not judged)
 readings-redundancy = { $target } ({ $readings } readings, redundancy { $redundancy })
+readings-scatter-more = the readings scatter { FIXED($ratio, 2) } times as much as expected; no motion of the base, of a single joint or of a single target explains this
 reason = reason
 recommend-file = load `{ $file }` of the run: { $load } of { $count } parameters, with their identified values; the others stay at nominal
 recommend-further = load nothing yet: first identify { $effects }, which reduce the errors at held-out poses
@@ -1339,6 +1341,8 @@ step-shaft = shaft, repeat { $repeat }, position { $position }
 step-travel = travel of actuator { $actuator }
 stream = stream
 
+sum-of-squares-tested = χ² = { $sum } at { $degrees } degrees of freedom, { $p }
+
 template = template
 
 surface = surface
@@ -1361,6 +1365,8 @@ temperature-range = { $lowest } °C to { $highest } °C in the exports
 test-certificate = Test certificate
 test-certificate-draft = Draft of a test certificate
 test-cube = P1 is the centre of a cube of { $size } mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).
+test-of-changes = residuals that base or joints can cause
+test-of-rest = all other residuals
 test-of-synthetic-data = Test with synthetic data, not a certificate
 test-square = P1 is the centre of a square of { $size } mm, P2 to P5 are on its diagonals (ISO 9283:1998, 6).
 tested-by = Tested by
@@ -1476,6 +1482,22 @@ verification-of-identified-parameters = Verification of identified parameters
 verified-by-program = an independent program; not compared with a purchased copy of the standard
 verified-by-simulation = simulated motions; not compared with a purchased copy of the standard
 verified-by-text = text of the standard, a published data set and an independent program
+verify-step-apart = measure poses that tell these motions apart: { $motions }
+verify-step-apart-reason = they explain the residuals equally well; `etalon verify --candidates` chooses poses
+verify-step-base = check the fixing of the base, and the reference points of the world frame
+verify-step-base-reason = a motion of the base changes no parameter of the robot itself
+verify-step-joint = master joint { $joint } again, or add { $by } to its joint values
+verify-step-joint-reason = the joint truly stands at its logged value plus this change
+verify-step-keep = keep the loaded file
+verify-step-keep-reason = no change is significant; the smallest changes that these poses detect are listed below
+verify-step-new = measure the poses again, and replace exports and logs
+verify-step-new-reason = { $count } rows are copies of readings of the calibration
+verify-step-other = measure again at other poses; if the deviation remains, calibrate again
+verify-step-other-reason = no single motion explains it; if it began when a file was loaded, restore the previous file
+verify-step-target = check the mounting of target { $target }
+verify-step-target-reason = the parameters of the robot itself are not contradicted
+verify-step-verify = then run `etalon verify` again
+verify-step-verify-reason = only new readings show that the change is corrected
 view-as-drawn = As drawn
 view-xy = x-y
 view-xz = x-z

@@ -201,8 +201,11 @@ schema-unknown = schéma inconnu `{ $name }`
 verify-quantity-without-residuals = l’étalonnage n’a pas de résidus de la grandeur « { $quantity } » : son erreur de modèle est inconnue
     .hint = omettre ces lignes, ou étalonner avec des observations de cette grandeur
 
-verify-without-positions = les observations ne contiennent aucune position de cible
-    .hint = mesurer des positions des cibles de l’étalonnage
+verify-without-observations = aucune ligne du tableau ne contient d’observation
+    .hint = mesurer de nouveau ce que l’étalonnage a mesuré : positions, distances, contacts
+
+readings-of-calibration = { $count } lignes sur { $rows } sont égales à des lectures de l’étalonnage : elles ne vérifient rien
+    .hint = remplacer les exports et les journaux par ceux de la nouvelle mesure
 
 options-of-table-for-campaign = les options des tableaux n’ont pas d’effet sur la campagne `{ $campaign }`
     .hint = indiquer dans son campaign.toml la lecture de ses fichiers

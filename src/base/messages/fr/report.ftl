@@ -86,7 +86,7 @@ ball = bille
 bar-too-uncertain = l’incertitude de la barre est trop grande (4:1 exigé)
 base-and-targets = base et cibles
 base-motion-explains-most = les paramètres ne sont plus valables : un mouvement de la base de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-base-moved = la base a bougé de { $by } (k = 2)
+base-moved = la base a bougé de { $by } (k = 2, dans le référentiel atelier)
 base-rotation = rotation de la base
 base-shift = déplacement de la base
 batch-ends = { $pass } conformes, { $conditional } sous réserve, { $undecided } indécidées, { $fail } non conformes, { $failed } non calculées, { $skipped } ignorées
@@ -675,6 +675,7 @@ instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
 left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
+moved-base = base
 orientations-without-quarter-rule = L’incertitude de mesure des orientations n’est pas évaluée.
 instrument-uncertainty = incertitude de l’instrument
 instrument-uncertainty-of-position = U = { $uncertainty } µm pour une position
@@ -693,7 +694,7 @@ iso9283-characteristics = Résultats : caractéristiques de performance (ISO 92
 iso9283-report = Rapport d’essai selon l’ISO 9283:1998 : { $characteristics }
 item-customer-traceability = Objet, client, traçabilité
 joint-motion-explains-most = les paramètres ne sont plus valables : un décalage du zéro de l’articulation { $joint } de { $by } (k = 2) explique { $percent } % de l’écart ; les résidus restants sont plus grands que prévu
-joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé de { $by } (k = 2)
+joint-zero-moved = le zéro de l’articulation { $joint } s’est décalé : valeur vraie moins valeur du journal { $by } (k = 2)
 joints = articulations
 kind = type
 knee-at = coude : { $count }
@@ -1091,6 +1092,7 @@ readings-redundancy = { $target } ({ $readings ->
         [one] { $readings } lecture
        *[other] { $readings } lectures
     }, redondance { $redundancy })
+readings-scatter-more = les lectures se dispersent { FIXED($ratio, 2) } fois plus que prévu ; aucun mouvement de la base, d’une seule articulation ou d’une seule cible ne l’explique
 reason = raison
 recommend-file = charger `{ $file }` de l’exécution : { $load } paramètres sur { $count }, à leurs valeurs identifiées ; les autres restent aux valeurs nominales
 recommend-further = ne rien charger encore : identifier d’abord { $effects }, qui réduisent les erreurs aux poses omises
@@ -1411,6 +1413,8 @@ step-shaft = arbre, répétition { $repeat }, position { $position }
 step-travel = course de l’actionneur { $actuator }
 stream = enregistrement
 
+sum-of-squares-tested = χ² = { $sum } pour { $degrees } degrés de liberté, { $p }
+
 template = gabarit
 
 surface = surface
@@ -1433,6 +1437,8 @@ temperature-range = de { $lowest } °C à { $highest } °C dans les exports
 test-certificate = Certificat d’essai
 test-certificate-draft = Projet de certificat d’essai
 test-cube = P1 est le centre d’un cube de { $size } mm, P2 à P5 sont sur les diagonales du plan d’essai (ISO 9283:1998, 6).
+test-of-changes = résidus que la base ou les articulations peuvent causer
+test-of-rest = tous les autres résidus
 test-of-synthetic-data = Essai sur données synthétiques, sans valeur de certificat
 test-square = P1 est le centre d’un carré de { $size } mm, P2 à P5 sont sur ses diagonales (ISO 9283:1998, 6).
 tested-by = Essai réalisé par
@@ -1548,6 +1554,22 @@ verification-of-identified-parameters = Vérification de paramètres identifiés
 verified-by-program = un programme indépendant ; non comparé à un exemplaire acheté de la norme
 verified-by-simulation = des mouvements simulés ; non comparés à un exemplaire acheté de la norme
 verified-by-text = le texte de la norme, un jeu de données publié et un programme indépendant
+verify-step-apart = mesurer des poses qui distinguent ces mouvements : { $motions }
+verify-step-apart-reason = ils expliquent aussi bien les résidus ; `etalon verify --candidates` choisit des poses
+verify-step-base = contrôler la fixation de la base et les points de référence du référentiel atelier
+verify-step-base-reason = un mouvement de la base ne change aucun paramètre du robot lui-même
+verify-step-joint = recaler l’articulation { $joint }, ou ajouter { $by } à ses valeurs articulaires
+verify-step-joint-reason = l’articulation se trouve en réalité à sa valeur du journal plus ce décalage
+verify-step-keep = garder le fichier chargé
+verify-step-keep-reason = aucun changement n’est significatif ; les plus petits changements que ces poses détectent figurent ci-dessous
+verify-step-new = mesurer de nouveau les poses, remplacer les exports et les journaux
+verify-step-new-reason = { $count } lignes sont des copies de lectures de l’étalonnage
+verify-step-other = mesurer de nouveau à d’autres poses ; si l’écart persiste, étalonner de nouveau
+verify-step-other-reason = aucun mouvement seul ne l’explique ; s’il est apparu au chargement d’un fichier, restaurer le fichier précédent
+verify-step-target = contrôler le montage de la cible { $target }
+verify-step-target-reason = les paramètres du robot lui-même ne sont pas contredits
+verify-step-verify = puis exécuter de nouveau `etalon verify`
+verify-step-verify-reason = seules de nouvelles lectures montrent que le changement est corrigé
 view-as-drawn = Vue initiale
 view-xy = x-y
 view-xz = x-z

@@ -2,12 +2,14 @@
 //! frames, and the scale of the measured lengths.
 
 use super::Residuals;
-use etalon_base::pose::Vector;
+use crate::model::kinds::Condition;
+use etalon_base::pose::{Pose, Vector};
 use etalon_base::pose_name::PoseName;
 use etalon_math::Problem;
+use etalon_robots::base_pose;
 
-/// Step (mm or rad) of differences with respect to joint values.
-const JOINT_STEP: f64 = 1e-5;
+/// Step (mm or rad) of differences with respect to joint values and to the pose of the base.
+const STEP: f64 = 1e-5;
 
 impl Residuals<'_> {
     /// For pose residuals: sensitivity of each residual to the coordinates of both targets, three
@@ -32,37 +34,60 @@ impl Residuals<'_> {
             }
         }
         self.whiten(&mut rows, n);
-        for c in self.conditions.items {
-            let mut columns = vec![0.0; c.kind.rows() * n];
-            for j in 0..n {
-                let residuals = |by: f64| {
-                    let mut moved = c.clone();
-                    moved.joints[j] += by;
-                    let position = self.robot.position(&all, &moved.joints, c.target);
-                    let mut r = vec![0.0; c.kind.rows()];
-                    moved.residuals(&moved.at(self.robot.free_base(), &all, position), &mut r);
-                    r
-                };
-                let (ahead, behind) = (residuals(JOINT_STEP), residuals(-JOINT_STEP));
-                for (i, (a, b)) in ahead.iter().zip(&behind).enumerate() {
-                    columns[i * n + j] = (a - b) / (2.0 * JOINT_STEP);
-                }
-            }
-            rows.extend(columns);
-        }
+        let moved = |c: &Condition, j: usize, by: f64| {
+            let mut moved = c.clone();
+            moved.joints[j] += by;
+            let position = self.robot.position(&all, &moved.joints, c.target);
+            let mut r = vec![0.0; c.kind.rows()];
+            moved.residuals(&moved.at(self.robot.free_base(), &all, position), &mut r);
+            r
+        };
+        self.conditions.items.iter().for_each(|c| rows.extend(differences(c, n, |j, by| moved(c, j, by))));
         rows
+    }
+
+    /// Derivatives of the predicted values at `x`, whitened like the residuals, with respect to a
+    /// small shift (mm) and rotation (rad) of the robot's base about the origin of the world: rows
+    /// of six. Points and surfaces that are fixed in the world stay. Derivatives of conditions are
+    /// central differences.
+    pub fn base_jacobian(&self, x: &[f64]) -> Vec<f64> {
+        let (all, arm) = (self.all(x), self.robot.free_base());
+        let moved = |c: &Condition, axis: usize, by: f64| {
+            let along = |first: usize| std::array::from_fn(|i| if axis == first + i { by } else { 0.0 });
+            let motion = Pose { translation_mm: along(0), ..Pose::from_rotation_vector(along(3)) };
+            let mut values = all.clone();
+            if arm.is_some() {
+                let base = motion.then(&base_pose(&all));
+                values[..3].copy_from_slice(&base.translation_mm);
+                values[3..6].copy_from_slice(&base.rotation_vector_rad());
+            }
+            let position = motion.apply(self.robot.position(&all, &c.joints, c.target));
+            let mut r = vec![0.0; c.kind.rows()];
+            c.residuals(&c.at(arm, &values, position), &mut r);
+            r
+        };
+        let mut rows = self.shifted_and_turned(x, None);
+        self.conditions.items.iter().for_each(|c| rows.extend(differences(c, 6, |axis, by| moved(c, axis, by))));
+        rows
+    }
+
+    /// Derivatives of the residuals of coordinates at `x`, whitened, with respect to a small shift
+    /// (mm) and rotation (rad) of the frame of the observations of `pose` and cycle, or of all:
+    /// rows of six.
+    fn shifted_and_turned(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
+        // a point p of a frame that shifts by t and turns by w is measured t + w × p less
+        self.displaced::<6>(x, pose, |p| {
+            let lever = [[0.0, p[2], -p[1]], [-p[2], 0.0, p[0]], [p[1], -p[0], 0.0]];
+            let axis =
+                |i: usize| std::array::from_fn(|c| if c < 3 { f64::from(u8::from(c == i)) } else { lever[i][c - 3] });
+            [0, 1, 2].map(axis)
+        })
     }
 
     /// Derivatives of the residuals at `x`, whitened, with respect to a small shift (mm) and
     /// rotation (rad) of the frame of the observations of `pose` and cycle, or of all: rows of six.
     pub fn frame_jacobian(&self, x: &[f64], pose: Option<(PoseName, i64)>) -> Vec<f64> {
-        // a point p of a frame that shifts by t and turns by w is measured t + w × p less
-        let mut rows = self.displaced::<6>(x, pose, |p| {
-            let lever = [[0.0, p[2], -p[1]], [-p[2], 0.0, p[0]], [p[1], -p[0], 0.0]];
-            let axis =
-                |i: usize| std::array::from_fn(|c| if c < 3 { f64::from(u8::from(c == i)) } else { lever[i][c - 3] });
-            [0, 1, 2].map(axis)
-        });
+        let mut rows = self.shifted_and_turned(x, pose);
         for c in self.conditions.items {
             // an orientation that turns by w is observed w less; other conditions are met in the
             // robot's own world, or in the frame of a station that is identified
@@ -120,4 +145,16 @@ impl Residuals<'_> {
         self.whiten(&mut rows, N);
         rows
     }
+}
+
+/// Central differences of the residuals of a condition with respect to `n` quantities: rows of `n`.
+fn differences(c: &Condition, n: usize, moved: impl Fn(usize, f64) -> Vec<f64>) -> Vec<f64> {
+    let mut rows = vec![0.0; c.kind.rows() * n];
+    for k in 0..n {
+        let (ahead, behind) = (moved(k, STEP), moved(k, -STEP));
+        for (i, (a, b)) in ahead.iter().zip(&behind).enumerate() {
+            rows[i * n + k] = (a - b) / (2.0 * STEP);
+        }
+    }
+    rows
 }

@@ -154,7 +154,7 @@ impl<'a> Input<'a> {
 
 /// Order of the angles in the exports of a campaign, if all exports with angles have the same
 /// order.
-fn export_order(campaign: &Campaign) -> Option<AngleOrder> {
+pub(crate) fn export_order(campaign: &Campaign) -> Option<AngleOrder> {
     let orders = campaign.file.exports.iter().filter_map(|export| export.format.dialect.rotation.as_deref());
     let orders: BTreeSet<&str> = orders.collect();
     let order = orders.first().filter(|_| orders.len() == 1)?;
