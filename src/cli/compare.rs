@@ -59,6 +59,9 @@ impl Compare {
 const COMPARED: [&str; 5] =
     ["campaign.json", "parameters.json", "accuracy.json", "iso9283.json", "iso9283-streams.json"];
 
+/// Files of the readings, of which a run writes at least one.
+const READINGS: [&str; 2] = ["observations.csv", "points.parquet"];
+
 /// Reads a campaign's output folder and its documents.
 fn read(named: &Path) -> Result<(PathBuf, Compared)> {
     let folder = documents::output_folder(named)?;
@@ -74,6 +77,7 @@ fn read(named: &Path) -> Result<(PathBuf, Compared)> {
         Some(parameters) => Some((parameters, documents.json("accuracy.json")?)),
         None => None,
     };
+    let readings = READINGS.iter().find_map(|name| documents.manifest.files.get(*name).cloned());
     let compared = Compared {
         folder: named.display().to_string(),
         campaign: documents.json("campaign.json")?,
@@ -81,6 +85,7 @@ fn read(named: &Path) -> Result<(PathBuf, Compared)> {
         iso9283: documents.optional("iso9283.json")?,
         streams: documents.optional("iso9283-streams.json")?,
         inputs,
+        readings,
     };
     Ok((place, compared))
 }

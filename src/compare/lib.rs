@@ -33,6 +33,8 @@ pub struct Compared {
     pub streams: Option<Iso9283StreamsDocument>,
     /// SHA-256 of the documents, by name.
     pub inputs: BTreeMap<String, String>,
+    /// SHA-256 of the readings, if the folder contains a file of them.
+    pub readings: Option<String>,
 }
 
 /// Compares at least two campaigns, the oldest first.
@@ -67,6 +69,7 @@ pub fn compare(all: &[Compared]) -> Result<CompareDocument> {
         return Err(error!("nothing-to-compare").into());
     }
     judge(&mut trends, |names, pair| Some(parameters::change(&identified, names, pair)?.correlation()));
+    messages.extend(copied(all));
     messages.extend(disorder(all));
     messages.extend(paths::doubt(&trends));
     let conventions = conventions(all, &trends, !between_series.is_empty());
@@ -130,6 +133,16 @@ fn refuse(all: &[Compared]) -> Result<()> {
         }
     }
     problems.check().map(|_| ())
+}
+
+/// Warning about folders with the same readings: a copy of a campaign shows no change.
+fn copied(all: &[Compared]) -> Option<Message> {
+    let same = |(k, later): (usize, &Compared)| {
+        let earlier = all[..k].iter().find(|c| c.readings.is_some() && c.readings == later.readings)?;
+        Some(phrase!("same-readings", first = earlier.folder, second = later.folder))
+    };
+    let pairs: Vec<Phrase> = all.iter().enumerate().filter_map(same).collect();
+    (!pairs.is_empty()).then(|| warning!("campaigns-with-same-readings", count = pairs.len(), pairs).to_decide())
 }
 
 /// Warning if dates in the form year-month-day are not ascending.

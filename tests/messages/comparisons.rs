@@ -24,6 +24,7 @@ fn campaign(sample: &str, folder: &str) -> Compared {
         iso9283: read(&out, "iso9283.json"),
         streams: read(&out, "iso9283-streams.json"),
         inputs: BTreeMap::new(),
+        readings: None,
     }
 }
 
@@ -51,6 +52,19 @@ fn of_parameters_that_are_not_alike() {
     hold("parameters-not-in-all", CALIBRATION, |b| parameters(b).parameters[0].status = ParameterStatus::Fixed);
     hold("nominal-values-differ", CALIBRATION, |b| parameters(b).parameters[3].nominal += 0.5);
     hold("model-misfits", CALIBRATION, |b| parameters(b).residuals.uncertainties_from = UncertaintyFrom::Residuals);
+}
+
+#[test]
+fn of_a_copy_of_a_campaign() {
+    let copy = |folder: &str, readings: &str| Compared {
+        readings: Some(readings.to_owned()),
+        ..campaign(CALIBRATION, folder)
+    };
+    let named = |second: &str| {
+        let all = messages(&[copy("a", "one"), copy("b", second)]);
+        all.iter().any(|message| message.is("campaigns-with-same-readings", &[("count", &1)]))
+    };
+    assert!(named("one") && !named("other"));
 }
 
 #[test]

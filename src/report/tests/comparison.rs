@@ -15,6 +15,7 @@ fn compared(folder: &str, documents: Documents, streams: Iso9283StreamsDocument)
         iso9283: Some(demo_iso9283::iso9283()),
         streams: Some(streams),
         inputs: [(format!("{folder}/parameters.json"), "0".repeat(64))].into(),
+        readings: None,
     }
 }
 

@@ -136,6 +136,7 @@ pub(crate) fn identified(
         iso9283: None,
         streams: None,
         inputs: BTreeMap::new(),
+        readings: None,
     }
 }
 

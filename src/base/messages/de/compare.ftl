@@ -34,6 +34,13 @@ models-differ = verschiedene Robotermodelle: `{ $first }` hat `{ $first_model }`
 parameters-differ = `{ $first }` und `{ $second }` haben verschiedene Parameter: { $parameters }
     .hint = dieselbe Roboterdatei, dieselben Zielmarken und dasselbe Modell verwenden
 
+campaigns-with-same-readings = { $count ->
+        [one] zwei Ordner enthalten
+       *[other] Ordner enthalten
+    } dieselben Messwerte: { $pairs }
+    .hint = Exporte und Protokolle der späteren Kampagne durch die ihrer eigenen Messung ersetzen
+same-readings = `{ $first }` und `{ $second }`
+
 campaigns-out-of-order = `{ $first }` ist vor `{ $second }` genannt, hat aber das spätere Datum
     .hint = die früheste Kampagne zuerst angeben
 

@@ -55,6 +55,17 @@ one-campaign = a comparison needs at least two campaigns
 campaign-twice = `{ $folder }` is given twice
     .hint = give each folder once
 
+# Means: Two folders contain the very same readings.
+# Matters: A copy of a campaign shows no change of the robot.
+# Do: Replace exports and logs of the later campaign by those of its own measurement.
+# Example: `etalon compare campaign copy`
+campaigns-with-same-readings = { $count ->
+        [one] two folders contain
+       *[other] folders contain
+    } the same readings: { $pairs }
+    .hint = replace exports and logs of the later campaign by those of its own measurement
+same-readings = `{ $first }` and `{ $second }`
+
 # Means: The robot files of the campaigns have different names.
 # Matters: Differences between two robots are not changes of one robot.
 # Do: Compare campaigns of one robot. If only the name differs, correct `name` in robot.toml and run

@@ -34,6 +34,13 @@ models-differ = modèles de robot différents : `{ $first }` a identifié `{ $f
 parameters-differ = `{ $first }` et `{ $second }` ont des paramètres différents : { $parameters }
     .hint = utiliser le même fichier de robot, les mêmes cibles et le même modèle
 
+campaigns-with-same-readings = { $count ->
+        [one] deux dossiers contiennent
+       *[other] des dossiers contiennent
+    } les mêmes lectures : { $pairs }
+    .hint = remplacer les exports et les journaux de la campagne ultérieure par ceux de sa propre mesure
+same-readings = `{ $first }` et `{ $second }`
+
 campaigns-out-of-order = `{ $first }` est indiqué avant `{ $second }`, mais a une date postérieure
     .hint = indiquer d’abord la campagne la plus ancienne
 
