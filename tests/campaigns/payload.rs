@@ -56,6 +56,16 @@ fn loads_by_reading_are_identified_where_left_out_poses_prove_them() {
     assert!(effects.iter().any(|e| e["effect"] == "payload" && e["is_identified"] == false), "{effects:?}");
 }
 
+/// Grams under `load_kg` make compliances a thousand times too small, and residuals as small as before.
+#[test]
+fn a_load_in_grams_is_questioned() {
+    let scratch = stated();
+    let (_, sound) = crate::support::scratch::etalon(&scratch, "run");
+    change(&scratch, "load_kg", |_, kg| format!("{}", 1000.0 * kg));
+    let (_, said) = crate::support::scratch::etalon(&scratch, "run");
+    assert!(said.contains("load-questioned") && !sound.contains("load-questioned"), "{said}");
+}
+
 #[test]
 fn a_stiff_robot_has_no_payload_effect() {
     let scratch = copy_sample(SAMPLE);

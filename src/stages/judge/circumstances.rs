@@ -3,6 +3,7 @@
 
 use crate::stages::evaluate::sets::Sets;
 use etalon_base::message::Message;
+use etalon_base::pose::{minus, norm};
 use etalon_base::{phrase, warning};
 use etalon_identify::{Effects, Identification, Observation, Settings, Status, chi_square_exceeds, identify_from};
 use etalon_robots::{Circumstance, Effect, Parameter, Robot};
@@ -11,6 +12,9 @@ use etalon_robots::{Circumstance, Effect, Parameter, Robot};
 const CONSTANT: f64 = 1e-6;
 /// Temperatures (°C) of robots in a workshop. Fahrenheit and kelvin of a workshop are above.
 const WORKSHOP_C: [f64; 2] = [0.0, 55.0];
+/// Maximum payload (kg) of an arm per cube of its reach (m³). The strongest arms of the catalogues
+/// have 44 kg/m³ (six axes, 2300 kg at 3.7 m) and 190 kg/m³ (a SCARA, 1 kg at 0.175 m).
+const MOST_KG_PER_M3: f64 = 1000.0;
 /// Standard uncertainties by which a compliance differs from zero.
 const SIGNIFICANCE: f64 = 3.0;
 
@@ -32,8 +36,10 @@ pub(crate) fn hold_constant(robot: &dyn Robot, sets: &Sets, settings: &mut Setti
         if low > high {
             continue;
         }
-        if stated == Circumstance::Temperature {
-            messages.extend(implausible_temperature(low, high));
+        match stated {
+            Circumstance::Temperature => messages.extend(implausible_temperature(low, high)),
+            Circumstance::PayloadMass => messages.extend(implausible_mass(robot, sets, high)),
+            Circumstance::PayloadCentre(_) | Circumstance::Torque(_) => {}
         }
         if high - low > CONSTANT * low.abs().max(high.abs()) {
             continue;
@@ -66,6 +72,24 @@ fn implausible_temperature(low: f64, high: f64) -> Option<Message> {
         let hint = phrase!("temperature-units", from_fahrenheit, to_fahrenheit, from_kelvin, to_kelvin);
         warning!("temperature-questioned", low, high, least, most).hint(hint).to_decide()
     })
+}
+
+/// Returns a warning if a payload of `high_kg` is too heavy for an arm of the reach that the readings
+/// show with nominal parameters: compliances by masses in grams are a thousand times too small.
+fn implausible_mass(robot: &dyn Robot, sets: &Sets, high_kg: f64) -> Option<Message> {
+    let nominal = robot.nominal();
+    let origin = robot.base_origin(&nominal);
+    let of_observation = |o: &Observation| -> f64 {
+        let measured = o.targets.iter().enumerate().filter(|(_, at)| at.is_some());
+        let at = |k: usize| norm(minus(robot.position(&nominal, &o.joints, k), origin));
+        measured.map(|(k, _)| at(k)).fold(0.0, f64::max)
+    };
+    let of_conditions = sets.calibration_conditions.iter();
+    let of_conditions = of_conditions.map(|c| norm(minus(robot.position(&nominal, &c.joints, c.target), origin)));
+    let reach_mm = sets.calibration.iter().map(of_observation).chain(of_conditions).fold(0.0, f64::max);
+    let (reach_m, in_grams_kg) = (reach_mm / 1000.0, high_kg / 1000.0);
+    let most_kg = MOST_KG_PER_M3 * reach_m.powi(3);
+    (reach_m > 0.0 && high_kg > most_kg).then(|| warning!("load-questioned", high_kg, reach_m, in_grams_kg).to_decide())
 }
 
 /// Temperature (°C) of a reading, if the robot's readings state one.

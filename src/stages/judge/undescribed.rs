@@ -5,11 +5,12 @@ use crate::stages::truncated;
 use etalon_base::catalogue::{Argument, Phrase};
 use etalon_base::message::Message;
 use etalon_base::pose::{Pose, centroid, minus, norm};
+use etalon_base::pose_name::PoseName;
 use etalon_base::{error, phrase};
 use etalon_documents::{PointError, PoseSet};
 use etalon_fit::rotation_onto;
 use etalon_math::statistics::rms;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Maximum error as a share of the workspace: errors of calibrated models are thousandths of it;
 /// more is another robot.
@@ -44,10 +45,44 @@ pub(crate) fn undescribed(set: PoseSet, errors: &[PointError], calibration: Cali
     }
     let far: Vec<&PointError> = of.iter().copied().filter(|e| norm(e.after_mm) > most_mm).collect();
     let count = far.len();
-    let hint = undescribed_hint(&of, far, calibration, after_mm);
+    let hint = shifted_rows(errors, &far).unwrap_or_else(|| undescribed_hint(&of, far, calibration, after_mm));
     let (set, total, limit_mm) = (set.name(), of.len(), most_mm);
     let message = error!("measurements-undescribed", set, after_mm, spread_mm, count, total, limit_mm);
     Some(message.hint(hint))
+}
+
+/// Minimum number of poses whose joint values belong to a neighbour.
+const FEWEST_SHIFTED: usize = 3;
+/// Minimum share of the far readings that the joint values of the neighbours explain.
+const MOST_SHIFTED: f64 = 0.8;
+
+/// Statement that the far readings have the joint values of the previous or of the next pose: each
+/// position by the joint values is the measured position of that neighbour, among all readings
+/// `errors`.
+fn shifted_rows(errors: &[PointError], far: &[&PointError]) -> Option<Phrase> {
+    let mut measured: BTreeMap<(&str, i64), BTreeMap<PoseName, &PointError>> = BTreeMap::new();
+    for e in errors {
+        measured.entry((e.target.as_str(), e.cycle)).or_default().insert(e.pose, e);
+    }
+    let poses: BTreeSet<PoseName> = errors.iter().map(|e| e.pose).collect();
+    let neighbours = [("previous", true), ("next", false)].into_iter().filter_map(|(neighbour, is_before)| {
+        let other = |pose: PoseName| match is_before {
+            true => poses.range(..pose).next_back().copied(),
+            false => poses.range(pose..).nth(1).copied(),
+        };
+        let is_of_neighbour = |e: &&&PointError| {
+            let near = other(e.pose).and_then(|pose| measured.get(&(e.target.as_str(), e.cycle))?.get(&pose).copied());
+            let off = |near: &PointError| norm(minus(minus(e.at_mm, e.after_mm), near.at_mm));
+            near.is_some_and(|near| off(near) < EXPLAINS * norm(e.after_mm))
+        };
+        let explained: Vec<&&PointError> = far.iter().filter(is_of_neighbour).collect();
+        let shifted: BTreeSet<PoseName> = explained.iter().map(|e| e.pose).collect();
+        let are_most = explained.len() as f64 >= MOST_SHIFTED * far.len() as f64;
+        let (first, last) = (*shifted.first()?, *shifted.last()?);
+        let statement = phrase!("undescribed-rows-shifted", first, last, neighbour);
+        (are_most && shifted.len() >= FEWEST_SHIFTED).then_some((explained.len(), statement))
+    });
+    neighbours.max_by_key(|(count, _)| *count).map(|(_, statement)| statement)
 }
 
 /// Returns the common property of the errors of `of`; `far` are the readings beyond the limit.
@@ -96,4 +131,53 @@ fn moved(of: &[&PointError]) -> Option<(f64, f64)> {
     let turn = Pose { rotation: rotation_onto(pairs.clone()), translation_mm: [0.0; 3] };
     let left = rms(pairs.map(|(p, m)| norm(minus(m, turn.rotate(p)))));
     Some((norm(minus(to, from)), left))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use etalon_base::pose::Vector;
+    use etalon_documents::ErrorQuantity;
+
+    /// Errors of a robot whose poses 8 to 20 have the joint values of the pose `shift` before.
+    fn errors(shift: i64) -> Vec<PointError> {
+        let at = |pose: i64| -> Vector { [37.0 * (pose % 5) as f64, 11.0 * pose as f64, 0.0] };
+        let error = |pose: i64| {
+            let predicted = at(if pose < 8 { pose } else { pose - shift });
+            PointError {
+                set: PoseSet::Validation,
+                pose: pose.into(),
+                cycle: 1,
+                target: "ball".to_owned(),
+                quantity: ErrorQuantity::Position,
+                at_mm: at(pose),
+                before_mm: minus(at(pose), predicted),
+                after_mm: minus(at(pose), predicted),
+                before_deg: None,
+                after_deg: None,
+                joints: Vec::new(),
+                reliability: None,
+                own_redundancy: None,
+            }
+        };
+        (1..=20).map(error).collect()
+    }
+
+    #[test]
+    fn a_log_that_lost_or_doubled_a_row_is_named() {
+        let hint = |shift: i64| {
+            let all = errors(shift);
+            let far: Vec<&PointError> = all.iter().filter(|e| norm(e.after_mm) > 1.0).collect();
+            shifted_rows(&all, &far)
+        };
+        let named = |first: i64, last: i64, neighbour: &str| {
+            let (first, last) = (PoseName::from(first), PoseName::from(last));
+            Some(phrase!("undescribed-rows-shifted", first, last, neighbour))
+        };
+        assert_eq!(hint(1), named(8, 20, "previous"));
+        // the last pose has no next one
+        assert_eq!(hint(-1), named(8, 19, "next"));
+        assert_eq!(hint(3), None);
+        assert!(undescribed(PoseSet::Validation, &errors(1), CalibrationFit::Fits).is_some());
+    }
 }

@@ -958,6 +958,11 @@ measurements-undescribed = an den { $set ->
 
 undescribed-targets = alle Messwerte von { $targets } und keine anderen haben große Abweichungen: die Bezeichnungen der Zielmarke prüfen und ob sie bewegt wurde
 
+undescribed-rows-shifted = von Pose { $first } bis Pose { $last } passen die Positionen zu den Gelenkwerten der { $neighbour ->
+        [previous] vorigen
+       *[next] nächsten
+    } Pose: prüfen, ob das Protokoll dort eine Zeile zu viel oder zu wenig hat
+
 undescribed-readings = { $readings }: { $remedy }
 
 undescribed-set-up = Einheiten, Reihenfolge und Vorzeichen der Gelenke, die Nennparameter und die Verknüpfung von Protokoll und Punkten prüfen
@@ -1044,6 +1049,9 @@ torques-exchanged = das Modell beschreibt die Messwerte mit vertauschten Spalten
 temperature-constant = die Temperatur ist in allen Kalibriermesswerten { FIXED($value, 1) } °C: Ausdehnung und Drift sind nicht bestimmbar und werden festgehalten; Längen und Nullpunkte gelten bei dieser Temperatur
 
 temperature-questioned = die Temperaturen der Kalibriermesswerte sind { FIXED($low, 1) } bis { FIXED($high, 1) } °C, außerhalb von { $least } bis { $most } °C
+
+load-questioned = Traglasten bis { $high_kg } kg sind zu schwer für einen Arm, der { FIXED($reach_m, 2) } m weit reicht
+    .hint = die Einheit der Spalte `load_kg` prüfen: als Gramm gelesen sind es { $in_grams_kg } kg
 
 temperature-units = die Einheit prüfen: als °F gelesen sind es { FIXED($from_fahrenheit, 1) } bis { FIXED($to_fahrenheit, 1) } °C, als K gelesen { FIXED($from_kelvin, 1) } bis { FIXED($to_kelvin, 1) } °C
 

@@ -1919,6 +1919,11 @@ measurements-undescribed = on the { $set ->
 
 undescribed-targets = only the readings of { $targets } have large errors: check labels, and whether the target moved
 
+undescribed-rows-shifted = from pose { $first } to pose { $last }, the positions agree with the joint values of the { $neighbour ->
+        [previous] previous
+       *[next] next
+    } pose: check whether the log has a row too many or too few there
+
 undescribed-readings = { $readings }: { $remedy }
 
 undescribed-set-up = check units, order and signs of the joints, the nominal parameters, and the join of log and points
@@ -2118,6 +2123,14 @@ temperature-constant = the temperature is { FIXED($value, 1) } °C in all calibr
 # are right.
 # Example: 68 to 86, in degrees Fahrenheit
 temperature-questioned = the temperatures of the calibration readings are { FIXED($low, 1) } to { FIXED($high, 1) } °C, outside { $least } to { $most } °C
+
+# Means: A payload of a reading is much heavier than arms of this reach carry.
+# Matters: Compliances by masses in grams are a thousand times too small: under a payload in kilograms
+# they correct nothing.
+# Do: State masses in kg, and the unit of the column in the campaign.
+# Example: a column `load_kg` with 3000 for 3 kg
+load-questioned = payloads of up to { $high_kg } kg are too heavy for an arm that reaches { FIXED($reach_m, 2) } m
+    .hint = check the unit of the column `load_kg`: read as grams it is { $in_grams_kg } kg
 
 temperature-units = check the unit: read as °F they are { FIXED($from_fahrenheit, 1) } to { FIXED($to_fahrenheit, 1) } °C, read as K { FIXED($from_kelvin, 1) } to { FIXED($to_kelvin, 1) } °C
 

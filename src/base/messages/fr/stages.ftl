@@ -962,6 +962,11 @@ measurements-undescribed = aux poses { $set ->
 
 undescribed-targets = chaque lecture de { $targets } a une grande erreur, et aucune autre lecture n’en a : vérifier les étiquettes, et si la cible a bougé
 
+undescribed-rows-shifted = de la pose { $first } à la pose { $last }, les positions correspondent aux valeurs articulaires de la pose { $neighbour ->
+        [previous] précédente
+       *[next] suivante
+    } : vérifier si le journal y a une ligne de trop ou en moins
+
 undescribed-readings = { $readings } : { $remedy }
 
 undescribed-set-up = vérifier les unités, l’ordre et les signes des articulations, les paramètres nominaux, et la jointure du journal et des points
@@ -1051,6 +1056,9 @@ torques-exchanged = le modèle décrit les lectures avec `{ $first }` et `{ $sec
 temperature-constant = la température vaut { FIXED($value, 1) } °C dans toutes les lectures d’étalonnage : la dilatation et la dérive ne sont pas déterminables et sont fixées ; longueurs et zéros sont ceux de cette température
 
 temperature-questioned = les températures des lectures d’étalonnage vont de { FIXED($low, 1) } à { FIXED($high, 1) } °C, hors de { $least } à { $most } °C
+
+load-questioned = des charges jusqu’à { $high_kg } kg sont trop lourdes pour un bras d’une portée de { FIXED($reach_m, 2) } m
+    .hint = vérifier l’unité de la colonne `load_kg` : lue en grammes, c’est { $in_grams_kg } kg
 
 temperature-units = vérifier l’unité : lues en °F, elles vont de { FIXED($from_fahrenheit, 1) } à { FIXED($to_fahrenheit, 1) } °C, lues en K de { FIXED($from_kelvin, 1) } à { FIXED($to_kelvin, 1) } °C
 
