@@ -11,6 +11,7 @@ use super::{About, ExportInput, Exporter, value};
 use etalon_base::error;
 use etalon_base::message::{Message, Problems, Result};
 use etalon_documents::ParameterEntry;
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// DMC commands.
@@ -35,8 +36,8 @@ impl Exporter for Galil {
         let mut out: String = header.iter().map(|line| format!("REM {line}\n")).collect();
         out += "#CALPAR\n";
         let mut problems = Problems::default();
-        let names = problems.keep(given.names("Galil DMC", |p| variable(&p.name)));
-        for (p, name) in given.parameters.parameters.iter().zip(names.unwrap_or_default()) {
+        let names = variables(given.parameters.parameters.iter().map(|p| p.name.as_str()));
+        for (p, name) in given.parameters.parameters.iter().zip(names) {
             match fixed_point(p) {
                 Ok(Fixed { value, rounding }) => {
                     let unit = if p.unit == "1" { "1E-6" } else { unit(p) };
@@ -146,8 +147,35 @@ fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {
     }
 }
 
+/// Variables of all names; the last characters of a variable that is taken become a number.
+fn variables<'n>(names: impl Iterator<Item = &'n str>) -> Vec<String> {
+    let mut taken = BTreeSet::new();
+    let free = |name: &'n str| {
+        let own = variable(name);
+        let numbered = (2..).map(|number: usize| {
+            let number = number.to_string();
+            own.chars().take(LONGEST - number.len()).chain(number.chars()).collect()
+        });
+        let name = std::iter::once(own.clone()).chain(numbered).find(|name: &String| taken.insert(name.clone()));
+        name.unwrap_or(own)
+    };
+    names.map(free).collect()
+}
+
 /// KV with the letters and digits of a name; no command has three or more letters.
 fn variable(name: &str) -> String {
     let safe = name.chars().filter(char::is_ascii_alphanumeric).map(|c| c.to_ascii_uppercase());
     "KV".chars().chain(safe).take(LONGEST).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_eight_characters_are_distinct() {
+        let names = ["base_rx", "theta_2", "compliance_2_load", "compliance_3_load", "compliance_2", "KV"];
+        let found = variables(names.into_iter());
+        assert_eq!(found, ["KVBASERX", "KVTHETA2", "KVCOMPLI", "KVCOMPL2", "KVCOMPL3", "KVKV"]);
+    }
 }

@@ -10,11 +10,13 @@ use etalon_base::files;
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pattern::matches_pattern;
 use etalon_base::template::{bound, check_nesting, check_width, fill, innermost, reason, supervised};
-use etalon_base::{error, phrase};
+use etalon_base::{error, phrase, warning};
+use etalon_documents::{ParameterEntry, ParameterStatus};
 use etalon_robots::{Parameter, Robot, Role};
-use minijinja::value::Serde;
+use minijinja::value::{Enumerator, Object, Serde};
 use minijinja::{Environment, Error, Value, context};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex};
 
 /// Extension of the file name of a template.
 const ENDING: &str = ".j2";
@@ -68,6 +70,33 @@ impl TemplateFormat {
         let mut environment = format_environment()?;
         environment.add_template(&self.path, &self.text)?;
         fill(&environment.get_template(&self.path)?, values).map(String::into_bytes)
+    }
+
+    /// Values that the template sees, and the parameters whose values it reads later.
+    fn values(&self, given: &ExportInput) -> Result<(Value, Used)> {
+        let (document, used) = (given.parameters, Used::default());
+        let entry = |p| entry(p, &used);
+        let parameters: Vec<Value> = document.parameters.iter().filter(|p| self.is_held(&p.name)).map(entry).collect();
+        let by_name: BTreeMap<&str, Value> = document.parameters.iter().map(|p| (p.name.as_str(), entry(p))).collect();
+        let values = context! {
+            header => given.header("mm, deg, 1")?,
+            parameters,
+            parameter => by_name,
+            campaign => given.summary.map(Serde),
+            robot => context! { name => given.robot_name(), model => document.robot.as_str() },
+            etalon => document.provenance.version.as_str(),
+            sha256_of_parameters => given.sha256()?,
+        };
+        Ok((values, used))
+    }
+
+    /// The file, and the parameters whose values it contains.
+    fn rendered(&self, given: &ExportInput) -> Result<(Vec<u8>, BTreeSet<String>)> {
+        let (values, used) = self.values(given)?;
+        let own = self.clone();
+        let bytes = supervised(&self.path, move || Ok(own.filled(values).map_err(|e| own.failed(&e))?))?;
+        let read = used.0.lock().map(|names| names.clone()).unwrap_or_default();
+        Ok((bytes, read))
     }
 
     fn is_held(&self, name: &str) -> bool {
@@ -133,30 +162,64 @@ impl Exporter for TemplateFormat {
         robot.parameters().iter().zip(values.iter().zip(robot.nominal())).map(own).collect()
     }
 
-    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
-        let document = given.parameters;
-        let parameters: Vec<Value> = document.parameters.iter().filter(|p| self.is_held(&p.name)).map(entry).collect();
-        let by_name: BTreeMap<&str, Value> = document.parameters.iter().map(|p| (p.name.as_str(), entry(p))).collect();
-        let values = context! {
-            header => given.header("mm, deg, 1")?,
-            parameters,
-            parameter => by_name,
-            campaign => given.summary.map(Serde),
-            robot => context! { name => given.robot_name(), model => document.robot.as_str() },
-            etalon => document.provenance.version.as_str(),
-            sha256_of_parameters => given.sha256()?,
+    fn cautions(&self, given: &ExportInput) -> Vec<Message> {
+        // a template that fails is an error of its file
+        let Ok((_, read)) = self.rendered(given) else { return Vec::new() };
+        let is_changed = |p: &ParameterEntry| p.status == ParameterStatus::Identified && p.value != p.nominal;
+        let is_unread = |p: &&ParameterEntry| {
+            p.role == etalon_documents::Role::Robot && self.is_held(&p.name) && is_changed(p) && !read.contains(&p.name)
         };
-        let own = self.clone();
-        supervised(&self.path, move || Ok(own.filled(values).map_err(|e| own.failed(&e))?))
+        let unread = given.parameters.parameters.iter().filter(is_unread);
+        let names: Vec<String> = unread.map(|p| format!("`{}`", p.name)).collect();
+        let place = Place { line: Some(1), ..Place::file(&self.path) };
+        if names.is_empty() {
+            return Vec::new();
+        }
+        vec![warning!("template-parameters-unread", count = names.len(), names).to_decide().at(place)]
+    }
+
+    fn bytes(&self, given: &ExportInput) -> Result<Vec<u8>> {
+        Ok(self.rendered(given)?.0)
+    }
+}
+
+/// Names of the parameters whose values a template has read.
+#[derive(Clone, Debug, Default)]
+struct Used(Arc<Mutex<BTreeSet<String>>>);
+
+/// Keys of a parameter in a template.
+const KEYS: &[&str] = &["name", "unit", "value", "nominal", "change", "u", "status"];
+
+/// A parameter as a template sees it.
+#[derive(Debug)]
+struct Entry {
+    name: String,
+    values: Value,
+    used: Used,
+}
+
+impl Object for Entry {
+    fn get_value(self: &Arc<Self>, key: &Value) -> Option<Value> {
+        if matches!(key.as_str(), Some("value" | "change"))
+            && let Ok(mut names) = self.used.0.lock()
+        {
+            names.insert(self.name.clone());
+        }
+        self.values.get_item(key).ok().filter(|value| !value.is_undefined())
+    }
+
+    fn enumerate(self: &Arc<Self>) -> Enumerator {
+        Enumerator::Str(KEYS)
     }
 }
 
 /// A parameter as a template sees it.
-fn entry(p: &etalon_documents::ParameterEntry) -> Value {
-    context! {
+fn entry(p: &ParameterEntry, used: &Used) -> Value {
+    let values = context! {
         name => p.name.as_str(), unit => p.unit.as_str(), value => p.value, nominal => p.nominal,
         change => p.value - p.nominal, u => p.standard_uncertainty, status => status_word(p),
-    }
+    };
+    Value::from_object(Entry { name: p.name.clone(), values, used: used.clone() })
 }
 
 /// Syntax and filters of templates, with filters for notations of controllers: units, fixed widths,

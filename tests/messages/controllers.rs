@@ -41,6 +41,12 @@ const CASES: &[Case] = &[
         "export @/out/parameters.json --robot @/robot.toml --template @/t.txt.j2",
     ),
     (
+        "template-parameters-unread",
+        ARM,
+        &[("t.txt.j2", "", "{# holds: theta_* #}\n{{ parameter[\"theta_2\"].value }}\n")],
+        "export @/out/parameters.json --robot @/robot.toml --template @/t.txt.j2 --to @/files",
+    ),
+    (
         "robot-missing",
         ARM,
         &[("t.txt.j2", "", "{# holds: theta_* #}\n")],

@@ -88,7 +88,7 @@ parameter-twice = es gibt zwei Parameter `{ $parameter }`
     .hint = die Identifikation erneut ausführen
 
 parameter-names-collide = die Parameter `{ $first }` und `{ $second }` heißen beide `{ $name }` in { $language }
-    .hint = einen umbenennen oder ein anderes Format verwenden
+    .hint = die Zielmarke oder das Gelenk umbenennen, das einem den Namen gibt, oder ein anderes Format verwenden
 
 parameter-missing = die Parameter enthalten kein `{ $parameter }`
     .hint = die robot.toml angeben, mit der sie identifiziert wurden
@@ -192,6 +192,12 @@ template-without-holds = die Vorlage nennt die Parameter nicht, die ihre Datei e
 convert-to-denavit-hartenberg = ein Arm aus Schraubachsen (`poe`) hat keine Nullpunkte von Gelenken: robot.toml mit `etalon robot convert robot.toml --to dh` schreiben und die Kampagne erneut ausführen
 
 template-holds-unknown = kein Parameter entspricht `{ $pattern }`
+
+template-parameters-unread = die Vorlage nennt { $count ->
+        [one] 1 Parameter
+       *[other] { $count } Parameter
+    }, ohne ihren Wert zu schreiben: { $names }; die Abweichungen dieser Datei sind die einer anderen Datei
+    .hint = nach `holds:` nur die Parameter nennen, die die Vorlage schreibt
 
 template-name = der Name der Vorlage `{ $file }` endet nicht auf `.j2`
     .hint = die Vorlage umbenennen: NAME.j2 schreibt die Datei NAME

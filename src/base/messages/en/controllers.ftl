@@ -149,11 +149,11 @@ parameter-twice = there are two parameters `{ $parameter }`
 
 # Means: Two parameters have the same name in the language of the controller.
 # Matters: In the controller, one value overwrites the other.
-# Do: Rename one of the targets or joints after which the parameters are named, or choose another
-# format.
+# Do: Rename the target or joint after which a parameter is named. If the model names both
+# parameters, choose another format.
 # Example: `d-2` and `d_2`, both `ETALON_PREXYT_D_2_MM` in C
 parameter-names-collide = parameters `{ $first }` and `{ $second }` both become `{ $name }` in { $language }
-    .hint = rename one of them, or choose another format
+    .hint = rename the target or joint after which one is named, or choose another format
 
 # Means: A parameter of the robot is missing in parameters.json.
 # Matters: Its value is unknown; the nominal value is a guess.
@@ -386,6 +386,17 @@ convert-to-denavit-hartenberg = an arm of screw axes (`poe`) has no joint zeros:
 # Do: Correct the name; parameters.json contains all names.
 # Example: `{# holds: thta_* #}`
 template-holds-unknown = no parameter matches `{ $pattern }`
+
+# Means: The first line of a template lists parameters whose values the template does not write.
+# Matters: Errors, verdict and test of the file contain the values of these parameters; the controller
+# keeps its own.
+# Do: List after `holds:` only the parameters that the template writes.
+# Example: `holds: theta_*` in a template that writes `theta_2` and `theta_3`
+template-parameters-unread = the template lists { $count ->
+        [one] 1 parameter
+       *[other] { $count } parameters
+    } that it does not write: { $names }; the errors of this file are those of another file
+    .hint = list after `holds:` only the parameters that the template writes
 
 # Means: The file name of a template does not end with `.j2`.
 # Matters: The template NAME.j2 writes the file NAME.

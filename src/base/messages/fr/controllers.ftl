@@ -88,7 +88,7 @@ parameter-twice = il y a deux paramètres `{ $parameter }`
     .hint = relancer l’identification
 
 parameter-names-collide = les paramètres `{ $first }` et `{ $second }` s’appellent tous deux `{ $name }` en { $language }
-    .hint = renommer l’un des deux ou utiliser un autre format
+    .hint = renommer la cible ou l’articulation qui donne son nom à l’un des deux, ou utiliser un autre format
 
 parameter-missing = le paramètre `{ $parameter }` manque
     .hint = indiquer le robot.toml avec lequel les paramètres ont été identifiés
@@ -192,6 +192,12 @@ template-without-holds = le gabarit n’indique pas les paramètres que contient
 convert-to-denavit-hartenberg = un bras décrit par des axes de vissage (`poe`) n’a pas de zéros d’articulation : écrire son robot.toml par `etalon robot convert robot.toml --to dh`, et relancer la campagne
 
 template-holds-unknown = aucun paramètre ne correspond à `{ $pattern }`
+
+template-parameters-unread = le gabarit nomme { $count ->
+        [one] 1 paramètre
+       *[other] { $count } paramètres
+    } sans en écrire la valeur : { $names } ; les erreurs de ce fichier sont celles d’un autre fichier
+    .hint = après `holds:`, ne nommer que les paramètres que le gabarit écrit
 
 template-name = le nom du gabarit `{ $file }` ne se termine pas par `.j2`
     .hint = renommer le gabarit : NOM.j2 écrit le fichier NOM
