@@ -91,6 +91,7 @@ const CASES: &[Case] = &[
     ("lead-of-one-axis", LEADS, &[], "axis-table @/out/geometric.json --axis rho1_mm=0:100:10 --corrected rho2_mm"),
     ("deviation-unknown", LEADS, &[], "axis-table @/out/geometric.json --axis rho1_mm=0:500:10"),
     ("file-changed-since-run", TABLE, &[("out/parameters.json", "+", " ")], "report @"),
+    ("file-changed-since-run", TABLE, &[("out/controller.json", "+", " ")], "report @ --certificate"),
     (
         "counts-missing",
         TABLE,
