@@ -423,6 +423,44 @@ impl ResidualSummary {
         let times = (self.test.chi_square? / self.degrees_of_freedom as f64).sqrt();
         times.is_finite().then_some(times)
     }
+
+    /// Significance level at which chi-square rejects the model.
+    pub const SIGNIFICANCE: f64 = etalon_identify::CHI_SQUARE_SIGNIFICANCE;
+
+    /// Probability of a chi-square at least this large if noise alone causes the residuals; `None`
+    /// without a given uncertainty or without redundancy.
+    pub fn p_value(&self) -> Option<f64> {
+        etalon_identify::chi_square_probability(self.test.chi_square?, self.degrees_of_freedom)
+    }
+
+    /// Agreement of the model with the residuals; `None` without a given uncertainty or without
+    /// redundancy.
+    pub fn model_fit(&self) -> Option<ModelFit> {
+        let p = self.p_value()?;
+        Some(match self.uncertainties_from {
+            _ if self.test.chi_square_rejected => ModelFit::Incomplete,
+            UncertaintyFrom::ResidualsByPose | UncertaintyFrom::ResidualsByRegion => ModelFit::Correlated,
+            _ if p < DOUBTFUL => ModelFit::Doubtful,
+            _ => ModelFit::Fits,
+        })
+    }
+}
+
+/// Probability of chi-square below which the model is doubtful, although not rejected.
+const DOUBTFUL: f64 = 0.05;
+
+/// Agreement of a model with the residuals of its calibration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelFit {
+    /// Noise explains the residuals.
+    Fits,
+    /// Noise explains the residuals in less than one of twenty campaigns; chi-square does not reject
+    /// the model.
+    Doubtful,
+    /// Chi-square does not reject the model, but residuals of one pose are correlated.
+    Correlated,
+    /// Chi-square rejects the model.
+    Incomplete,
 }
 
 /// Reliability of the readings (Baarda 1968), and influence of the poses (Cook 1977).

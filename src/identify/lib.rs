@@ -26,6 +26,7 @@ pub use judgement::bound::{ASSUMED_MM, COVERAGE, Excess, Extent, OpenMotion, Ope
 pub use judgement::budget::{Budget, Contributions, Figure, Replicates, Systematic, UncertaintySource};
 pub use judgement::chi_square::agrees as chi_square_agrees;
 pub use judgement::chi_square::exceeds as chi_square_exceeds;
+pub use judgement::chi_square::{REJECT as CHI_SQUARE_SIGNIFICANCE, probability as chi_square_probability};
 pub use judgement::diagnosis::{GROSS, LEAST_RESIDUAL, OUTLIER, Reading, ReadingSource, RobustFit};
 pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
 pub use judgement::figures::{ConditionResiduals, ErrorKind, FigureUncertainty, JudgedErrors};

@@ -8,6 +8,7 @@ use super::{etalon, text_of};
 use crate::support::scratch::{Scratch, copy_sample};
 use calamine::{Reader, Xlsx};
 use serde_json::Value;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -271,7 +272,13 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
         }
         // the name of a hash
         () if s.template.contains(" its SHA-#") => vec![256.0],
-        () if starts("Residuals are # ×") || s.template.contains("residuals are # ×") => vec![documents.ratio()],
+        () if starts("Residuals are # ×") => {
+            let residuals = &documents.read("parameters.json")["residuals"];
+            let freedom = number(&residuals["degrees_of_freedom"]);
+            let p = ChiSquared::new(freedom).unwrap().sf(number(&residuals["chi_square"]));
+            vec![documents.ratio(), p, 0.001]
+        }
+        () if s.template.contains("residuals are # ×") => vec![documents.ratio()],
         () if starts("Within the limit of #") => {
             let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();
             vec![*limits.iter().find(|limit| s.numbers[0].is(**limit))?]

@@ -1,7 +1,7 @@
 //! Goodness of fit, observability by the poses, and termination of the solver.
 
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
-use crate::number::{derived, significant};
+use crate::number::{self, derived, significant};
 use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -110,12 +110,28 @@ pub(super) fn measures_coordinates(r: &ResidualSummary) -> bool {
     r.count > r.conditions.iter().map(|c| c.count).sum()
 }
 
+/// Probability of chi-square with the limit below which the model is rejected.
+pub(super) fn criterion(r: &ResidualSummary, words: &Words) -> Option<String> {
+    let p = words.decimal(number::p_value(r.p_value()?));
+    Some(tr!(words, "model-criterion", p, limit = number::stated(ResidualSummary::SIGNIFICANCE)))
+}
+
 /// Position residuals and their expected size, and the ratio of all residuals to their stated
 /// uncertainty.
 pub(super) fn residuals_and_expected(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
     let of_position = r.position.position_rms_mm.map(|mm| length(mm, words));
     let [expected, over_uncertainty] = explained(r, words);
-    vec![(tr!(words, "position-residuals-rms"), of_position.into()), expected, over_uncertainty]
+    let chi_square = (tr!(words, "chi-square"), judged_chi_square(r, words).into());
+    vec![(tr!(words, "position-residuals-rms"), of_position.into()), expected, over_uncertainty, chi_square]
+}
+
+/// Chi-square with its expected value, its probability, and the limit of the probability.
+fn judged_chi_square(r: &ResidualSummary, words: &Words) -> Option<String> {
+    let (value, expected) = (significant(r.test.chi_square?, 4), r.degrees_of_freedom);
+    Some(match criterion(r, words) {
+        Some(criterion) => tr!(words, "expected-value-judged", value, expected, criterion),
+        None => tr!(words, "expected-value", value, expected),
+    })
 }
 
 /// Expected size of the position residuals, and the ratio of all residuals to their stated
@@ -171,10 +187,6 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         (Some(own), None) if readings => Some(tr!(words, "reading-uncertainty", uncertainty = own)),
         (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };
-    let chi_square = r
-        .test
-        .chi_square
-        .map(|c| tr!(words, "expected-value", value = significant(c, 4), expected = r.degrees_of_freedom));
     let both = tr!(words, "rms-and-max-values", rms = three(r.rms), max = three(r.max));
     let of_position = r.position.position_rms_mm.map(|mm| length(mm, words));
     let alone = r.position.position_rms_mm.is_some() && !readings;
@@ -190,7 +202,7 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "largest-residual-of-a-coordinate"), of_max.into()),
         (tr!(words, "degrees-of-freedom"), degrees_of_freedom(r, words).into()),
         (tr!(words, "stated-uncertainty"), own.into()),
-        (tr!(words, "chi-square"), chi_square.into()),
+        (tr!(words, "chi-square"), judged_chi_square(r, words).into()),
         over_uncertainty,
         (tr!(words, "uncertainties"), format!("{from}{enlarged}").into()),
     ]

@@ -1,5 +1,6 @@
 //! Verdict at the start of a report: compliance with the limits, and improvement of the robot.
 
+use super::fit::criterion;
 use super::limits::{judged, name, reached_within};
 use super::repeatability::quarter_sentence;
 use super::{clauses, page_one};
@@ -10,8 +11,8 @@ use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     Acceptance, AccuracyDocument, AccuracySet, Characteristics, Conformity, ControllerErrors, ControllerFiles,
     DecisionRule, ErrorQuantity, Figure, IdentifiedDocuments, Iso9283Document, Iso9283Variation, Judged, LimitVerdict,
-    Loading, ParametersDocument, PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy, ToolFrame,
-    VerdictDocument, WrittenFile,
+    Loading, ModelFit, ParametersDocument, PoseCharacteristic, PoseSet, Reason, Results, SeriesScatter, ToolAccuracy,
+    ToolFrame, VerdictDocument, WrittenFile,
 };
 
 /// Title of the report; a test of repeatability alone has its own title.
@@ -274,7 +275,7 @@ fn largest_error(set: &AccuracySet, words: &Words) -> Option<String> {
 /// it.
 fn unexplained(of: &IdentifiedDocuments, is_reserved: bool, words: &Words) -> Option<String> {
     let r = &of.parameters.residuals;
-    let ratio = (r.test.chi_square? / r.degrees_of_freedom as f64).sqrt();
+    let ratio = r.times_uncertainty()?;
     let times = number::significant(ratio, 3);
     let by = match r.test.common_standard_uncertainty_mm {
         Some(_) => tr!(words, "uncertainty-of-instrument-and-contact"),
@@ -289,10 +290,16 @@ fn unexplained(of: &IdentifiedDocuments, is_reserved: bool, words: &Words) -> Op
     if is_reserved {
         return numbers;
     }
-    let sentence = ratio.is_finite().then(|| match r.test.chi_square_rejected {
-        true => tr!(words, "model-leaves-residuals", ratio = times, uncertainty = by),
-        false => tr!(words, "model-explains-residuals", ratio = times, uncertainty = by),
-    })?;
+    let lacks_effect = of.accuracy.effects.iter().any(|proof| !proof.is_identified);
+    let fit = match r.model_fit()? {
+        ModelFit::Incomplete => "incomplete",
+        ModelFit::Correlated => "correlated",
+        ModelFit::Doubtful => "doubtful",
+        ModelFit::Fits if lacks_effect => "lacking",
+        ModelFit::Fits => "fits",
+    };
+    let sentence =
+        tr!(words, "model-and-residuals", ratio = times, uncertainty = by, fit, criterion = criterion(r, words)?);
     Some(numbers.map_or(sentence.clone(), |numbers| format!("{numbers} {sentence}")))
 }
 
@@ -514,6 +521,32 @@ mod tests {
         verdict(&results, &Words::default())
     }
 
+    /// Sentence on the fit of the model, with the probability of chi-square.
+    fn fit_sentence(ratio: &'static str, fit: &'static str, p: &'static str) -> String {
+        let (words, uncertainty) = (&Words::default(), phrase!("uncertainty-of-instrument"));
+        let criterion = tr!(words, "model-criterion", p, limit = "0.001");
+        tr!(words, "model-and-residuals", ratio, uncertainty, fit, criterion)
+    }
+
+    /// Chi-square of 149 degrees of freedom: 160 has p = 0.25, 180 has p = 0.042 (incomplete
+    /// gamma function).
+    #[test]
+    fn a_model_fits_only_without_a_contradiction() {
+        let mut documents = Documents::demo();
+        let said = |documents: &Documents, sentence: String| {
+            let all = report_verdict(documents).sentences;
+            assert!(all.iter().any(|s| s.ends_with(&sentence)), "{sentence}: {all:?}");
+        };
+        let test = &mut documents.parameters.residuals.test;
+        (test.chi_square, test.chi_square_rejected) = (Some(160.0), false);
+        said(&documents, fit_sentence("1.04", "fits", "p = 0.25"));
+        documents.parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::ResidualsByRegion;
+        said(&documents, fit_sentence("1.04", "correlated", "p = 0.25"));
+        documents.parameters.residuals.uncertainties_from = etalon_documents::UncertaintyFrom::Instrument;
+        documents.parameters.residuals.test.chi_square = Some(180.0);
+        said(&documents, fit_sentence("1.10", "doubtful", "p = 0.042"));
+    }
+
     /// Name of the rule of the limits.
     fn guarded() -> String {
         tr!(Words::default(), "decision-rule-named", rule = phrase!("guarded-acceptance"))
@@ -551,12 +584,7 @@ mod tests {
             stated("limit-orientation-max", [51, 255], ["0.1759", "0.0056 ± 0.0038", "0.01", "deg"]),
             [
                 tr!(words, "position-residuals-explained", rms = "26.0", expected = "21.8", unit = "µm"),
-                tr!(
-                    words,
-                    "model-leaves-residuals",
-                    ratio = "1.19",
-                    uncertainty = phrase!("uncertainty-of-instrument")
-                ),
+                fit_sentence("1.19", "incomplete", "p < 0.001"),
             ]
             .join(" "),
             tr!(words, "limits-both-met") + " " + &guarded(),

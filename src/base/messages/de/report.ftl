@@ -538,6 +538,7 @@ expected-label = erwartet:
 expected-of-parameters = erwartet, Parameter (k = 1)
 expected-standard = erwartet (k = 1)
 expected-value = { $value }, erwartet { $expected }
+expected-value-judged = { $value }, erwartet { $expected } ({ $criterion })
 expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } je Messwert (k = 2)
 expired = abgelaufen
 explained = erklärt
@@ -810,12 +811,18 @@ mode-count = { $count ->
    *[other] { $count } Modi
 }
 model = Modell
+model-and-residuals = Die Residuen betragen das { $ratio }-Fache des Werts, der aus { $uncertainty } zu erwarten ist: { $fit ->
+        [incomplete] Das Modell ist unvollständig
+        [correlated] Das Modell lässt Abweichungen übrig, die den Messwerten einer Pose gemeinsam sind
+        [doubtful] Das Modell ist möglicherweise unvollständig
+        [lacking] Dem Modell fehlt ein Effekt, den zurückgehaltene Posen bestätigen
+       *[fits] Das Modell passt
+    } ({ $criterion }).
+model-criterion = Chi-Quadrat: { $p }, Grenze { $limit }
 model-delta = Delta-Roboter
 model-delta-linear = Linear-Delta-Roboter
-model-explains-residuals = Die Residuen betragen das { $ratio }-Fache des Werts, der aus { $uncertainty } zu erwarten ist: Das Modell passt.
 model-five-bar = Fünfgelenk
 model-hexapod = Hexapod
-model-leaves-residuals = Die Residuen betragen das { $ratio }-Fache des Werts, der aus { $uncertainty } zu erwarten ist: Das Modell ist unvollständig.
 model-of-the-robot = Modell des Roboters
 model-prexyt = PreXYT-Tisch
 model-serial = serieller Arm

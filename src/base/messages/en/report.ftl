@@ -511,6 +511,7 @@ expected-label = expected:
 expected-of-parameters = expected, parameters (k = 1)
 expected-standard = expected (k = 1)
 expected-value = { $value }, expected { $expected }
+expected-value-judged = { $value }, expected { $expected } ({ $criterion })
 expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } per reading (k = 2)
 expired = expired
 explained = explained
@@ -774,12 +775,18 @@ mode-count = { $count ->
    *[other] { $count } modes
 }
 model = model
+model-and-residuals = Residuals are { $ratio } × the value expected from { $uncertainty }: { $fit ->
+        [incomplete] the model is incomplete
+        [correlated] the model leaves errors that readings of one pose share
+        [doubtful] the model may be incomplete
+        [lacking] the model lacks an effect that held-out poses confirm
+       *[fits] the model fits
+    } ({ $criterion }).
+model-criterion = chi-square: { $p }, limit { $limit }
 model-delta = delta robot
 model-delta-linear = linear delta robot
-model-explains-residuals = Residuals are { $ratio } × the value expected from { $uncertainty }: the model fits.
 model-five-bar = five-bar
 model-hexapod = hexapod
-model-leaves-residuals = Residuals are { $ratio } × the value expected from { $uncertainty }: the model is incomplete.
 model-of-the-robot = model of the robot
 model-prexyt = PreXYT table
 model-serial = serial arm

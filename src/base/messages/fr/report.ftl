@@ -541,6 +541,7 @@ expected-label = attendu :
 expected-of-parameters = attendu, paramètres (k = 1)
 expected-standard = attendu (k = 1)
 expected-value = { $value }, attendu { $expected }
+expected-value-judged = { $value }, attendu { $expected } ({ $criterion })
 expanded-uncertainty-of-quantity = { $quantity } : U = { $uncertainty } { $unit } par lecture (k = 2)
 expired = expiré
 explained = expliqué
@@ -813,12 +814,18 @@ mode-count = { $count ->
    *[other] { $count } modes
 }
 model = modèle
+model-and-residuals = Les résidus valent { $ratio } fois la valeur attendue d’après { $uncertainty } : { $fit ->
+        [incomplete] le modèle est incomplet
+        [correlated] le modèle laisse des erreurs communes aux lectures d’une pose
+        [doubtful] le modèle est peut-être incomplet
+        [lacking] il manque au modèle un effet que les poses réservées confirment
+       *[fits] le modèle convient
+    } ({ $criterion }).
+model-criterion = khi-deux : { $p }, limite { $limit }
 model-delta = robot delta
 model-delta-linear = robot delta linéaire
-model-explains-residuals = Les résidus valent { $ratio } fois la valeur attendue d’après { $uncertainty } : le modèle convient.
 model-five-bar = mécanisme à cinq barres
 model-hexapod = hexapode
-model-leaves-residuals = Les résidus valent { $ratio } fois la valeur attendue d’après { $uncertainty } : le modèle est incomplet.
 model-of-the-robot = modèle du robot
 model-prexyt = table PreXYT
 model-serial = bras série

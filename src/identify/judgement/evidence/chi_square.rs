@@ -3,12 +3,18 @@
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Probability with which a chi-square test rejects a right model.
-const REJECT: f64 = 1e-3;
+pub const REJECT: f64 = 1e-3;
+
+/// Probability that a right model has a chi-square at least this large; `None` without degrees of
+/// freedom.
+pub fn probability(chi_square: f64, dof: usize) -> Option<f64> {
+    ChiSquared::new(dof as f64).ok().map(|d| d.sf(chi_square))
+}
 
 /// `true` if chi-square is too large for the degrees of freedom: a right model exceeds the limit
 /// once in a thousand times.
 pub fn exceeds(chi_square: f64, dof: usize) -> bool {
-    ChiSquared::new(dof as f64).is_ok_and(|d| d.sf(chi_square) < REJECT)
+    probability(chi_square, dof).is_some_and(|p| p < REJECT)
 }
 
 /// `true` if chi-square is neither too large nor too small for the degrees of freedom.
