@@ -39,12 +39,30 @@ pub(crate) fn verdict(document: &UncertaintyDocument, words: &Words) -> Verdict 
 pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Section> {
     let mut parameters = Section::new("distributions", tr!(words, "distributions-of-parameters"));
     parameters.push(Block::Table(table(&document.parameters, words).on(phrase!("sheet-distributions"))));
-    let note = tr!(words, "bootstrap-resamples", count = document.resamples);
-    parameters.push(Block::note(if document.resamples > 0 { Text::from(note) } else { Text::default() }));
+    parameters.push(Block::note(bootstrap(document, words)));
     let mut errors = Section::new("errors", tr!(words, "distributions-of-errors"));
     errors.push(Block::Table(table(&document.errors, words).on(phrase!("sheet-distributions-of-errors"))));
     errors.push(Block::note(Text::from(tr!(words, "largest-error-drawn"))));
     [parameters, errors].into_iter().filter_map(|section| section.on_terminal().whole()).collect()
+}
+
+/// Share of the linear uncertainty below which the bootstrap contradicts it.
+const CONTRADICTION: f64 = 0.5;
+
+/// Note on the bootstrap, with the number of parameters whose uncertainty it contradicts; empty
+/// without resamples.
+fn bootstrap(document: &UncertaintyDocument, words: &Words) -> String {
+    if document.resamples == 0 {
+        return String::new();
+    }
+    let note = tr!(words, "bootstrap-resamples", count = document.resamples);
+    let contradicts = |p: &&DistributionEntry| {
+        p.bootstrap.zip(p.linear).is_some_and(|(bootstrap, linear)| bootstrap < CONTRADICTION * linear)
+    };
+    match document.parameters.iter().filter(contradicts).count() {
+        0 => note,
+        count => format!("{note} {}", tr!(words, "bootstrap-without-tolerances", count)),
+    }
 }
 
 fn table(entries: &[DistributionEntry], words: &Words) -> Table {
@@ -70,4 +88,33 @@ fn table(entries: &[DistributionEntry], words: &Words) -> Table {
         .both(phrase!("u-report"), "", |e| significant(e.standard_uncertainty, 2))
         .both(phrase!("u-bootstrap"), "", |e| significant(e.bootstrap, 2));
     Table::new(words, entries, columns).without_empty_columns()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bootstrap_that_omits_tolerances_is_explained() {
+        let entry = |linear: f64, bootstrap: f64| {
+            serde_json::json!({"name": "q1_x", "unit": "mm", "value": 0.1, "linear": linear, "bootstrap": bootstrap,
+                "standard_uncertainty": linear, "mean": 0.1, "standard_deviation": linear, "interval_95": [0.0, 0.2],
+                "agrees": true})
+        };
+        let document = |parameters: Vec<serde_json::Value>| -> UncertaintyDocument {
+            serde_json::from_value(serde_json::json!({
+                "schema": "etalon/uncertainty/1", "robot": "serial", "draws": 500, "two_digits_reached": true,
+                "resamples": 50, "uncertainties_from": "instrument", "parameters": parameters, "errors": [],
+                "messages": [], "provenance": {"version": "", "inputs": {}},
+            }))
+            .unwrap()
+        };
+        let words = Words::default();
+        let note = tr!(words, "bootstrap-resamples", count = 50);
+        assert_eq!(bootstrap(&document(vec![entry(0.17, 0.15)]), &words), note);
+        let contradicted = document(vec![entry(0.17, 0.0053), entry(0.19, 0.18), entry(0.19, 0.0089)]);
+        let explained = tr!(words, "bootstrap-without-tolerances", count = 2);
+        assert_eq!(bootstrap(&contradicted, &words), format!("{note} {explained}"));
+        assert_eq!(bootstrap(&UncertaintyDocument { resamples: 0, ..contradicted }, &words), "");
+    }
 }

@@ -98,6 +98,10 @@ best-possible-choice = die bestmögliche Auswahl
 between-poses = zwischen den Posen
 birge-ratio = Birge-Verhältnis
 bootstrap-resamples = Bootstrap: { $count } Stichproben aus Posen und Zyklen.
+bootstrap-without-tolerances = Das Bootstrap-Verfahren behält die Nennwerte und lässt ihre Toleranzen aus. Bei { $count ->
+        [one] 1 Parameter, den
+       *[other] { $count } Parametern, die
+    } die Daten allein kaum bestimmen, ist u kleiner als die Hälfte des linearen Werts; der lineare Wert gilt.
 both = beide
 box-of-poses = Der Quader umschließt die Posen; seine Kanten sind parallel zu den Achsen.
 branch-and-bound-nodes = Branch-and-Bound-Knoten

@@ -92,6 +92,10 @@ best-possible-choice = the best possible choice
 between-poses = between poses
 birge-ratio = Birge ratio
 bootstrap-resamples = Bootstrap: { $count } resamples of poses and cycles.
+bootstrap-without-tolerances = The bootstrap keeps the nominal values and omits their tolerances. Its u is less than half of the linear one for { $count ->
+        [one] 1 parameter, which the data alone determine
+       *[other] { $count } parameters, which the data alone determine
+    } poorly; the linear value applies.
 both = both
 box-of-poses = The box encloses the poses; its edges are parallel to the axes.
 branch-and-bound-nodes = branch-and-bound nodes

@@ -101,6 +101,10 @@ best-possible-choice = le meilleur choix possible
 between-poses = entre les poses
 birge-ratio = Rapport de Birge
 bootstrap-resamples = Bootstrap : { $count } rééchantillonnages des poses et des cycles.
+bootstrap-without-tolerances = Le bootstrap garde les valeurs nominales et omet leurs tolérances. Son u est inférieur à la moitié de la valeur linéaire pour { $count ->
+        [one] { $count } paramètre, que les données seules déterminent
+       *[other] { $count } paramètres, que les données seules déterminent
+    } peu ; la valeur linéaire s’applique.
 both = les deux
 box-of-poses = La boîte englobe les poses ; ses arêtes sont parallèles aux axes.
 branch-and-bound-nodes = nœuds de séparation et évaluation
