@@ -381,6 +381,12 @@ impl ValidationDistance {
     /// Distance, in spacings, beyond which calibration poses do not represent the errors of the
     /// robot.
     pub const BEYOND: f64 = 3.0;
+
+    /// `true` if all validation poses are near calibration poses, and all their joint values within
+    /// the ranges of the calibration.
+    pub fn is_within(&self) -> bool {
+        self.largest <= Self::BEYOND && self.outside == 0
+    }
 }
 
 /// Set of poses of a campaign.

@@ -262,6 +262,16 @@ pub struct ParameterEntry {
     pub confounded_with: Vec<String>,
 }
 
+impl ParameterEntry {
+    /// Share of a value below which it comes mostly from the nominal value.
+    pub const DETERMINED: f64 = 0.5;
+
+    /// `true` for an identified value that comes mostly from its nominal value.
+    pub fn is_from_nominal(&self) -> bool {
+        self.status == ParameterStatus::Identified && self.determined.is_some_and(|share| share < Self::DETERMINED)
+    }
+}
+
 /// Origin of a parameter's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

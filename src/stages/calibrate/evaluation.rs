@@ -1,7 +1,7 @@
 //! Evaluation of a solution: judgement, errors before and after, predictions and controls. Each
 //! step returns what it adds.
 
-use crate::stages::calibrate::cross_validation::LeftOut;
+use crate::stages::calibrate::cross_validation::{LeftOut, keep_determined_joints};
 use crate::stages::calibrate::selection::CampaignData;
 use crate::stages::calibrate::solution::{Basis, Solution};
 use crate::stages::calibrate::undescribed_effects::{Undescribed, best_alone};
@@ -134,7 +134,11 @@ impl LocatedSolution<'_> {
         let left_out = LeftOut::new(robot, sets, settings, found);
         accuracy.left_out = left_out.as_ref().and_then(|left_out| left_out.errors(robot, before));
         let unused = || left_out.as_ref().map_or_else(Vec::new, |left_out| left_out.unused(robot, found));
-        accuracy.effects = proofs.unwrap_or_else(unused);
+        let determined = |mut proofs: Vec<EffectProof>| {
+            keep_determined_joints(&mut proofs, robot, &sets.calibration, settings, found);
+            proofs
+        };
+        accuracy.effects = proofs.map(determined).unwrap_or_else(unused);
         let undescribed = |left_out| Undescribed { robot_file: &campaign.robot, robot, left_out, found }.effects();
         accuracy.effects.extend(left_out.as_ref().map(undescribed).unwrap_or_default());
         best_alone(&mut accuracy.effects);

@@ -5,8 +5,7 @@ use crate::stages::evaluate::sets::Sets;
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_base::warning;
-use etalon_documents::ValidationDistance;
-use etalon_identify::Observation;
+use etalon_documents::{PoseSet, ValidationDistance};
 use etalon_math::statistics::median;
 use etalon_robots::Robot;
 use rayon::prelude::*;
@@ -23,17 +22,24 @@ const SCATTER: f64 = 1e-3;
 /// without validation poses, or with fewer than two distinct calibration poses.
 pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationDistance> {
     let count = robot.joints().len();
-    let joints = |o: &Observation| o.joints.get(..count).map(<[f64]>::to_vec);
-    let all: Vec<Vec<f64>> = sets.calibration.iter().filter_map(joints).collect();
+    let measured = |set: PoseSet| -> Vec<(PoseName, Vec<f64>)> {
+        let (observations, conditions) = sets.observations_and_conditions(set);
+        let of_positions = observations.iter().map(|o| (o.pose, &o.joints));
+        // distances, contacts and surfaces have no observation of a position
+        let all = of_positions.chain(conditions.iter().map(|c| (c.pose, &c.joints)));
+        all.filter_map(|(pose, joints)| Some((pose, joints.get(..count)?.to_vec()))).collect()
+    };
+    let [calibration, validation] = [PoseSet::Calibration, PoseSet::Validation].map(measured);
+    let all: Vec<&Vec<f64>> = calibration.iter().map(|(_, joints)| joints).collect();
     let ranges: Vec<(f64, f64)> = (0..count)
         .map(|j| all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |r, q| (r.0.min(q[j]), r.1.max(q[j]))))
         .collect();
     let space = JointSpace { ranges };
     // Repeats of a pose, whose joint values scatter, are one; so are equal joint values under
     // several numbers.
-    let distinct = |observations: &[Observation]| -> Vec<Vec<f64>> {
+    let distinct = |measured: Vec<(PoseName, Vec<f64>)>| -> Vec<Vec<f64>> {
         let mut of_pose: BTreeMap<PoseName, Vec<Vec<f64>>> = BTreeMap::new();
-        for (pose, q) in observations.iter().filter_map(|o| Some((o.pose, joints(o)?))) {
+        for (pose, q) in measured {
             let known = of_pose.entry(pose).or_default();
             if known.iter().all(|k| space.distance(k, &q) > SCATTER) {
                 known.push(q);
@@ -42,7 +48,7 @@ pub fn validation_distance(robot: &dyn Robot, sets: &Sets) -> Option<ValidationD
         let bits = |q: Vec<f64>| (q.iter().map(|q| q.to_bits()).collect::<Vec<_>>(), q);
         of_pose.into_values().flatten().map(bits).collect::<BTreeMap<_, _>>().into_values().collect()
     };
-    let (mut calibration, validation) = (distinct(&sets.calibration), distinct(&sets.validation));
+    let (mut calibration, validation) = (distinct(calibration), distinct(validation));
     divide(&mut calibration, 0);
     let nearest = |from: &[Vec<f64>]| -> Vec<f64> {
         from.par_iter().map(|q| space.nearest(q, &calibration, 0, f64::INFINITY)).collect()
@@ -119,6 +125,7 @@ pub fn far_or_near(distance: &ValidationDistance) -> Option<Message> {
 mod tests {
     use super::*;
     use etalon_base::noise::Noise;
+    use etalon_identify::{Condition, Coordinate, Kind, Observation};
     use etalon_robots::Prexyt;
 
     /// Poses of a grid of four by four by four, 10 mm apart, from `first_mm` in each joint.
@@ -168,6 +175,23 @@ mod tests {
             let each = divided.iter().filter(|p| *p != q).map(|p| space.distance(q, p)).fold(f64::INFINITY, f64::min);
             assert_eq!(space.nearest(q, &divided, 0, f64::INFINITY), each);
         }
+        // single coordinates, distances and contacts have joint values too
+        let conditions = |observations: Vec<Observation>| -> Vec<Condition> {
+            let coordinate = |o: Observation| Condition {
+                pose: o.pose,
+                cycle: o.cycle,
+                joints: o.joints,
+                target: 0,
+                kind: Kind::Coordinate(Coordinate { axis: 0, at_mm: 0.0 }),
+                standard_uncertainty: 0.01,
+            };
+            observations.into_iter().map(coordinate).collect()
+        };
+        let (calibration_conditions, validation_conditions) = (conditions(grid(0.0)), conditions(grid(5.0)));
+        let sets = Sets { calibration_conditions, validation_conditions, ..Sets::default() };
+        let of_coordinates = validation_distance(&Prexyt::default(), &sets).expect("a distance");
+        assert!((of_coordinates.median - between.median).abs() < 1e-12);
+        assert_eq!((of_coordinates.poses, of_coordinates.outside), (64, 64 - 27));
         let none = |validation| Sets { calibration: grid(0.0)[..1].to_vec(), validation, ..Sets::default() };
         assert!(validation_distance(&Prexyt::default(), &none(grid(0.0))).is_none());
     }

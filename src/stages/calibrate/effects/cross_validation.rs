@@ -15,7 +15,7 @@ use etalon_base::noise::Noise;
 use etalon_base::pattern::matches_pattern;
 use etalon_base::pose::norm;
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, Statistics};
+use etalon_documents::{EffectProof, EffectStep, LeftOutErrors, ParameterEntry, Statistics};
 use etalon_identify::{
     Condition, Effects, Fitted, Identification, NestedFit, Observation, Settings, Status, Variance, effects,
 };
@@ -390,6 +390,25 @@ pub(crate) fn proven(robot: &dyn Robot, sets: &Sets, settings: &Settings) -> Res
     };
     let proofs = accepted.windows(2).filter_map(proof).collect();
     Ok((chosen, proofs))
+}
+
+/// Keeps the joints of the proved effects for which the data determine a parameter of the effect.
+pub(crate) fn keep_determined_joints(
+    proofs: &mut [EffectProof],
+    robot: &dyn Robot,
+    calibration: &[Observation],
+    settings: &Settings,
+    found: &Identification,
+) {
+    let effects = effects(robot, joints(calibration, &settings.conditions));
+    let is_determined = |i: usize| {
+        let share = found.determined(robot, i);
+        found.free.contains(&i) && share.is_none_or(|share| share >= ParameterEntry::DETERMINED)
+    };
+    for proof in proofs {
+        let of_effect = |i: usize| effects[i].is_some_and(|own| proof.effect == own.into());
+        proof.joints = joint_names(robot, |i| of_effect(i) && is_determined(i));
+    }
 }
 
 /// Name of an effect in `effects` of `[identify]`.
