@@ -9,6 +9,7 @@
 pub mod batch;
 pub mod branding;
 mod campaign;
+mod coverage;
 mod html;
 mod model;
 pub(crate) mod number;

@@ -30,7 +30,6 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let mut of_parameters = vec![Block::facts(sources(parameters, words))];
     if let Some(nominal) = nominal(parameters) {
         of_parameters.push(Block::note(tr!(words, "budget-of-nominal-values")));
-        let is_default = |p: &ParameterEntry| p.role == Role::Robot && p.tolerance.is_none();
         if nominal.tolerance_factor < 1.0 && parameters.identified().any(is_default) {
             let factor = number::significant(nominal.tolerance_factor, 2);
             of_parameters.push(Block::note(tr!(words, "budget-of-default-tolerances", factor)));
@@ -43,21 +42,56 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section)
 }
 
+/// `true` for a parameter of the robot with a default tolerance.
+fn is_default(p: &ParameterEntry) -> bool {
+    p.role == Role::Robot && p.tolerance.is_none()
+}
+
 /// Standard uncertainties of nominal values.
 fn nominal(parameters: &ParametersDocument) -> Option<&NominalUncertainties> {
     parameters.budget.iter().find_map(|source| source.nominal.as_ref())
 }
 
-/// Sentence on common errors of all lengths for which the campaign gives no uncertainty; empty if
-/// it gives both.
+/// Sentence on errors whose uncertainty is unknown: common errors of all lengths for which the
+/// campaign gives no uncertainty, and features without a redundant point; empty without such errors.
 pub(super) fn left_out(results: &Results, words: &Words) -> String {
     let Some(identified) = &results.identified else { return String::new() };
     let of_figures = identified.accuracy.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source);
     let included: Vec<Source> = identified.parameters.budget.iter().map(|b| b.source).chain(of_figures).collect();
-    let common = [(Source::Scale, phrase!("left-out-scale")), (Source::Temperature, phrase!("left-out-temperature"))];
-    let missing = common.iter().filter(|(source, _)| !included.contains(source));
-    let missing: Vec<String> = missing.map(|(_, what)| words.tr(what)).collect();
+    let has = |source: &Source| included.contains(source);
+    // lengths of fixed points replace the scale of a measuring system that nothing else uses
+    let is_measured = !has(&Source::KnownPoints)
+        || [Source::Instrument, Source::SingleCoordinates, Source::Residuals].iter().any(has);
+    let scale = is_measured.then(|| (Source::Scale, phrase!("left-out-scale")));
+    let common = scale.into_iter().chain([(Source::Temperature, phrase!("left-out-temperature"))]);
+    let mut missing: Vec<String> = common.filter(|(source, _)| !has(source)).map(|(_, what)| words.tr(&what)).collect();
+    if !has(&Source::Frame) {
+        let unknown = results.features.features.iter().filter(|f| f.standard_uncertainty_mm.is_none());
+        missing.extend(unknown.map(|feature| tr!(words, "left-out-feature", feature = feature.name)));
+    }
     if missing.is_empty() { String::new() } else { tr!(words, "budget-left-out", sources = missing.join("; ")) }
+}
+
+/// Number of uncertainties that rest mostly on the tolerance of a nominal value, and the factor of
+/// the default tolerances among them; empty without such an uncertainty.
+pub(super) fn by_tolerances(parameters: &ParametersDocument, words: &Words) -> String {
+    let by_tolerance: Vec<&ParameterEntry> = parameters
+        .identified()
+        .enumerate()
+        .filter(|(k, _)| largest(&parameters.budget, *k) == Some(Source::NominalValues))
+        .map(|(_, p)| p)
+        .collect();
+    let count = by_tolerance.len();
+    let default = by_tolerance.iter().filter(|p| is_default(p)).count();
+    let Some(nominal) = nominal(parameters).filter(|_| count > 0) else { return String::new() };
+    let sentence = tr!(words, "uncertainty-by-tolerances", count, default);
+    match default {
+        0 => sentence,
+        _ => {
+            let factor = number::significant(nominal.tolerance_factor, 2);
+            format!("{sentence} {}", tr!(words, "uncertainty-by-default-tolerances", factor))
+        }
+    }
 }
 
 /// Explanation of a source.

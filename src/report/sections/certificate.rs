@@ -3,17 +3,19 @@
 //! data cannot be certified.
 
 use super::{
-    accuracy, budget, checklist, clauses, conditions, errors, fit, limits, messages, parameters, provenance,
+    accuracy, budget, checklist, clauses, conditions, errors, fit, limits, messages, parameters, provenance, region,
     repeatability,
 };
 use crate::model::{
-    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, significant, term, with_uncertainty,
+    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, numbers, significant, term, with_uncertainty,
 };
-use crate::words::{Words, names, tr};
-use etalon_base::message::{Message, Rank};
+use crate::words::{Words, isolated, names, tr};
+use crate::{coverage, number};
+use etalon_base::message::{Message, Rank, one_line};
 use etalon_base::{files, phrase};
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, ParameterEntry, Results, WrittenFile,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, LoadAnswer, ParameterEntry, Results, Source,
+    SourceKind, WrittenFile,
 };
 
 /// Identifiers of sections of characteristics whose results the certificate has in its own tables.
@@ -39,11 +41,12 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         Some(facts),
         clauses::section(&results.tested, words),
         errors_section(results, words),
+        region::section(results, words),
         characteristics_section(results, words),
         limits::section(results, words),
         parameters_section(results, words),
         Some(warnings(results, words)),
-        files_section(results, words),
+        loaded_section(results, words),
         provenance::section(results, words),
     ];
     // what the title and the table of clauses claim is printed
@@ -51,8 +54,18 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
     let mut sections: Vec<Section> = sections.into_iter().flatten().collect();
     let place = sections.iter().position(|s| s.id == "characteristics").map_or(sections.len(), |i| i + 1);
     sections.splice(place..place, further.map(|section| Section { annex: false, ..section }));
+    let mut sentences = whole.verdict.sentences;
+    if results.identified.is_some() {
+        sentences.push(computed(results, words));
+    }
+    // the subtitle of a report calls it a report
+    let subject = match (&results.identified, conditions::robot_name(results)) {
+        (Some(_), Some(name)) => tr!(words, "robot-of-name", name = isolated(&one_line(&name))),
+        (Some(identified), None) => tr!(words, "robot-of-model", model = words.model(&identified.parameters.robot)),
+        (None, _) => whole.subtitle,
+    };
     Contents {
-        subtitle: format!("{}. {}", whole.title, whole.subtitle),
+        subtitle: format!("{}. {subject}", whole.title),
         title,
         draft,
         sections,
@@ -60,6 +73,7 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         // the table contains the headlines; next steps are opinions that a laboratory gives by
         // itself (ISO/IEC 17025:2017, 7.8.7), and the checklist follows
         verdict: Verdict {
+            sentences,
             about: String::new(),
             headlines: Vec::new(),
             steps: Vec::new(),
@@ -69,6 +83,17 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         layout: Layout { compact: true, ..whole.layout },
         ..whole
     }
+}
+
+/// Sentences on the origin of the errors before and after calibration.
+fn computed(results: &Results, words: &Words) -> String {
+    let is_backup = |source: &&Source| source.kind == SourceKind::Backup;
+    let backup = results.import.sources.iter().find(is_backup);
+    let controller = match backup {
+        Some(source) => tr!(words, "certificate-controller-before", file = source.file, sha256 = source.sha256),
+        None => tr!(words, "certificate-controller-unknown"),
+    };
+    format!("{} {controller}", tr!(words, "certificate-computed"))
 }
 
 /// Errors before and after at the deciding poses.
@@ -86,12 +111,13 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
         relative: None,
         ..identified.accuracy.clone()
     };
+    // the region has its own section
     let mut section = errors::section_from_errors(&accuracy, &[], words);
     errors::insert_file_errors(&mut section, results, words);
     section.title = tr!(words, "results-before-and-after");
     let judged = results.judged_file().and_then(|(_, values)| values.deciding_set.as_ref());
     let with_uncertainty = uncertain_errors(&accuracy, judged.unwrap_or(set), words);
-    section.table(tr!(words, "results-with-uncertainty"), tr!(words, "certificate-coverage"), with_uncertainty);
+    section.table(tr!(words, "results-with-uncertainty"), tr!(words, "certificate-interval"), with_uncertainty);
     section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
     section.push(Block::heading(tr!(words, "residuals-title")));
     section.push(Block::facts(fit::residuals_and_expected(&identified.parameters.residuals, words)));
@@ -116,6 +142,11 @@ fn uncertain_errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Word
         })
         .collect();
     let number = |value: f64, row: &UncertainError| with_uncertainty(value, Some(row.expanded_uncertainty));
+    let without_noise = |row: &UncertainError| {
+        let ends = coverage::interval(accuracy, row.errors, row.figure, row.expanded_uncertainty)?;
+        let [from, to] = ends.map(|end| number::with_uncertainty(end, Some(row.expanded_uncertainty)));
+        Some(tr!(words, "range", from, to))
+    };
     let columns = Columns::<UncertainError>::new()
         .page(phrase!("error"), "", |r| term(words, names::error(r.errors.quantity, r.figure)))
         .page(phrase!("unit"), "", |r| r.errors.unit.as_str())
@@ -123,7 +154,8 @@ fn uncertain_errors(accuracy: &AccuracyDocument, set: &AccuracySet, words: &Word
         .page(phrase!("errors"), "", |r| r.errors.count)
         .page(phrase!("before"), "", move |r| number(r.figure.value_in(&r.errors.before), r))
         .page(phrase!("after"), "", move |r| number(r.figure.value_in(&r.errors.after), r))
-        .page("U (k = 2)", "", |r| significant(r.expanded_uncertainty, 2));
+        .page("U (k = 2)", "", |r| significant(r.expanded_uncertainty, 2))
+        .page(phrase!("head-without-noise"), "", move |r| numbers(without_noise(r)));
     Table::new(words, &rows, columns)
 }
 
@@ -140,13 +172,12 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
             .both(phrase!("unit"), "", |p| p.unit.as_str())
             .both(phrase!("value"), "", |p| with_uncertainty(p.value, expanded(p)))
             .both("U (k = 2)", "", |p| significant(expanded(p), 2))
-            .both(phrase!("status"), "", |p| parameters::status(p.status, words));
-        section.table(title, "", Table::new(words, group, columns));
+            .both(phrase!("from-data"), "%", |p| parameters::share_of_data(p))
+            .both(phrase!("status"), "", |p| parameters::status(p, words));
+        section.table(title, "", Table::new(words, group, columns).without_empty_columns());
     }
-    // the errors say it first
-    if identified.accuracy.budget.is_empty() {
-        section.push(Block::note(tr!(words, "certificate-coverage")));
-    }
+    section.push(Block::note(tr!(words, "certificate-coverage")));
+    section.blocks.extend(parameters::information(document, words));
     section.push(Block::note(budget::left_out(results, words)));
     if document.parameters.iter().any(|p| p.standard_uncertainty.is_none()) {
         section.push(Block::note(tr!(words, "certificate-held")));
@@ -156,9 +187,34 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     section.whole()
 }
 
-/// Controller files with their checksums.
+/// Controller files to load with their checksums; without such a file, the reason.
+fn loaded_section(results: &Results, words: &Words) -> Option<Section> {
+    // output folders of earlier versions do not contain the answer
+    let Some(loading) = &results.verdict.loading else { return files_section(results, words) };
+    let answer = match loading.answer {
+        LoadAnswer::Load => {
+            let is_loaded =
+                |f: &WrittenFile| loading.file.iter().chain(&loading.alternatives).any(|name| *name == f.file);
+            return checksums(results, is_loaded, words);
+        }
+        LoadAnswer::KeepNominal => "keep_nominal",
+        LoadAnswer::IdentifyFurther => "identify_further",
+        LoadAnswer::Resolve => "resolve",
+    };
+    let mut section = Section::new("loaded-files", tr!(words, "checksums-of-files"));
+    section.push(Block::strong(tr!(words, "certificate-no-file", answer)));
+    section.whole()
+}
+
+/// All controller files with their checksums.
 pub(super) fn files_section(results: &Results, words: &Words) -> Option<Section> {
-    let files: Vec<&WrittenFile> = results.campaign.controller_files.iter().filter(|f| f.sha256.is_some()).collect();
+    checksums(results, |_| true, words)
+}
+
+/// Chosen controller files with their checksums.
+fn checksums(results: &Results, chosen: impl Fn(&WrittenFile) -> bool, words: &Words) -> Option<Section> {
+    let known = results.campaign.controller_files.iter().filter(|f| f.sha256.is_some() && chosen(f));
+    let files: Vec<&WrittenFile> = known.collect();
     let columns = Columns::<&WrittenFile>::new()
         .both(phrase!("file"), "", |f| Cell::from(&f.file))
         .both(phrase!("formats"), "", |f| Text::name(&f.format))
@@ -263,6 +319,41 @@ mod tests {
     }
 
     #[test]
+    fn a_certificate_lists_no_file_that_should_not_be_loaded() {
+        let (mut documents, words) = (complete(), Words::default());
+        let sha256 = files::sha256(b"a controller file");
+        documents.campaign.controller_files = vec![WrittenFile {
+            format: "json".to_owned(),
+            file: "controller.json".to_owned(),
+            is_for_controllers: false,
+            sha256: Some(sha256.clone()),
+            omitted_effects: Vec::new(),
+            check: None,
+        }];
+        let section =
+            |documents: &Documents| serde_json::to_string(&loaded_section(&documents.results(), &words)).unwrap();
+        assert!(section(&documents).contains(&sha256));
+        documents.accuracy.limits[0].acceptance = etalon_documents::Acceptance::Fail;
+        let withheld = section(&documents);
+        let reason = tr!(words, "certificate-no-file", answer = "resolve");
+        assert!(!withheld.contains(&sha256) && withheld.contains(&reason), "{withheld}");
+    }
+
+    #[test]
+    fn a_certificate_says_that_errors_after_calibration_are_computed() {
+        let (mut documents, words) = (complete(), Words::default());
+        let last = |documents: &Documents| certificate_contents(documents).verdict.sentences.pop().unwrap();
+        let computed = tr!(words, "certificate-computed");
+        let unknown = tr!(words, "certificate-controller-unknown");
+        assert_eq!(last(&documents), format!("{computed} {unknown}"));
+        let backup =
+            Source { file: "before.bak".to_owned(), kind: SourceKind::Backup, ..documents.import.sources[0].clone() };
+        let known = tr!(words, "certificate-controller-before", file = backup.file, sha256 = backup.sha256);
+        documents.import.sources.push(backup);
+        assert_eq!(last(&documents), format!("{computed} {known}"));
+    }
+
+    #[test]
     fn errors_have_their_uncertainty_and_residuals_their_expected_size() {
         let mut documents = complete();
         let errors = |documents: &Documents| {
@@ -276,9 +367,10 @@ mod tests {
             standard_uncertainty_mm: 0.0019,
             contributions: Vec::new(),
         }];
-        // 2 × 0.0019 mm, √(212.4/149) and 0.026 mm over this ratio
+        // 2 × 0.0019 mm, √(212.4/149) and 0.026 mm over this ratio; 0.0442 mm − 0.0019 mm × √9.348
+        // (chi-square of 3 degrees of freedom, 97.5 %), 0.0442 mm + 0.0038 mm
         let text = errors(&documents);
-        for number in ["0.0038", "1.19", "0.0218 mm"] {
+        for number in ["0.0038", "1.19", "0.0218 mm", "0.0384 to 0.0480", "p < 0.001"] {
             assert!(text.contains(number), "{number}: {text}");
         }
     }

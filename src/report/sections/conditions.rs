@@ -74,7 +74,12 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
 pub(super) fn certificate_facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let remarks = [tr!(words, "contact"), tr!(words, "notes")];
     let conditions = facts(results, words).into_iter().filter(|(what, _)| !remarks.contains(what));
-    identity(results, words).into_iter().chain(conditions).collect()
+    let until = tr!(words, "valid-until");
+    let agreed = |(what, said): (String, Cell)| match what == until {
+        true => (tr!(words, "valid-until-agreed"), said),
+        false => (what, said),
+    };
+    identity(results, words).into_iter().map(agreed).chain(conditions).collect()
 }
 
 /// Name of the robot in the campaign, which differs from its model.

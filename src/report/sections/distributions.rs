@@ -43,6 +43,7 @@ pub(crate) fn sections(document: &UncertaintyDocument, words: &Words) -> Vec<Sec
     let mut errors = Section::new("errors", tr!(words, "distributions-of-errors"));
     errors.push(Block::Table(table(&document.errors, words).on(phrase!("sheet-distributions-of-errors"))));
     errors.push(Block::note(Text::from(tr!(words, "largest-error-drawn"))));
+    errors.push(Block::note(Text::from(tr!(words, "errors-contain-noise"))));
     [parameters, errors].into_iter().filter_map(|section| section.on_terminal().whole()).collect()
 }
 

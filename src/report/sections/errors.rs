@@ -1,6 +1,7 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
 use super::relative;
+use crate::coverage;
 use crate::model::{
     Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, number_cell, significant, term, yes_no,
 };
@@ -67,6 +68,9 @@ fn with_flagged(
     for set in accuracy.sets.iter().filter(|set| whole || is_deciding(accuracy, set)) {
         push_set(&mut section, accuracy, set, words);
     }
+    if let Some(set) = accuracy.sets.last() {
+        section.push(Block::note(coverage::sentences(accuracy, set, words)));
+    }
     if !accuracy.placed_apart.is_empty() {
         section.push(Block::text(placed_by_validation(&accuracy.placed_apart, words)));
     }
@@ -78,18 +82,8 @@ fn with_flagged(
         let p = number::p_value(p);
         section.push(Block::text(tr!(words, "probability-of-errors", probability = p)));
     }
-    if let Some(d) = &accuracy.validation_distance {
-        let number = |v: f64| number::fixed(v, 2);
-        let region = if d.largest > ValidationDistance::BEYOND { "beyond" } else { "within" };
-        section.push(Block::text(tr!(
-            words,
-            "errors-hold-among",
-            region,
-            ratio = number(d.median),
-            largest = number(d.largest),
-            outside = d.outside,
-            total = d.poses
-        )));
+    if let Some(distance) = &accuracy.validation_distance {
+        section.push(Block::text(validation_region(distance, words)));
     }
     if let Some(relative) = &accuracy.relative {
         relative::push(&mut section, relative, words);
@@ -109,6 +103,20 @@ fn with_flagged(
     section.push(Block::Table(residuals(errors, words)));
     section.push(Block::Table(nodes(accuracy, words)));
     section.on_terminal()
+}
+
+/// Sentence on the validation poses outside the region of the calibration poses.
+pub(super) fn validation_region(distance: &ValidationDistance, words: &Words) -> String {
+    let number = |v: f64| number::fixed(v, 2);
+    tr!(
+        words,
+        "errors-hold-among",
+        region = if distance.is_within() { "within" } else { "beyond" },
+        ratio = number(distance.median),
+        largest = number(distance.largest),
+        outside = distance.outside,
+        total = distance.poses
+    )
 }
 
 /// `true` for the set whose errors decide: the last one.
@@ -392,16 +400,32 @@ fn poses(errors: &[PointError], flagged: &Flagged, words: &Words) -> Table {
     let DisplayUnit { unit, factor } = number::display_unit("mm", largest);
     let length = move |v: Option<f64>| number_cell(v, |v| number::significant(v * factor, 3));
     let angle = |v: Option<f64>| number_cell(v, |v| number::significant(v, 3));
+    // distances from sockets, wires or surfaces are no positions
+    let [before_mean, before_max, after_mean, after_max] =
+        match errors.iter().all(|p| p.quantity == ErrorQuantity::Position) {
+            true => [
+                phrase!("position-before-mean"),
+                phrase!("position-before-max"),
+                phrase!("position-after-mean"),
+                phrase!("position-after-max"),
+            ],
+            false => [
+                phrase!("error-before-mean"),
+                phrase!("error-before-max"),
+                phrase!("error-after-mean"),
+                phrase!("error-after-max"),
+            ],
+        };
     let columns = Columns::<OfPose>::new()
         .sheet(phrase!("set"), "", |r| r.set.name())
         .both(phrase!("pose"), "", |r| r.pose)
         .page(phrase!("set"), "", |r| Text::name(&words.tr(&r.set.phrase())))
         .both(phrase!("errors"), "", |r| r.errors.len())
-        .sheet(phrase!("position-before-mean"), "mm", |r| r.mean(before_mm))
-        .both(phrase!("position-before-max"), "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
+        .sheet(before_mean, "mm", |r| r.mean(before_mm))
+        .both(before_max, "mm", move |r| length(r.largest(|p| Some(before_mm(p)))))
         .in_unit(unit)
-        .sheet(phrase!("position-after-mean"), "mm", |r| r.mean(after_mm))
-        .both(phrase!("position-after-max"), "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
+        .sheet(after_mean, "mm", |r| r.mean(after_mm))
+        .both(after_max, "mm", move |r| length(r.largest(|p| Some(after_mm(p)))))
         .in_unit(unit)
         .both(phrase!("orientation-before-max"), "deg", move |r| angle(r.largest(|p| p.before_deg)))
         .both(phrase!("orientation-after-max"), "deg", move |r| angle(r.largest(|p| p.after_deg)))

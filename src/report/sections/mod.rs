@@ -27,6 +27,7 @@ pub(super) mod page_one;
 pub(super) mod parameters;
 pub(super) mod plan;
 pub(super) mod provenance;
+mod region;
 mod relative;
 mod repeatability;
 pub(super) mod selftest;

@@ -1,5 +1,6 @@
 //! Parameters with the significant digits of their uncertainties, covariances and correlations.
 
+use super::budget;
 use crate::model::{
     Block, Cell, Columns, Figure, Section, Table, Text, number_cell, significant, term, with_uncertainty,
 };
@@ -24,6 +25,7 @@ pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words
         section.table(title, "", table(of, words));
     }
     section.push(Block::text(effective_values(document, words)));
+    section.blocks.extend(information(document, words));
     section.push(Block::Table(sheet(&document.parameters)));
     let meanings = vec![Block::Table(meanings(&document.parameters, words).detail())];
     section.push(Block::Aside { title: tr!(words, "meanings-title"), blocks: meanings });
@@ -50,6 +52,24 @@ fn effective_values(document: &ParametersDocument, words: &Words) -> String {
         return String::new();
     }
     tr!(words, "effective-parameters", names = effective.join(", "))
+}
+
+/// Notes on values and uncertainties that come mostly from nominal values.
+pub(super) fn information(document: &ParametersDocument, words: &Words) -> Vec<Block> {
+    let by_nominal: Vec<&str> =
+        document.parameters.iter().filter(|p| p.is_from_nominal()).map(|p| p.name.as_str()).collect();
+    let of_values = match by_nominal.is_empty() {
+        true => String::new(),
+        false => tr!(words, "values-by-nominal", count = by_nominal.len(), names = by_nominal.join(", ")),
+    };
+    let texts = [of_values, budget::by_tolerances(document, words)];
+    texts.into_iter().filter(|text| !text.is_empty()).map(Block::text).collect()
+}
+
+/// Share (%) of an identified value that the data determine.
+pub(super) fn share_of_data(p: &ParameterEntry) -> Cell {
+    let share = p.determined.filter(|_| p.status == ParameterStatus::Identified);
+    number_cell(share.map(|share| 100.0 * share), |percent| number::fixed(percent, 0))
 }
 
 /// Groups of parameters by owner (robot, base, targets, fixtures), because their magnitudes differ.
@@ -85,6 +105,7 @@ fn has_nominal(parameters: &[&ParameterEntry]) -> bool {
 fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
     let moved = parameters.iter().any(|p| p.before != p.nominal);
     let stated = has_nominal(parameters);
+    let shared = parameters.iter().any(|p| p.is_from_nominal());
     let columns = Columns::<&ParameterEntry>::new()
         .page(phrase!("name"), "", |p| p.name.as_str())
         .page(phrase!("unit"), "", |p| p.unit.as_str())
@@ -96,7 +117,8 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
         .page("U = 2u", "", |p| significant(p.standard_uncertainty.map(|u| 2.0 * u), 2))
         .page(phrase!("change-by-u"), "", |p| number_cell(change_over_u(p), number::ratio))
         .page(phrase!("tolerance"), "", |p| significant(p.tolerance, 3))
-        .page(phrase!("status"), "", |p| status(p.status, words))
+        .page(phrase!("from-data"), "%", move |p| if shared { share_of_data(p) } else { Cell::Missing })
+        .page(phrase!("status"), "", |p| status(p, words))
         .page(phrase!("confounded-with"), "", |p| confounded(p, words));
     Table::new(words, parameters, columns).without_empty_columns()
 }
@@ -129,7 +151,8 @@ fn sheet(parameters: &[ParameterEntry]) -> Table {
         .sheet("U = 2u", "", |p| p.standard_uncertainty.map(|u| 2.0 * u))
         .sheet(phrase!("change-by-u"), "", change_over_u)
         .sheet(phrase!("tolerance"), "", |p| p.tolerance)
-        .sheet(phrase!("status"), "", |p| status(p.status, words))
+        .sheet(phrase!("from-data"), "%", share_of_data)
+        .sheet(phrase!("status"), "", |p| status(p, words))
         .sheet(phrase!("confounded-with"), "", |p| Text::name(&p.confounded_with.join(", ")))
         .sheet(phrase!("head-meaning"), "", |p| p.meaning.as_str());
     Table::new(words, parameters, columns).on(phrase!("parameters-title"))
@@ -152,8 +175,9 @@ fn meanings(parameters: &[ParameterEntry], words: &Words) -> Table {
 }
 
 /// Origin of a parameter's value in words.
-pub(super) fn status(status: ParameterStatus, words: &Words) -> Cell {
-    match status {
+pub(super) fn status(p: &ParameterEntry, words: &Words) -> Cell {
+    match p.status {
+        ParameterStatus::Identified if p.is_from_nominal() => term(words, phrase!("from-nominal-value")),
         ParameterStatus::Identified => term(words, phrase!("identified")),
         ParameterStatus::Fixed => term(words, phrase!("held-by-the-campaign")),
         ParameterStatus::NotIdentifiable => term(words, phrase!("held-not-identifiable")),
@@ -190,6 +214,8 @@ fn matrix(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tests::demo::Documents;
+    use etalon_documents::{BudgetSource, NominalUncertainties, UncertaintySource};
 
     #[test]
     fn digits_follow_the_uncertainty() {
@@ -223,5 +249,46 @@ mod tests {
         assert_eq!(change_over_u(&p), None);
         p.tolerance = Some(1.0);
         assert_eq!(change_over_u(&p).map(|r| r.round()), Some(2046.0), "a stated place is a claim");
+    }
+
+    #[test]
+    fn values_that_data_do_not_determine_are_marked() {
+        let (words, mut document) = (Words::default(), Documents::demo().parameters);
+        let shown =
+            |document: &ParametersDocument| serde_json::to_string(&section_from_document(document, &words)).unwrap();
+        let marked = tr!(words, "from-nominal-value");
+        document.parameters[1].determined = Some(0.62);
+        assert!(!shown(&document).contains(&marked) && information(&document, &words).is_empty());
+        document.parameters[1].determined = Some(0.16);
+        let page = shown(&document);
+        assert!(page.contains(&marked) && page.contains("\"16\""), "{page}");
+        assert!(page.contains(&tr!(words, "values-by-nominal", count = 1, names = "gamma")), "{page}");
+        // a value that is held comes from nothing else
+        document.parameters[1].status = ParameterStatus::Fixed;
+        assert!(!shown(&document).contains(&marked));
+    }
+
+    /// Of eleven identified values, two have no smaller contribution than their tolerance, one of
+    /// them a default.
+    #[test]
+    fn uncertainties_by_tolerances_are_counted() {
+        let (words, mut document) = (Words::default(), Documents::demo().parameters);
+        assert!(information(&document, &words).is_empty());
+        let by_nominal = |k: usize, u: f64| if k < 2 { 3.0 * u } else { 0.0 };
+        let standard_uncertainties: Vec<f64> =
+            document.identified().enumerate().map(|(k, p)| by_nominal(k, p.standard_uncertainty.unwrap())).collect();
+        let nominal = standard_uncertainties.iter().map(|u| Some(*u)).collect();
+        document.parameters[0].tolerance = Some(0.1);
+        document.budget.push(BudgetSource {
+            source: UncertaintySource::NominalValues,
+            standard_uncertainties,
+            nominal: Some(NominalUncertainties { standard_uncertainties: nominal, tolerance_factor: 0.044 }),
+        });
+        let blocks = serde_json::to_string(&information(&document, &words)).unwrap();
+        let sentences = [
+            tr!(words, "uncertainty-by-tolerances", count = 2, default = 1),
+            tr!(words, "uncertainty-by-default-tolerances", factor = "0.044"),
+        ];
+        assert!(blocks.contains(&sentences.join(" ")), "{blocks}");
     }
 }

@@ -198,7 +198,16 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } Warnungen schränken das Ergebnis ein
     }
 certificate-coverage = U: erweiterte Messunsicherheit, Erweiterungsfaktor k = 2, Überdeckungswahrscheinlichkeit etwa 95 % bei Normalverteilung.
+certificate-computed = „Nachher“ ist mit den identifizierten Parametern aus den aufgezeichneten Gelenkwerten berechnet; der Roboter wurde nicht mit einer geladenen Datei gemessen. „Vorher“ ist mit Nennparametern berechnet, mit angepasster Basis und angepassten Zielmarken.
+certificate-controller-before = Die Steuerung hatte die Werte von `{ $file }` (SHA-256 { $sha256 }), die von den Nennwerten abweichen können.
+certificate-controller-unknown = Die Werte in der Steuerung sind nicht angegeben und können von den Nennwerten abweichen.
 certificate-held = Die Werte gelten gemeinsam. U setzt voraus, dass die festgehaltenen Werte exakt sind. Ein einzelner Wert ist kein Maß eines Teils des Roboters.
+certificate-interval = U: erweiterte Messunsicherheit des Werts, Erweiterungsfaktor k = 2. Letzte Spalte: Abweichung des Roboters ohne das Rauschen der Messwerte, Überdeckungswahrscheinlichkeit mindestens 95 %.
+certificate-no-file = Dieser Kalibrierschein nennt keine Datei zum Laden: { $answer ->
+        [keep_nominal] Die identifizierten Parameter sind nicht deutlich besser als die Nennparameter
+        [identify_further] Zuerst müssen weitere Effekte identifiziert werden
+       *[resolve] Nach der Bewertung darf keine Datei geladen werden
+    }.
 certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
@@ -473,6 +482,8 @@ end-of-report = Ende des Berichts
 environment = Umgebung
 error = Abweichung
 error-after-in-plane = Abweichung nach der Kalibrierung: { $quantity }, { $plane }
+error-after-max = Abweichung nachher, Maximum
+error-after-mean = Abweichung nachher, Mittelwert
 error-against = Abweichung nach der Kalibrierung: { $quantity }, über { $against }
 error-at-poses = { $quantity } an { $count ->
         [one] 1 Pose
@@ -484,6 +495,8 @@ error-at-poses = { $quantity } an { $count ->
 error-axis-linear = Die Achse der Abweichung ist linear: Die größte Abweichung vor der Kalibrierung ist höchstens das { $factor }-Fache des Medians nach der Kalibrierung.
 error-axis-logarithmic = Die Achse der Abweichung ist logarithmisch: Die größte Abweichung vor der Kalibrierung übersteigt das { $factor }-Fache des Medians nach der Kalibrierung.
 error-before-in-plane = Abweichung vor der Kalibrierung: { $quantity }, { $plane }
+error-before-max = Abweichung vorher, Maximum
+error-before-mean = Abweichung vorher, Mittelwert
 error-definition = Abweichung: { $error }; { $values }; Statistik über die Beträge, jede Wiederholung einzeln gezählt
 error-in = Abweichung in { $quantity } ({ $unit })
 error-by-pose = Abweichungen je Pose: { $quantity }
@@ -515,6 +528,7 @@ errors-by-number-of-positions = Positionsabweichungen über der Anzahl der Posit
 errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse ({ $unit }).
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-by-set-and-pose = Abweichungen nach Gruppe und nach Pose
+errors-contain-noise = Jede Abweichung enthält das Rauschen ihres Messwerts, das Mittelwert, quadratischen Mittelwert und Maximum vergrößert. Die Abweichung des Roboters ohne Rauschen liegt mit einer Wahrscheinlichkeit von mindestens 95 % unter Wert + U. Wert ± U ist nicht ihr Überdeckungsintervall.
 errors-draws-confirm = Die Ziehungen bestätigen die berichtete Unsicherheit aller { $errors } Abweichungen an den Validierungsposen.
 errors-draws-larger = Bei { $differing } von { $errors } Abweichungen an den Validierungsposen ist die Unsicherheit der Ziehungen größer; sie entscheidet (JCGM 101:2008, Abschnitt 8).
 errors-hold-among = { $region ->
@@ -526,6 +540,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
     }
 errors-of-each-pose = Abweichungen je Pose
+errors-of-noise-alone = Rauschen allein kann die größte Abweichung dieser Größen erklären: { $quantities }. Der Wert ist dann eine Obergrenze.
 errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet.
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
 errors-overlaid-title = Abweichungen vorher und nachher: { $quantity }
@@ -580,7 +595,7 @@ force-up-to = Kraft bis
 formats = Formate
 formats-without-all-parameters = Diese Formate können nicht alle identifizierten Parameter aufnehmen. Ihre Dateien enthalten eine zweite Identifikation, bei der die übrigen Parameter auf ihren Nennwerten festgehalten sind. Positionsabweichungen: RMS und Maximum.
 formulas-of-characteristics = Kenngrößen: nach ISO 9283:1998, von der nur der Text von 7.2.2 verglichen wurde
-formulas-of-identification = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate, verglichen mit den Tabellen einer Dissertation (A. Joubair, ÉTS Montréal 2012, Kapitel 1 bis 4)
+formulas-of-identification = Koordinatensysteme und Identifikation: gewichtete kleinste Quadrate, verglichen mit den Tabellen einer Dissertation über einen PreXYT-Tisch und einen Fünfgelenkroboter (A. Joubair, ÉTS Montréal 2012, Kapitel 1 bis 4)
 formulas-of-uncertainties = Unsicherheiten: nach JCGM 100:2008 und JCGM 101:2008
 frame-as-exported = die Koordinaten der Exporte sind im Weltkoordinatensystem angegeben
 frame-from-plane = xy-Ebene: Geometrieelement `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
@@ -590,8 +605,10 @@ frames-and-features = Koordinatensysteme und Geometrieelemente
 frames-of-poses = Koordinatensysteme der Posen
 from = von
 from-cycle-on = ab Zyklus
+from-data = aus den Daten
 from-distance = von
 from-in-unit = von ({ $unit })
+from-nominal-value = überwiegend aus dem Nennwert
 from-pose = von Pose
 from-pose-named = von Pose { $pose }
 from-residuals = aus den Residuen (als unabhängig behandelt)
@@ -638,6 +655,7 @@ head-stroke = Hub
 head-symbols = Formelzeichen
 head-tested = dieser Bericht
 head-u-nominal = u des Nennwerts
+head-without-noise = ohne Rauschen, 95 %
 head-verified = Auswertung bestätigt durch
 head-what = Gegenstand
 held = festgehalten
@@ -675,6 +693,7 @@ instrument-good-enough = Eignung des Messgeräts
 instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen übersteigt an keiner Pose 25 % von AP und RP.
 instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+left-out-feature = Geometrieelement `{ $feature }`, ohne redundanten Punkt gemessen
 left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
 moved-base = Basis
@@ -1110,9 +1129,11 @@ recorded-motion = Aufgezeichnete Bewegung
 reference-targets = Referenzmarken
 refused = abgelehnt
 refused-rows = { $refused } von { $total } Zeilen abgelehnt
+region-note = Bereiche der Werte an den gemessenen Posen. Die Ergebnisse gelten in den Bereichen der Kalibrierung.
 region-of-c = Bereich von C, im Basiskoordinatensystem
 region-of-orientation = Orientierung { $orientation } deg
 region-of-orientations = jede Orientierung von { $from } bis { $to } deg
+region-of-validity = Geltungsbereich
 relative-accuracy = Relative Genauigkeit: Abstände zwischen Posen ({ $set })
 relative-accuracy-note = Vorhergesagter minus gemessener Abstand einer Zielmarke zwischen zwei Posen. Die Basis wirkt sich auf diese Abweichungen nicht aus; die Zielmarke nicht, wenn beide Posen dieselbe Orientierung haben. U (k = 2): Messgerät, Koordinatensysteme und Zielmarken; die Parameter werden geprüft und tragen nicht bei.
 relative-accuracy-selection = Gezählt wird eine gleichmäßige Auswahl von { $pairs } aus { $available } Paaren; das Maximum bezieht sich auf diese Auswahl.
@@ -1197,6 +1218,7 @@ robot-changed-together = Kampagne { $to } gegenüber { $from }: Die { $parameter
 robot-column = Roboter
 robot-instrument-conditions = Roboter, Messgerät, Bedingungen
 robot-of-model = Roboter: { $model }
+robot-of-name = Roboter { $name }
 robot-unchanged-together = Kampagne { $to } gegenüber { $from }: Die { $parameters } Parameter des Roboters haben sich insgesamt nicht signifikant geändert (F = { $f } mit { $parameters } und { $degrees_of_freedom } Freiheitsgraden, { $probability }).
 robust = robust
 robust-fit = Robuste Anpassung
@@ -1502,6 +1524,8 @@ u-report = u, Bericht
 uncertainties = Unsicherheiten
 uncertainties-enlarged-by = Vergrößerungsfaktor der Unsicherheiten
 uncertainties-of-robot = Unsicherheiten des Roboters { $robot }
+uncertainty-by-default-tolerances = Für diese gilt die voreingestellte Toleranz des Programms, multipliziert mit { $factor }, dem Faktor, der am besten zu den Daten passt.
+uncertainty-by-tolerances = Werte, deren Unsicherheit überwiegend aus der Toleranz des Nennwerts stammt: { $count }. Davon ohne angegebene Toleranz: { $default }.
 uncertainty-budget = Messunsicherheitsbudget
 uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
 uncertainty-inflation = das { $factor }-Fache des Werts aus { $beside ->
@@ -1522,6 +1546,7 @@ unshown-frame-targets = Positionsabweichungen der Zielmarken, die das Weltkoordi
 unshown-scale = ein allen gemessenen Längen gemeinsamer Faktor: die Längen des Roboters nehmen ihn auf
 unshown-shift = eine allen Messwerten gemeinsame Verschiebung oder Drehung: die Basis nimmt sie auf
 valid-until = gültig bis
+valid-until-agreed = gültig bis, mit dem Kunden vereinbart
 valid-until-column = Gültig bis
 validation = Validierung
 validation-of-given-parameters = Validierung gegebener Parameter
@@ -1529,6 +1554,10 @@ value = Wert
 value-and-limit = { $quantity } { $value } { $unit }, Grenzwert { $limit } { $unit }
 value-tooltip = { $name }: { $value } ± { $uncertainty } { $unit }
 value-with-interval = { $value } µm (95 %: { $low } bis { $high })
+values-by-nominal = { $count ->
+        [one] 1 Wert stammt überwiegend aus seinem Nennwert, weil die Daten ihn kaum bestimmen: { $names }.
+       *[other] { $count } Werte stammen überwiegend aus ihren Nennwerten, weil die Daten sie kaum bestimmen: { $names }.
+    }
 values-given = vorher: Nennparameter des Roboters mit der Basis und den Zielmarken, die die frühere Kalibrierung daran angepasst hat; nachher: alle Parameter wie gegeben, einschließlich Basis und Zielmarken; keine Anpassung an diese Daten
 values-given-prior = vorher: Nennparameter des Roboters, mit an die Kalibrierposen angepasster Basis und Zielmarken; nachher: alle Parameter wie gegeben, Basis und Zielmarken aus ihrer gegebenen Kovarianz und den Kalibrierposen geschätzt (wahrscheinlichste Werte)
 values-given-refit = vorher: Nennparameter des Roboters; nachher: gegebene Parameter; beide mit an die Kalibrierposen angepasster Basis und Zielmarken

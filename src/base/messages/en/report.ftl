@@ -189,7 +189,16 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } warnings limit the answer
     }
 certificate-coverage = U: expanded uncertainty, coverage factor k = 2, coverage probability about 95 % for a normal distribution.
+certificate-computed = “After” is computed with the identified parameters from the recorded joint values; the robot was not measured with a file loaded. “Before” is computed with nominal parameters, and fitted base and targets.
+certificate-controller-before = The controller had the values of `{ $file }` (SHA-256 { $sha256 }), which may differ from the nominal ones.
+certificate-controller-unknown = The values in the controller are not given, and may differ from the nominal ones.
 certificate-held = The values apply as one set. U assumes that the held values are exact. A single value is not the dimension of a part of the robot.
+certificate-interval = U: expanded uncertainty of the value, coverage factor k = 2. Last column: error of the robot without the noise of the readings, coverage probability at least 95 %.
+certificate-no-file = This certificate lists no file to load: { $answer ->
+        [keep_nominal] the identified parameters are not clearly better than the nominal ones
+        [identify_further] further effects must be identified first
+       *[resolve] the verdict allows no file to be loaded
+    }.
 certificate-parameters = Parameters, identified and held
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
@@ -452,6 +461,8 @@ end-of-report = End of report
 environment = environment
 error = error
 error-after-in-plane = Error after calibration: { $quantity }, { $plane }
+error-after-max = error after, max
+error-after-mean = error after, mean
 error-against = Error after calibration: { $quantity }, versus { $against }
 error-at-poses = { $quantity } at { $count } { $set } poses{ $readings ->
         [0] {""}
@@ -460,6 +471,8 @@ error-at-poses = { $quantity } at { $count } { $set } poses{ $readings ->
 error-axis-linear = The error axis is linear: the largest error before is at most { $factor } times the median after.
 error-axis-logarithmic = The error axis is logarithmic: the largest error before exceeds { $factor } times the median after.
 error-before-in-plane = Error before calibration: { $quantity }, { $plane }
+error-before-max = error before, max
+error-before-mean = error before, mean
 error-definition = error: { $error }; { $values }; statistics: of magnitudes, counting each repeat
 error-in = { $quantity } error ({ $unit })
 error-by-pose = Errors by pose: { $quantity }
@@ -491,6 +504,7 @@ errors-by-number-of-positions = Position errors versus number of positions
 errors-by-pose-linear = One mark per pose, cycle and target; linear axis ({ $unit }).
 errors-by-pose-logarithmic = One mark per pose, cycle and target; logarithmic axis ({ $unit }).
 errors-by-set-and-pose = Errors by set and by pose
+errors-contain-noise = An error is the deviation of a reading and contains its noise, which increases mean, RMS and maximum. The error of the robot without noise is below value + U with a probability of at least 95 %. Value ± U is not its coverage interval.
 errors-draws-confirm = The draws confirm the reported uncertainty of all { $errors } errors at the validation poses.
 errors-draws-larger = For { $differing } of { $errors } errors at the validation poses, the draws give the larger uncertainty; this value is used (JCGM 101:2008, clause 8).
 errors-hold-among = { $region ->
@@ -499,6 +513,7 @@ errors-hold-among = { $region ->
     }: the distance from a validation pose to the nearest calibration pose is { $ratio } × the spacing of the calibration poses (median; maximum { $largest } ×). Distinct validation positions with a joint outside its calibration range: { $outside } of { $total }.
 errors-not-drawn = { $count } errors with a non-finite position or value are not drawn.
 errors-of-each-pose = Errors by pose
+errors-of-noise-alone = Noise alone can explain the largest error of these quantities: { $quantities }. The value is then an upper bound.
 errors-of-poses-drawn = { $drawn } of { $total } errors are plotted.
 errors-overlaid-description = Shares of { $count } points of { $set }; logarithmic axis.
 errors-overlaid-title = Errors before and after: { $quantity }
@@ -553,7 +568,7 @@ force-up-to = force up to
 formats = formats
 formats-without-all-parameters = These formats cannot hold all identified parameters. Their files contain a second identification with the remaining parameters held at their nominal values. Position errors: RMS and maximum.
 formulas-of-characteristics = characteristics: by ISO 9283:1998; only clause 7.2.2 was compared with the text of the standard
-formulas-of-identification = frames and identification: weighted least squares, compared with the tables of a thesis (A. Joubair, ÉTS Montréal 2012, chapters 1 to 4)
+formulas-of-identification = frames and identification: weighted least squares, compared with the tables of a thesis on a PreXYT table and a five-bar robot (A. Joubair, ÉTS Montréal 2012, chapters 1 to 4)
 formulas-of-uncertainties = uncertainties: after JCGM 100:2008 and JCGM 101:2008
 frame-as-exported = the coordinates of the exports are in the world frame
 frame-from-plane = xy plane: feature `{ $plane }`; origin: `{ $origin }`; { $axis } axis: `{ $from }` to `{ $to }`; other axis towards `{ $towards }`
@@ -563,8 +578,10 @@ frames-and-features = Frames and features
 frames-of-poses = frames of poses
 from = from
 from-cycle-on = from cycle on
+from-data = from the data
 from-distance = from
 from-in-unit = from ({ $unit })
+from-nominal-value = mostly from the nominal value
 from-pose = from pose
 from-pose-named = from pose { $pose }
 from-residuals = from the residuals (treated as independent)
@@ -611,6 +628,7 @@ head-stroke = stroke
 head-symbols = symbols
 head-tested = this report
 head-u-nominal = u of the nominal value
+head-without-noise = without noise, 95 %
 head-verified = evaluation verified by
 head-what = what
 held = held
@@ -645,6 +663,7 @@ instrument-good-enough = Suitability of the instrument
 instrument-good-for-all = Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.
 instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
+left-out-feature = feature `{ $feature }`, measured without a redundant point
 left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = thermal expansion of robot and part ([expansion])
 moved-base = base
@@ -1059,9 +1078,11 @@ recorded-motion = Recorded motion
 reference-targets = Reference targets
 refused = rejected
 refused-rows = { $refused } of { $total } rows rejected
+region-note = Ranges of the values at the measured poses. The results apply within the ranges of the calibration.
 region-of-c = region of C, in the base frame
 region-of-orientation = orientation { $orientation } deg
 region-of-orientations = every orientation from { $from } to { $to } deg
+region-of-validity = Region of validity
 relative-accuracy = Relative accuracy: distances between { $set } poses
 relative-accuracy-note = Predicted minus measured distance of one target between two poses. The base has no effect on these errors; the target has none if both poses have the same orientation. U (k = 2): instrument, frames and targets. The parameters are under test, so their uncertainty is not included.
 relative-accuracy-selection = The statistics use an even selection of { $pairs } of { $available } pairs; the maximum is the maximum of this selection.
@@ -1146,6 +1167,7 @@ robot-changed-together = Campaign { $to } versus { $from }: the { $parameters } 
 robot-column = Robot
 robot-instrument-conditions = Robot, instrument, conditions
 robot-of-model = Robot: { $model }
+robot-of-name = Robot { $name }
 robot-unchanged-together = Campaign { $to } versus { $from }: the { $parameters } parameters of the robot did not change significantly as a whole (F = { $f } with { $parameters } and { $degrees_of_freedom } degrees of freedom, { $probability }).
 robust = robust
 robust-fit = Robust fit
@@ -1436,6 +1458,8 @@ u-report = u, report
 uncertainties = uncertainties
 uncertainties-enlarged-by = uncertainty inflation factor
 uncertainties-of-robot = Uncertainties of robot { $robot }
+uncertainty-by-default-tolerances = For these, the program uses its default tolerance, multiplied by { $factor }, the factor that agrees best with the data.
+uncertainty-by-tolerances = Values whose uncertainty rests mostly on the tolerance of the nominal value: { $count }. Tolerances among them that nobody gave: { $default }.
 uncertainty-budget = Uncertainty budget
 uncertainty-for-outliers = ± { $uncertainty } µm per coordinate ({ $factor } standard deviations), independent for each observation
 uncertainty-inflation = { $factor } × the value from { $beside ->
@@ -1456,6 +1480,7 @@ unshown-frame-targets = position errors of the targets that define the world fra
 unshown-scale = a common factor of all measured lengths: absorbed by the lengths of the robot
 unshown-shift = a shift or rotation common to all readings: absorbed by the base
 valid-until = valid until
+valid-until-agreed = valid until, as agreed with the customer
 valid-until-column = Valid until
 validation = validation
 validation-of-given-parameters = Validation of given parameters
@@ -1463,6 +1488,10 @@ value = value
 value-and-limit = { $quantity } { $value } { $unit }, limit { $limit } { $unit }
 value-tooltip = { $name }: { $value } ± { $uncertainty } { $unit }
 value-with-interval = { $value } µm (95 %: { $low } to { $high })
+values-by-nominal = { $count ->
+        [one] 1 value comes mostly from its nominal value, because the data hardly determine it: { $names }.
+       *[other] { $count } values come mostly from their nominal values, because the data hardly determine them: { $names }.
+    }
 values-given = before: nominal robot parameters, with the base and targets that the earlier calibration fitted to them; after: all parameters as given, including base and targets; nothing is fitted to these data
 values-given-prior = before: nominal robot parameters, with base and targets fitted to the calibration poses; after: all parameters as given, with base and targets estimated from their given covariance and the calibration poses (most probable values)
 values-given-refit = before: nominal robot parameters; after: given parameters; both with base and targets fitted to the calibration poses

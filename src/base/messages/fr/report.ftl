@@ -201,7 +201,16 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } avertissements limitent le résultat
     }
 certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
+certificate-computed = « Après » est calculé avec les paramètres identifiés d’après les valeurs articulaires enregistrées ; le robot n’a pas été mesuré avec un fichier chargé. « Avant » est calculé avec les paramètres nominaux, base et cibles ajustées.
+certificate-controller-before = Le contrôleur avait les valeurs de `{ $file }` (SHA-256 { $sha256 }), qui peuvent différer des valeurs nominales.
+certificate-controller-unknown = Les valeurs dans le contrôleur ne sont pas indiquées et peuvent différer des valeurs nominales.
 certificate-held = Les valeurs s’appliquent ensemble. U suppose que les valeurs fixées sont exactes. Une valeur seule n’est pas la cote d’une pièce du robot.
+certificate-interval = U : incertitude élargie de la valeur, facteur d’élargissement k = 2. Dernière colonne : erreur du robot sans le bruit des lectures, probabilité de couverture d’au moins 95 %.
+certificate-no-file = Ce certificat ne cite aucun fichier à charger : { $answer ->
+        [keep_nominal] les paramètres identifiés ne sont pas nettement meilleurs que les paramètres nominaux
+        [identify_further] d’autres effets doivent d’abord être identifiés
+       *[resolve] le verdict ne permet de charger aucun fichier
+    }.
 certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
@@ -476,6 +485,8 @@ end-of-report = Fin du rapport
 environment = environnement
 error = erreur
 error-after-in-plane = Erreur après étalonnage : { $quantity }, { $plane }
+error-after-max = erreur après, maximum
+error-after-mean = erreur après, moyenne
 error-against = Erreur après étalonnage : { $quantity }, en fonction de : { $against }
 error-at-poses = { $quantity } sur { $count ->
         [one] { $count } pose
@@ -487,6 +498,8 @@ error-at-poses = { $quantity } sur { $count ->
 error-axis-linear = L’axe des erreurs est linéaire : la plus grande erreur avant étalonnage vaut au plus { $factor } fois la médiane après étalonnage.
 error-axis-logarithmic = L’axe des erreurs est logarithmique : la plus grande erreur avant étalonnage dépasse { $factor } fois la médiane après étalonnage.
 error-before-in-plane = Erreur avant étalonnage : { $quantity }, { $plane }
+error-before-max = erreur avant, maximum
+error-before-mean = erreur avant, moyenne
 error-definition = erreur : { $error } ; { $values } ; statistiques sur les normes, chaque répétition étant comptée
 error-in = erreur selon { $quantity } ({ $unit })
 error-by-pose = Erreurs par pose : { $quantity }
@@ -518,6 +531,7 @@ errors-by-number-of-positions = Erreurs de position en fonction du nombre de pos
 errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({ $unit }).
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
+errors-contain-noise = Une erreur contient le bruit de sa lecture, qui augmente moyenne, moyenne quadratique et maximum. L’erreur du robot sans bruit est inférieure à valeur + U avec une probabilité d’au moins 95 %. Valeur ± U n’est pas son intervalle de couverture.
 errors-draws-confirm = Les tirages confirment l’incertitude rapportée des { $errors } erreurs aux poses de validation.
 errors-draws-larger = Pour { $differing } erreurs sur { $errors } aux poses de validation, l’incertitude des tirages est la plus grande et fait foi (JCGM 101:2008, article 8).
 errors-hold-among = { $region ->
@@ -529,6 +543,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
     }
 errors-of-each-pose = Erreurs par pose
+errors-of-noise-alone = Le bruit seul peut expliquer la plus grande erreur de ces grandeurs : { $quantities }. La valeur est alors un majorant.
 errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées.
 errors-overlaid-description = Proportions de { $count } points ({ $set }) ; axe logarithmique.
 errors-overlaid-title = Erreurs avant et après : { $quantity }
@@ -583,7 +598,7 @@ force-up-to = force jusqu’à
 formats = formats
 formats-without-all-parameters = Ces formats ne peuvent pas contenir tous les paramètres identifiés. Leurs fichiers contiennent une seconde identification, les autres paramètres étant fixés à leurs valeurs nominales. Erreurs de position : RMS et maximum.
 formulas-of-characteristics = caractéristiques : d’après l’ISO 9283:1998, dont seul le texte de 7.2.2 a été comparé
-formulas-of-identification = repères et identification : moindres carrés pondérés, comparés aux tableaux d’une thèse (A. Joubair, ÉTS Montréal 2012, chapitres 1 à 4)
+formulas-of-identification = repères et identification : moindres carrés pondérés, comparés aux tableaux d’une thèse sur une table PreXYT et un robot à cinq barres (A. Joubair, ÉTS Montréal 2012, chapitres 1 à 4)
 formulas-of-uncertainties = incertitudes : d’après JCGM 100:2008 et JCGM 101:2008
 frame-as-exported = les coordonnées des exports sont dans le repère atelier
 frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
@@ -593,8 +608,10 @@ frames-and-features = Repères et éléments géométriques
 frames-of-poses = repères des poses
 from = de
 from-cycle-on = à partir du cycle
+from-data = d’après les données
 from-distance = de
 from-in-unit = de ({ $unit })
+from-nominal-value = surtout d’après la valeur nominale
 from-pose = de la pose
 from-pose-named = depuis la pose { $pose }
 from-residuals = d’après les résidus (traités comme indépendants)
@@ -641,6 +658,7 @@ head-stroke = course
 head-symbols = symboles
 head-tested = ce rapport
 head-u-nominal = u de la valeur nominale
+head-without-noise = sans bruit, 95 %
 head-verified = évaluation vérifiée par
 head-what = objet
 held = fixé
@@ -678,6 +696,7 @@ instrument-good-enough = Aptitude de l’instrument
 instrument-good-for-all = Apte : l’incertitude de mesure des positions est au plus 25 % de AP et de RP à toutes les poses.
 instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
+left-out-feature = élément géométrique `{ $feature }`, mesuré sans point redondant
 left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
 moved-base = base
@@ -1116,9 +1135,11 @@ recorded-motion = Mouvement enregistré
 reference-targets = Cibles de référence
 refused = rejetées
 refused-rows = { $refused } lignes sur { $total } rejetées
+region-note = Plages des valeurs aux poses mesurées. Les résultats s’appliquent dans les plages de l’étalonnage.
 region-of-c = région de C, dans le repère de la base
 region-of-orientation = orientation de { $orientation } deg
 region-of-orientations = toute orientation de { $from } à { $to } deg
+region-of-validity = Domaine de validité
 relative-accuracy = Exactitude relative : distances entre poses ({ $set })
 relative-accuracy-note = Distance prédite moins distance mesurée d’une cible entre deux poses. La base est sans effet sur ces erreurs ; la cible aussi si les deux poses ont la même orientation. U (k = 2) : instrument, repères et cibles ; les paramètres sont l’objet de l’essai et n’y contribuent pas.
 relative-accuracy-selection = Une sélection régulière de { $pairs } paires sur { $available } est évaluée ; le maximum est celui de cette sélection.
@@ -1203,6 +1224,7 @@ robot-changed-together = Campagne { $to } par rapport à { $from } : les { $par
 robot-column = Robot
 robot-instrument-conditions = Robot, instrument, conditions
 robot-of-model = Robot : { $model }
+robot-of-name = Robot { $name }
 robot-unchanged-together = Campagne { $to } par rapport à { $from } : les { $parameters } paramètres du robot n’ont pas changé significativement dans leur ensemble (F = { $f } avec { $parameters } et { $degrees_of_freedom } degrés de liberté, { $probability }).
 robust = robuste
 robust-fit = Ajustement robuste
@@ -1508,6 +1530,8 @@ u-report = u, rapport
 uncertainties = incertitudes
 uncertainties-enlarged-by = facteur de majoration des incertitudes
 uncertainties-of-robot = Incertitudes du robot { $robot }
+uncertainty-by-default-tolerances = Pour celles-ci, le programme prend sa tolérance par défaut, multipliée par { $factor }, le facteur le plus compatible avec les données.
+uncertainty-by-tolerances = Valeurs dont l’incertitude provient surtout de la tolérance de la valeur nominale : { $count }. Parmi elles, tolérances non indiquées : { $default }.
 uncertainty-budget = Bilan d’incertitude
 uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
 uncertainty-inflation = { $factor } fois la valeur due { $beside ->
@@ -1528,6 +1552,7 @@ unshown-frame-targets = erreurs de position des cibles qui définissent le repè
 unshown-scale = un facteur commun à toutes les longueurs mesurées : absorbé par les longueurs du robot
 unshown-shift = une translation ou une rotation commune à toutes les lectures : absorbée par la base
 valid-until = valable jusqu’au
+valid-until-agreed = valable jusqu’au, convenu avec le client
 valid-until-column = Valable jusqu’au
 validation = validation
 validation-of-given-parameters = Validation de paramètres donnés
@@ -1535,6 +1560,10 @@ value = valeur
 value-and-limit = { $quantity } { $value } { $unit }, limite { $limit } { $unit }
 value-tooltip = { $name } : { $value } ± { $uncertainty } { $unit }
 value-with-interval = { $value } µm (95 % : { $low } à { $high })
+values-by-nominal = { $count ->
+        [one] { $count } valeur provient surtout de sa valeur nominale, car les données la déterminent peu : { $names }.
+       *[other] { $count } valeurs proviennent surtout de leurs valeurs nominales, car les données les déterminent peu : { $names }.
+    }
 values-given = avant : paramètres nominaux du robot, avec la base et les cibles que l’étalonnage antérieur leur a ajustées ; après : tous les paramètres tels que donnés, base et cibles comprises ; aucun ajustement à ces données
 values-given-prior = avant : paramètres nominaux du robot, avec base et cibles ajustées aux poses d’étalonnage ; après : tous les paramètres tels que donnés, base et cibles étant estimées d’après leur covariance donnée et les poses d’étalonnage (valeurs les plus probables)
 values-given-refit = avant : paramètres nominaux du robot ; après : paramètres donnés ; les deux avec base et cibles ajustées aux poses d’étalonnage
