@@ -65,9 +65,23 @@ pub(super) fn identifier(name: &str) -> String {
     if name.is_empty() { "_".to_owned() } else { name.chars().map(safe).collect() }
 }
 
-/// Text that can neither end a comment, nor join lines, nor spell a trigraph.
+/// Text that can neither end a comment, nor join lines, nor spell a trigraph. Signs of units are
+/// written out, so that no number loses its unit.
 pub(crate) fn comment(text: &str) -> String {
-    let safe = |c: char| if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) { c } else { '_' };
+    let safe = |c: char| match c {
+        _ if c.is_ascii_alphanumeric() || " .,-_:()=+".contains(c) => c.to_string(),
+        'µ' | 'μ' => "u".to_owned(),
+        '°' => "deg".to_owned(),
+        '%' => "percent".to_owned(),
+        '±' => "+-".to_owned(),
+        '×' => "x".to_owned(),
+        '–' | '−' => "-".to_owned(),
+        '\u{a0}' | '\u{202f}' => " ".to_owned(),
+        ';' => ",".to_owned(),
+        // marks of names
+        '`' => String::new(),
+        _ => "_".to_owned(),
+    };
     text.chars().map(safe).collect()
 }
 
@@ -78,5 +92,17 @@ pub(super) fn real_literal(value: f64) -> String {
         Some((digits, exponent)) if !digits.contains('.') => format!("{digits}.0E{exponent}"),
         Some((digits, exponent)) => format!("{digits}E{exponent}"),
         None => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comment_keeps_units_and_cannot_end() {
+        assert_eq!(comment("noise 2.7 µm at k = 2; `pose` 1"), "noise 2.7 um at k = 2, pose 1");
+        assert_eq!(comment("45 % at 20 °C ± 2"), "45 percent at 20 degC +- 2");
+        assert_eq!(comment("*/ //\\ *) ?? \n\"'"), "__ ___ _) __ ___");
     }
 }
