@@ -46,7 +46,7 @@ fn tip_mm(p: &PointError, after: bool, factor: f64) -> Vector {
 impl<'a> Plane<'a> {
     fn new(errors: &'a [&'a PointError], seen: Seen) -> Self {
         let sides = [false, true].map(|after| {
-            let drawn = points::thin(errors, LIMIT, points::size(after));
+            let drawn = points::thin(errors, LIMIT, |p| seen.length(error(p, after)));
             let longest_mm = largest(drawn.iter().map(|p| seen.length(error(p, after))));
             let factor = enlargement(&drawn, seen, longest_mm);
             (drawn, longest_mm, factor)
@@ -188,6 +188,19 @@ mod tests {
         assert_eq!(first(before), first(after), "the same position at the same place");
         assert_eq!((after.rows.len(), before.rows.len()), (2, 0));
         assert_eq!(after.rows[1][8], "6.00");
+    }
+
+    /// The largest error in space is along z, and another one is the largest in the xy plane.
+    #[test]
+    fn a_selection_contains_the_largest_error_in_its_plane() {
+        let mut errors: Vec<_> = (0..300).map(|i| point(i, [i as f64, 0.0, 0.0], [0.1; 3], [0.01, 0.0, 0.0])).collect();
+        errors[101].after_mm = [0.0, 0.05, 0.0];
+        errors[200].after_mm = [0.0, 0.0, 0.08];
+        let all = arrows(&errors.iter().collect::<Vec<_>>(), false, &Words::default());
+        for (plane, longest) in [("xy", "50.0 µm"), ("xz", "80.0 µm")] {
+            let figure = all.iter().find(|f| f.pair == format!("arrows-{plane}") && f.side == "after").unwrap();
+            assert!(figure.caption_own.contains(longest), "{plane}: {}", figure.caption_own);
+        }
     }
 
     #[test]
