@@ -209,7 +209,7 @@ fn check_name(name: &str, words: &Words) -> String {
         "solver" => tr!(words, "solver"),
         "robot" => tr!(words, "parameters-title"),
         "preconditions" => tr!(words, "preconditions-column"),
-        "warnings" => tr!(words, "warnings-and-remarks"),
+        "warnings" => tr!(words, "decide-now"),
         limit => {
             let found = LimitQuantity::ALL.iter().find(|q| q.to_string() == limit);
             found.map_or_else(|| limit.to_owned(), |q| words.tr(&names::limit(*q)))
