@@ -942,6 +942,11 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "velocities_percent": ("", []),
         "visits": ("", ""),
     },
+    "Iso9283JudgedApproach": {
+        "cycles": ("", None),
+        "name": ("", ""),
+        "value_mm": ("", None),
+    },
     "Iso9283NamedStream": {
         "band_mm": ("", None),
         "file": ("", ""),
@@ -996,6 +1001,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "Iso9283Pose": {
         "ap_a_deg": ("", None),
+        "ap_approach": ("Iso9283JudgedApproach", None),
         "ap_b_deg": ("", None),
         "ap_c_deg": ("", None),
         "ap_conformity": ("", None),
@@ -1013,11 +1019,13 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "mean_radius_mm": ("", None),
         "noise_mm": ("", None),
         "pose": ("", None),
+        "position_uncertainty_mm": ("", None),
         "quarter_rule_met": ("", None),
         "rp_a_deg": ("", None),
         "rp_along_x_mm": ("", None),
         "rp_along_y_mm": ("", None),
         "rp_along_z_mm": ("", None),
+        "rp_approach": ("Iso9283JudgedApproach", None),
         "rp_b_deg": ("", None),
         "rp_c_deg": ("", None),
         "rp_conformity": ("", None),

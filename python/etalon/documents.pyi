@@ -1437,6 +1437,15 @@ class Iso9283Item(Record):
     visits: str
     """Poses of a cycle in order, or the path."""
 
+class Iso9283JudgedApproach(Record):
+    """Approach whose AP or RP is judged: the worst decision and, among these, the largest value."""
+    cycles: int
+    """Number of visits."""
+    name: str
+    """Value of the column `approach`, or the previous pose of the path."""
+    value_mm: float
+    """AP or RP of these visits."""
+
 class Iso9283NamedStream(Record):
     """A recorded motion."""
     band_mm: float | None
@@ -1520,6 +1529,10 @@ class Iso9283Pose(Record):
     """Accuracy and repeatability of one pose. Coordinates that the robot does not have are absent."""
     ap_a_deg: float | None
     """AP_a."""
+    ap_approach: Iso9283JudgedApproach | None
+    """Approach to which interval, verdict and 25 % rule of AP apply, if visits come from several: ISO 9283 defines
+    AP for one approach.
+    """
     ap_b_deg: float | None
     """AP_b."""
     ap_c_deg: float | None
@@ -1528,7 +1541,7 @@ class Iso9283Pose(Record):
     """Conformity of AP with the given limit."""
     ap_interval: Iso9283Interval | None
     """95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if given; null with fewer
-    than three visits.
+    than three visits. If AP drifts significantly, the interval contains AP of every set of cycles.
     """
     ap_interval_analytic: Iso9283Interval | None
     """95 % interval of AP in closed form, from the sampling alone."""
@@ -1560,6 +1573,8 @@ class Iso9283Pose(Record):
     """Standard deviation of one reading along each coordinate."""
     pose: int | str
     """Name of the pose."""
+    position_uncertainty_mm: float | None
+    """Expanded uncertainty of the instrument for a position (k = 2), if given."""
     quarter_rule_met: bool | None
     """`true` if both ratios are at most a quarter (clause 6)."""
     rp_a_deg: float | None
@@ -1570,6 +1585,10 @@ class Iso9283Pose(Record):
     """RP along y alone."""
     rp_along_z_mm: float | None
     """RP along z alone."""
+    rp_approach: Iso9283JudgedApproach | None
+    """Approach to which interval, verdict and 25 % rule of RP apply, if visits come from several: ISO 9283 defines
+    RP for one approach.
+    """
     rp_b_deg: float | None
     """RP_b."""
     rp_c_deg: float | None
@@ -1603,9 +1622,11 @@ class Iso9283Pose(Record):
     sd_radius_mm: float | None
     """Standard deviation of the distance from the barycentre."""
     uncertainty_over_ap: float | None
-    """Expanded uncertainty of the instrument for a position (k = 2) over AP, if given."""
+    """Expanded uncertainty of the instrument for a position (k = 2) over AP, if given; the largest ratio of all
+    approaches.
+    """
     uncertainty_over_rp: float | None
-    """Expanded uncertainty of the instrument over RP."""
+    """Expanded uncertainty of the instrument over RP; the largest ratio of all approaches."""
 
 class Iso9283Posing(Record):
     """Moves from one pose to another (9)."""

@@ -42,7 +42,8 @@ pub(super) fn trends(all: &[&Iso9283Document], messages: &mut Vec<Message>) -> V
 }
 
 fn accuracy(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
-    let known = |p: &&Iso9283Pose| Some((p.ap_mm?, p.ap_interval?.low_mm, p.ap_interval?.high_mm));
+    let known =
+        |p: &&Iso9283Pose| Some(((PoseCharacteristic::AP.value)(p)?, p.ap_interval?.low_mm, p.ap_interval?.high_mm));
     let values = all.iter().map(known).collect::<Option<Vec<Recovered>>>()?;
     let change = |[from, to]: [usize; 2]| changed([from, to], &recovered(values[from], values[to]), None);
     let value =
@@ -95,7 +96,10 @@ fn mean(value: f64, deviation: f64, visits: usize) -> Estimate {
 }
 
 fn repeatability(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
-    let known = |p: &&Iso9283Pose| Some((p.rp_mm?, p.rp_interval_analytic?, p.cycles as f64));
+    let known = |p: &&Iso9283Pose| {
+        let visits = p.rp_approach.as_ref().map_or(p.cycles, |approach| approach.cycles);
+        Some(((PoseCharacteristic::RP.value)(p)?, p.rp_interval_analytic?, visits as f64))
+    };
     let values = all.iter().map(known).collect::<Option<Vec<_>>>()?;
     let change = |[from, to]: [usize; 2]| {
         let scale = |(rp, i, n): (f64, Iso9283Interval, f64)| {

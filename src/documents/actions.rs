@@ -467,18 +467,20 @@ impl Evidence<'_> {
     /// Uncertainty of the instrument that the 25 % rule requires (ISO 9283:1998, 6).
     fn finer_instrument(&self, coarse: &[PoseName]) -> Option<Action> {
         let poses = self.judged.tested.poses.as_ref()?.poses.iter().filter(|p| coarse.contains(&p.pose));
-        // U over the characteristic, with the characteristic and its pose
-        let ratios =
-            poses.flat_map(|p| [(p.uncertainty_over_rp, p.rp_mm, p.pose), (p.uncertainty_over_ap, p.ap_mm, p.pose)]);
-        let known = ratios.filter_map(|(ratio, mm, pose)| Some((ratio?, mm?, pose))).filter(|r| r.0 > 0.25);
-        let (ratio, mm, pose) = known.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let what = phrase!("action-finer-instrument", uncertainty = length(0.25 * mm));
+        // U over the characteristic, with U and the pose
+        let ratios = poses.flat_map(|p| {
+            let expanded_mm = p.expanded_uncertainty_mm();
+            [p.uncertainty_over_rp, p.uncertainty_over_ap].map(|ratio| Some((ratio?, expanded_mm?, p.pose)))
+        });
+        let known = ratios.flatten().filter(|r| r.0 > 0.25);
+        let (ratio, expanded_mm, pose) = known.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let what = phrase!("action-finer-instrument", uncertainty = length(0.25 * expanded_mm / ratio));
         let reason = phrase!(
             "action-finer-instrument-reason",
             pose,
             count = coarse.len(),
             poses = listed(coarse),
-            uncertainty = length(ratio * mm),
+            uncertainty = length(expanded_mm),
             percent = format!("{:.0}", 100.0 * ratio)
         );
         Some(Action::new(ActionKind::ReduceUncertainty, what, reason))

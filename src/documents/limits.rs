@@ -17,8 +17,7 @@ mirror! {
         /// 4.2.1).
         SimpleAcceptance,
         /// Pass if the value is within the limit by at least its expanded uncertainty, fail if it
-        /// is beyond the limit by as much. Otherwise undecided (ILAC-G8:09/2019, 4.2.2 and
-        /// 4.2.3).
+        /// is beyond the limit by as much. Otherwise undecided (ILAC-G8:09/2019, 4.2.3).
         #[default]
         Guarded,
         /// Simple acceptance if the expanded uncertainty is at most a quarter of the limit,

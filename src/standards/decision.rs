@@ -27,7 +27,7 @@ pub enum DecisionRule {
     /// Simple acceptance: the value alone is compared with the limit (ILAC-G8:09/2019, 4.2.1).
     SimpleAcceptance,
     /// Guard band of the expanded uncertainty on either side of the limit (ILAC-G8:09/2019,
-    /// 4.2.2 and 4.2.3).
+    /// 4.2.3).
     #[default]
     Guarded,
     /// Simple acceptance if the expanded uncertainty is at most a quarter of the limit (JCGM

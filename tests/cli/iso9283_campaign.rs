@@ -36,7 +36,7 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert_eq!(loads, answered(&scratch, &["--compliance", "loads.csv"]));
     assert!(judged(&shown, "largest pose accuracy", "pass"), "{shown}");
     assert!(rows(&shown).iter().any(|row| row.starts_with("+x 1.83 ")), "{shown}");
-    assert!(shown.contains("(ILAC-G8:09/2019, 4.2.2): all 5 poses conform."), "{shown}");
+    assert!(shown.contains("(ILAC-G8:09/2019, 4.2.3): all 5 poses conform."), "{shown}");
     // what its README says was put in: P5 is off by 0.30 mm, and warms up by 60 µm
     let p5 = &of_campaign.poses[4];
     assert!((0.32..0.37).contains(&p5.ap_mm.unwrap()), "{:?}", p5.ap_mm);
@@ -173,7 +173,7 @@ fn labelled_visits_with_commanded_poses_have_the_accuracy_that_the_command_finds
         assert!(!found.robot.coplanarity_of_four.is_empty() && found.visits[0].attained_mm[2].abs() > 1.0);
         assert!(judged(&shown, "largest pose accuracy", "pass"), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-        assert!(html.contains("Largest vAP: "));
+        assert!(html.contains("vAP"));
         assert!(html.contains("Positioning accuracy") && html.contains("7.2.3") && html.contains("id=\"streams\""));
     }
 }
@@ -334,7 +334,7 @@ fn a_missed_limit_of_iso_9283_beside_an_identification_that_meets_its_own_is_mis
     ] {
         assert!(judged(&shown, limit, verdict), "{limit}: {shown}");
     }
-    let said = "1 of 3 limits of the campaign is not met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).";
+    let said = "1 of 3 limits of the campaign is not met. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.3).";
     assert!(shown.lines().any(|line| line == said), "{shown}");
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     let verdict = html.split_once("<section id=\"verdict\">").unwrap().1.split_once("</div>").unwrap().0;
@@ -372,7 +372,7 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
     // conforming, undecided and not conforming; the command proves by intervals, and so does the campaign
     for (sample, key, limits) in [
         ("pose-test", "accuracy_max_mm = 0.400", ["0.4", "0.35", "0.2"]),
-        ("prexyt-repeatability", "repeatability_max_mm = 0.040", ["0.04", "0.0294", "0.01"]),
+        ("prexyt-repeatability", "repeatability_max_mm = 0.040", ["0.04", "0.0145", "0.003"]),
     ] {
         for (limit_mm, verdict) in limits.into_iter().zip(["pass", "UNDECIDED", "FAIL"]) {
             let conforms = verdict == "pass";

@@ -24,9 +24,9 @@ fn ran(um: &str, rule: &str) -> (Scratch, Option<i32>, String) {
 fn a_worse_instrument_changes_the_statement_of_conformity() {
     let rule = |name: &str| format!("decision_rule = \"{name}\"");
     for (um, rule, code, verdict, named) in [
-        ("10", String::new(), 0, "pass", "guarded acceptance (ILAC-G8:09/2019, 4.2.2)"),
-        ("90", String::new(), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.2)"),
-        ("90", rule("guarded"), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.2)"),
+        ("10", String::new(), 0, "pass", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
+        ("90", String::new(), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
+        ("90", rule("guarded"), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
         ("90", rule("simple-acceptance"), 0, "conditional", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
         ("90", rule("shared-risk"), 1, "undecided", "shared risk (JCGM 106:2012, 8.2.1)"),
     ] {
@@ -187,14 +187,14 @@ fn synthetic_data_make_no_certificate() {
         let scratch = copy_sample(sample);
         assert!(etalon(scratch.root(), &["run", "campaign"]).status.success());
         for (language, title, rule, mark) in [
-            ("en", "not a certificate", "guarded acceptance (ILAC-G8:09/2019, 4.2.2)", "SYNTHETIC DATA"),
+            ("en", "not a certificate", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)", "SYNTHETIC DATA"),
             (
                 "fr",
                 "sans valeur de certificat",
-                "acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2)",
+                "acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.3)",
                 "DONNÉES SYNTHÉTIQUES",
             ),
-            ("de", "kein ", "Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2)", "SYNTHETISCHE DATEN"),
+            ("de", "kein ", "Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.3)", "SYNTHETISCHE DATEN"),
         ] {
             let written = etalon(scratch.root(), &["report", "campaign/out", "--certificate", "--language", language]);
             assert!(written.status.success(), "{}", text_of(&written));

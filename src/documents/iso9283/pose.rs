@@ -24,7 +24,7 @@ use etalon_standards::iso9283::pose::outlying::{
     OutlyingReading, RepeatedReading, outlying_readings, repeated_readings,
 };
 use etalon_standards::iso9283::pose::test::{PoseTest, from_pose};
-use etalon_standards::iso9283::pose::{CYCLES, PoseCharacteristics, PoseTestSettings, characteristics};
+use etalon_standards::iso9283::pose::{CYCLES, JudgedApproach, PoseCharacteristics, PoseTestSettings, characteristics};
 use etalon_standards::iso9283::statistics::interval::Interval;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,17 +102,22 @@ impl Iso9283Document {
         let placed: Vec<Message> = placed.map(|found| misplacement(&found)).collect::<Result<_>>()?;
         let test = &robots.first_robot_test();
         let poses: Vec<Iso9283Pose> = all(characteristics(test, settings)?);
-        let conventions = conventions(robots, settings);
+        let drifts: Vec<Iso9283Drift> = match settings.drift_set {
+            Some(size) => all(drifts(test, size)?),
+            None => Vec::new(),
+        };
+        let mut conventions = conventions(robots, settings);
+        let drifting: Vec<PoseName> = drifts.iter().filter(|d| d.is_significant).map(|d| d.pose).collect();
+        if !drifting.is_empty() {
+            conventions.push(phrase!("convention-interval-of-sets", count = drifting.len(), poses = drifting));
+        }
         Ok(Self {
             schema: "etalon/iso9283/1".to_owned(),
             conventions: all(conventions),
             distances: all(distances(test)?),
             approaches: all(variations(test)?),
             approach_phrases: approach_phrases(test),
-            drifts: match settings.drift_set {
-                Some(size) => all(drifts(test, size)?),
-                None => Vec::new(),
-            },
+            drifts,
             robot: Iso9283Robot {
                 exchangeability_mm: exchanged(robots)?,
                 coplanarity_mm: flatness(test)?,
@@ -273,8 +278,17 @@ mirror! {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rp_rotation_deg: Option<Vector> =
             p.rotation.and_then(|r| r.repeatability_rad).map(|v| v.map(f64::to_degrees)),
+        /// Approach to which interval, verdict and 25 % rule of AP apply, if visits come from
+        /// several: ISO 9283 defines AP for one approach.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ap_approach: Option<Iso9283JudgedApproach> = p.ap.approach.clone().map(Into::into),
+        /// Approach to which interval, verdict and 25 % rule of RP apply, if visits come from
+        /// several: ISO 9283 defines RP for one approach.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rp_approach: Option<Iso9283JudgedApproach> = p.rp.approach.clone().map(Into::into),
         /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if
-        /// given; null with fewer than three visits.
+        /// given; null with fewer than three visits. If AP drifts significantly, the interval
+        /// contains AP of every set of cycles.
         ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
         /// 95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if
         /// given; null with fewer than three visits.
@@ -298,15 +312,40 @@ mirror! {
         /// Conformity of RP with the given limit.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_conformity: Option<Conformity> = p.rp.conformity.map(Into::into),
-        /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if given.
+        /// Expanded uncertainty of the instrument for a position (k = 2), if given.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        position_uncertainty_mm: Option<f64> = p.ap.uncertainty.or(p.rp.uncertainty).map(|u| u.expanded_mm),
+        /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if given; the
+        /// largest ratio of all approaches.
         #[serde(skip_serializing_if = "Option::is_none")]
         uncertainty_over_ap: Option<f64> = p.ap.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
-        /// Expanded uncertainty of the instrument over RP.
+        /// Expanded uncertainty of the instrument over RP; the largest ratio of all approaches.
         #[serde(skip_serializing_if = "Option::is_none")]
         uncertainty_over_rp: Option<f64> = p.rp.uncertainty.map(|u| u.ratio).filter(|r| r.is_finite()),
         /// `true` if both ratios are at most a quarter (clause 6).
         #[serde(skip_serializing_if = "Option::is_none")]
         quarter_rule_met: Option<bool> = p.is_verified(),
+    }
+}
+
+mirror! {
+    /// Approach whose AP or RP is judged: the worst decision and, among these, the largest value.
+    struct Iso9283JudgedApproach of JudgedApproach {
+        /// Value of the column `approach`, or the previous pose of the path.
+        name: String,
+        /// Number of visits.
+        cycles: usize,
+        /// AP or RP of these visits.
+        value_mm: f64,
+    }
+}
+
+impl Iso9283Pose {
+    /// Expanded uncertainty of a position (mm); documents of earlier programs contain only its
+    /// ratios to the values of all visits.
+    pub fn expanded_uncertainty_mm(&self) -> Option<f64> {
+        let ratios = [(self.uncertainty_over_rp, self.rp_mm), (self.uncertainty_over_ap, self.ap_mm)];
+        self.position_uncertainty_mm.or_else(|| ratios.into_iter().find_map(|(ratio, mm)| Some(ratio? * mm?)))
     }
 }
 
@@ -317,8 +356,10 @@ pub struct PoseCharacteristic {
     pub symbol: &'static str,
     /// Limit of the largest value.
     pub limit: LimitQuantity,
-    /// Value (mm).
+    /// Value (mm) of all visits or, if they come from several approaches, of the judged approach.
     pub value: fn(&Iso9283Pose) -> Option<f64>,
+    /// Approach that is judged, if visits come from several.
+    pub approach: fn(&Iso9283Pose) -> Option<&Iso9283JudgedApproach>,
     /// 95 % interval.
     pub interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
     /// Conformity with the limit.
@@ -330,7 +371,8 @@ impl PoseCharacteristic {
     pub const AP: Self = Self {
         symbol: "AP",
         limit: LimitQuantity::AccuracyMaxMm,
-        value: |p| p.ap_mm,
+        value: |p| p.ap_approach.as_ref().map(|a| a.value_mm).or(p.ap_mm),
+        approach: |p| p.ap_approach.as_ref(),
         interval: |p| p.ap_interval,
         conformity: |p| p.ap_conformity,
     };
@@ -338,7 +380,8 @@ impl PoseCharacteristic {
     pub const RP: Self = Self {
         symbol: "RP",
         limit: LimitQuantity::RepeatabilityMaxMm,
-        value: |p| p.rp_mm,
+        value: |p| p.rp_approach.as_ref().map(|a| a.value_mm).or(p.rp_mm),
+        approach: |p| p.rp_approach.as_ref(),
         interval: |p| p.rp_interval,
         conformity: |p| p.rp_conformity,
     };
@@ -647,7 +690,7 @@ fn conventions(visits: &PoseTest, settings: &PoseTestSettings) -> Vec<Phrase> {
 /// Warning if visits of a pose come from several directions, because AP and RP of the standard
 /// assume one direction (7.2.1, 7.2.2).
 fn several_ways(visits: &PoseTest) -> Option<Message> {
-    let several = visits.poses.iter().filter(|p| p.approaches().values().filter(|count| **count > 1).count() > 1);
+    let several = visits.poses.iter().filter(|p| !p.repeated_approaches().is_empty());
     let poses: Vec<PoseName> = several.map(|p| p.pose).collect();
     (!poses.is_empty()).then(|| warning!("several-approaches", count = poses.len(), poses))
 }

@@ -52,7 +52,12 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
             svg.mark(Look::new(Shape::Circle, &class), at, 2.6, &tip);
         }
         svg.text("mid name-of", (middle.0, middle.1 - 0.5 * cell - 4.0), &tr!(words, "pose-named", pose = p.pose));
-        let text = format!("RP {} µm", words.fixed(1e3 * rp, 1));
+        let shown = words.fixed(1e3 * rp, 1);
+        // visits from several approaches have no common RP
+        let text = match p.rp_approach {
+            Some(_) => tr!(words, "scatter-of-all-visits", distance = shown),
+            None => format!("RP {shown} µm"),
+        };
         svg.text("mid", (middle.0, middle.1 + 0.5 * cell + 10.0), &text);
     }
     svg.legend(Look::new(Shape::Circle, "map o0"), &tr!(words, "first-cycle"));

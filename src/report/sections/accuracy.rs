@@ -2,7 +2,7 @@
 //! exchangeability of robots.
 
 use super::repeatability::{Named, angles, columns, conformity, interval, named};
-use crate::model::{Block, Columns, Section, Table, fixed};
+use crate::model::{Block, Columns, Section, Table, fixed, um};
 use crate::number;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -16,9 +16,18 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let mut section = Section::new("accuracy", tr!(words, "accuracy"));
     let note = tr!(words, "definition-ap");
     section.table(tr!(words, "accuracy-of-position"), note, positions(&poses, words));
+    section.blocks.extend(drifting(tested.poses.as_ref()?, words));
     let note = tr!(words, "definition-ap-rp-of-angles");
     section.table(tr!(words, "orientation-title"), note, orientation(&poses, words));
     section.on_terminal().whole()
+}
+
+/// Note on intervals of AP if AP drifted significantly.
+pub(super) fn drifting(document: &Iso9283Document, words: &Words) -> Option<Block> {
+    let drifted: Vec<String> =
+        document.drifts.iter().filter(|d| d.is_significant).map(|d| d.pose.to_string()).collect();
+    let (count, poses) = (drifted.len(), drifted.join(", "));
+    (count > 0).then(|| Block::text(tr!(words, "accuracy-drifts", count, poses)))
 }
 
 /// Distances between poses (7.3).
@@ -42,9 +51,14 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
 /// Accuracy of position of each pose.
 pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
-        .page_columns(columns(words), &["pose", "visits", "AP"])
+        .page(phrase!("pose"), "", |n| n.name.clone())
+        .page(phrase!("approached"), "", |n| n.ap.approach())
+        .page(phrase!("visits"), "", |n| n.ap.visits)
+        .page("AP", "µm", |n| um(n.ap.value_mm))
         .page("95 %", "µm", |n| interval(n.pose.ap_interval, words))
-        .page_columns(columns(words), &["AP x", "AP y", "AP z"])
+        .page("AP x", "µm", |n| um(n.ap.deviation_mm[0]))
+        .page("AP y", "µm", |n| um(n.ap.deviation_mm[1]))
+        .page("AP z", "µm", |n| um(n.ap.deviation_mm[2]))
         .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
         .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words))
         .decisive();

@@ -53,7 +53,11 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
     let further = super::characteristics(&results.tested, words).filter(|s| !PRINTED.contains(&s.id.as_str()));
     let mut sections: Vec<Section> = sections.into_iter().flatten().collect();
     let place = sections.iter().position(|s| s.id == "characteristics").map_or(sections.len(), |i| i + 1);
-    sections.splice(place..place, further.map(|section| Section { annex: false, ..section }));
+    let printed = further.map(|mut section| {
+        section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
+        Section { annex: false, ..super::with_measurement_point(section, results, words) }
+    });
+    sections.splice(place..place, printed);
     let mut sentences = whole.verdict.sentences;
     if results.identified.is_some() {
         sentences.push(computed(results, words));
@@ -228,13 +232,19 @@ fn checksums(results: &Results, chosen: impl Fn(&WrittenFile) -> bool, words: &W
 
 /// AP and RP of each pose, with measurement point, load and velocity.
 fn characteristics_section(results: &Results, words: &Words) -> Option<Section> {
-    let poses = repeatability::named(results.tested.poses.as_ref()?, words);
+    let document = results.tested.poses.as_ref()?;
+    let poses = repeatability::named(document, words);
     let mut section = Section::new("characteristics", tr!(words, "iso9283-characteristics"));
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
+    section.blocks.extend(accuracy::drifting(document, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
     section.table(tr!(words, "orientation-title"), "", accuracy::orientation(&poses, words));
-    let conventions = results.tested.poses.iter().flat_map(|document| &document.conventions);
-    section.push(Block::note(Text::conventions(&conventions.cloned().collect::<Vec<_>>(), words)));
+    section.table("vAP", tr!(words, "definition-vap"), repeatability::variation(document, words));
+    repeatability::approach_tables(document, words).into_iter().for_each(|block| section.push(block));
+    let note = tr!(words, "definition-quarter-rule");
+    section.table(tr!(words, "instrument-good-enough"), note, repeatability::quarter_rule(&poses, words));
+    section.table(tr!(words, "coplanarity"), "", repeatability::coplanarity(document, words));
+    section.push(Block::note(Text::conventions(&document.conventions, words)));
     section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
     section.whole().map(|section| super::with_measurement_point(section, results, words))
 }

@@ -13,7 +13,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         .both(phrase!("direction"), "", |d| d.direction.as_str())
         .both(phrase!("compliance"), "mm/N", move |d| per_newton(Some(d.compliance_mm_n)))
         .in_unit("µm/N")
-        .both("u (k = 1)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n))
+        .both("U (k = 2)", "mm/N", move |d| per_newton(d.standard_uncertainty_mm_n.map(|u| 2.0 * u)))
         .in_unit("µm/N")
         .both(phrase!("force-up-to"), "N", |d| number_cell(d.force_n, |v| v.to_string()))
         .micrometres(phrase!("displacement-up-to"), |d| d.largest_mm)

@@ -36,8 +36,12 @@ fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
     let columns = Columns::<Iso9283Drift>::new()
         .page(phrase!("pose"), "", |d| d.pose)
         .page(phrase!("sets"), "", |d| d.ap_mm.len())
+        .page(phrase!("first-set", symbol = "AP"), "µm", |d| um(d.ap_mm.first().copied()))
+        .page(phrase!("last-set", symbol = "AP"), "µm", |d| um(d.ap_mm.last().copied()))
         .page("dAP", "µm", |d| um(d.dap_mm))
         .page("U (95 %)", "µm", |d| um(d.dap_expanded_uncertainty_mm))
+        .page(phrase!("first-set", symbol = "RP"), "µm", |d| um(d.rp_mm.first().copied()))
+        .page(phrase!("last-set", symbol = "RP"), "µm", |d| um(d.rp_mm.last().copied()))
         .page("dRP", "µm", |d| um(d.drp_mm))
         .page(phrase!("settled-after-set"), "", |d| {
             d.settled_after.map_or_else(|| Cell::from(Text::from("–")), Into::into)

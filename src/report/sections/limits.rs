@@ -51,6 +51,8 @@ pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words:
     section.table("", "", Table::new(words, all, columns).on(phrase!("limits")));
     if let Some(limit) = all.first() {
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
+        let has_interval = all.iter().any(|l| l.interval.is_some());
+        section.push(Block::detail(if has_interval { tr!(words, "limits-by-interval") } else { String::new() }));
     }
     section.on_terminal().whole()
 }

@@ -66,6 +66,9 @@ const ANNEXES: [Make; 12] = [
 /// Identifiers of characteristics that are annexes to AP, RP, drift and recorded motions.
 const DETAILS: [&str; 5] = ["poses", "distances", "exchangeability", "compliance", "posing"];
 
+/// Identifiers of characteristics of recorded motions.
+const RECORDED: [&str; 4] = ["stabilisation", "streams", "posing", "weaving"];
+
 /// Characteristics in the order of ISO 9283:1998, by their clauses.
 const CHARACTERISTICS: [fn(&Characteristics, &Words) -> Option<Section>; 11] = [
     test_poses::section,       // 6
@@ -108,6 +111,8 @@ fn with_measurement_point(mut section: Section, results: &Results, words: &Words
     let load = conditions.motion.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
     let percent = conditions.motion.velocities_percent.as_ref().map(|all| listed(all, "%"));
     let velocity = conditions.motion.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
+    let recorded = results.tested.streams.as_ref().filter(|_| RECORDED.contains(&section.id.as_str()));
+    let velocity = recorded.and_then(|document| streams::velocities(document, words)).or(velocity);
     let velocity = velocity.map(|velocity| tr!(words, "velocity-sentence", velocity));
     let point = tr!(words, "figures-of-measurement-point", point);
     let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();

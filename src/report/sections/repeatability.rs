@@ -5,7 +5,7 @@ use crate::model::{Block, Cell, Columns, Section, Table, Text, fixed, numbers, s
 use crate::number;
 use crate::plots::multiples;
 use crate::plots::visits::{self, Approaches, pose_visits};
-use crate::words::{Words, isolated, tr};
+use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_base::pose::{Vector, centroid, minus};
@@ -13,7 +13,7 @@ use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_documents::{
     Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
-    Iso9283Variation, Iso9283Visit,
+    Iso9283Variation, Iso9283Visit, PoseCharacteristic,
 };
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
@@ -34,7 +34,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     }
     let all = Table::new(words, &poses, columns(words).in_workbook()).on(phrase!("sheet-iso9283-poses"));
     section.push(Block::Table(all.without_empty_columns()));
-    section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: by_approach(document, words) });
+    section.table("vAP", tr!(words, "definition-vap"), variation(document, words));
+    section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: approach_tables(document, words) });
     let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
     section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks: figures });
     let details = vec![
@@ -42,15 +43,20 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         Block::Table(spheres(&poses, words).detail()),
     ];
     section.push(Block::Aside { title: tr!(words, "spheres-and-conventions"), blocks: details });
+    section.table(tr!(words, "coplanarity"), "", coplanarity(document, words));
+    section.push(Block::Table(robot_characteristics(document, words)));
+    section.push(Block::Table(attained(document, words)));
+    section.on_terminal().whole()
+}
+
+/// Distances of the mean positions of four poses from the plane of the other three.
+pub(super) fn coplanarity(document: &Iso9283Document, words: &Words) -> Table {
     let columns = Columns::<Iso9283OutOfPlane>::new().page(phrase!("pose"), "", |p| p.pose).page(
         phrase!("coplanarity-of-pose"),
         "µm",
         |p| um(p.distance_mm),
     );
-    section.table(tr!(words, "coplanarity"), "", Table::new(words, &document.robot.coplanarity_of_four, columns));
-    section.push(Block::Table(robot_characteristics(document, words)));
-    section.push(Block::Table(attained(document, words)));
-    section.on_terminal().whole()
+    Table::new(words, &document.robot.coplanarity_of_four, columns)
 }
 
 /// Angles of a pose, in order.
@@ -78,16 +84,57 @@ pub(super) fn conformity(of: Option<Conformity>, words: &Words) -> Cell {
     })
 }
 
-/// A pose with its number, or homing with its name.
+/// A pose with its number, or homing with its name, and the visits that are judged.
 pub(super) struct Named<'a> {
-    name: Cell,
+    pub name: Cell,
     pub pose: &'a Iso9283Pose,
+    pub ap: JudgedVisits,
+    pub rp: JudgedVisits,
+}
+
+/// Visits to which interval, verdict and 25 % rule of a characteristic apply.
+pub(super) struct JudgedVisits {
+    /// Value of the characteristic (mm).
+    pub value_mm: Option<f64>,
+    /// Number of visits.
+    pub visits: usize,
+    /// Approach, if the visits of the pose come from several.
+    pub approach: Option<String>,
+    /// Mean minus commanded position.
+    pub deviation_mm: [Option<f64>; 3],
+}
+
+impl JudgedVisits {
+    fn new(characteristic: PoseCharacteristic, pose: &Iso9283Pose, document: &Iso9283Document, words: &Words) -> Self {
+        let value_mm = (characteristic.value)(pose);
+        let all = [pose.ap_x_mm, pose.ap_y_mm, pose.ap_z_mm];
+        let Some(judged) = (characteristic.approach)(pose) else {
+            return Self { value_mm, visits: pose.cycles, approach: None, deviation_mm: all };
+        };
+        let of_pose = document.approaches.iter().filter(|v| v.pose == pose.pose).flat_map(|v| &v.approaches);
+        let deviation = of_pose.filter(|a| a.name == judged.name).find_map(|a| a.deviation_mm);
+        // coordinates that the robot does not have are absent
+        let deviation_mm = [0, 1, 2].map(|axis| deviation.map(|d| d[axis]).filter(|_| all[axis].is_some()));
+        let approach = Some(Approaches::new(document, words).name(&judged.name));
+        Self { value_mm, visits: judged.cycles, approach, deviation_mm }
+    }
+
+    /// Name of the approach.
+    pub fn approach(&self) -> Cell {
+        self.approach.as_ref().map_or(Cell::Missing, |name| Text::name(name).into())
+    }
 }
 
 /// Poses of a document, and homing.
 pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Named<'a>> {
-    let poses = document.poses.iter().map(|pose| Named { name: pose.pose.into(), pose });
-    let homing = document.robot.homing.iter().map(|pose| Named { name: term(words, phrase!("report-homing")), pose });
+    let judged = |name: Cell, pose: &'a Iso9283Pose| Named {
+        name,
+        pose,
+        ap: JudgedVisits::new(PoseCharacteristic::AP, pose, document, words),
+        rp: JudgedVisits::new(PoseCharacteristic::RP, pose, document, words),
+    };
+    let poses = document.poses.iter().map(|pose| judged(pose.pose.into(), pose));
+    let homing = document.robot.homing.iter().map(|pose| judged(term(words, phrase!("report-homing")), pose));
     poses.chain(homing).collect()
 }
 
@@ -115,7 +162,10 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
         numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
     };
     let columns = Columns::<Named>::new()
-        .page_columns(columns(words), &["pose", "RP"])
+        .page(phrase!("pose"), "", |n| n.name.clone())
+        .page(phrase!("approached"), "", |n| n.rp.approach())
+        .page(phrase!("visits"), "", |n| n.rp.visits)
+        .page("RP", "µm", |n| um(n.rp.value_mm))
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
         .page_columns(columns(words), &[&phrase!("rp-without-noise").to_string()])
         .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
@@ -125,23 +175,18 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
     Table::new(words, known, columns).without_empty_columns()
 }
 
-/// Expanded uncertainty (mm) of a position, from its ratios to the characteristics of a pose.
-fn uncertainty_mm(pose: &Iso9283Pose) -> Option<f64> {
-    let ratios = [(pose.uncertainty_over_rp, pose.rp_mm), (pose.uncertainty_over_ap, pose.ap_mm)];
-    ratios.into_iter().find_map(|(ratio, mm)| Some(ratio? * mm?))
-}
-
-/// A quarter of the smaller characteristic (mm).
+/// A quarter of the smallest characteristic of a pose (mm).
 fn allowed_mm(pose: &Iso9283Pose) -> Option<f64> {
-    [pose.ap_mm, pose.rp_mm].into_iter().flatten().reduce(f64::min).map(|mm| 0.25 * mm)
+    let ratio = [pose.uncertainty_over_ap, pose.uncertainty_over_rp].into_iter().flatten().reduce(f64::max)?;
+    Some(0.25 * pose.expanded_uncertainty_mm()? / ratio)
 }
 
 /// Table of the 25 % rule by pose.
-fn quarter_rule(poses: &[Named], words: &Words) -> Table {
+pub(super) fn quarter_rule(poses: &[Named], words: &Words) -> Table {
     let over = |of: Option<f64>| of.map_or_else(|| term(words, phrase!("nothing-to-verify")), |r| fixed(r, 2));
     let columns = Columns::<Named>::new()
         .page(phrase!("pose"), "", |n| n.name.clone())
-        .page(phrase!("u-of-position"), "µm", |n| um(uncertainty_mm(n.pose)))
+        .page(phrase!("u-of-position"), "µm", |n| um(n.pose.expanded_uncertainty_mm()))
         .page(phrase!("u-over-ap"), "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
         .page(phrase!("u-over-rp"), "", |n| over(n.pose.uncertainty_over_rp))
         .page(phrase!("u-allowed"), "µm", |n| um(allowed_mm(n.pose)))
@@ -157,11 +202,15 @@ pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> Str
     let of =
         |met: bool| document.poses.iter().filter(move |p| p.quarter_rule_met == Some(met)).map(|p| p.pose.to_string());
     let (met, missed): (Vec<String>, Vec<String>) = (of(true).collect(), of(false).collect());
+    let tested = match document.poses.iter().any(|p| p.ap_mm.is_some()) {
+        true => "accuracy",
+        false => "repeatability",
+    };
     let sentence = match (met.is_empty(), missed.is_empty()) {
         (true, true) => return String::new(),
-        (_, true) => tr!(words, "instrument-good-for-all"),
-        (true, _) => tr!(words, "instrument-good-for-none"),
-        _ => tr!(words, "instrument-good-for-some", good = met.join(", "), poor = missed.join(", ")),
+        (_, true) => tr!(words, "instrument-good-for-all", tested),
+        (true, _) => tr!(words, "instrument-good-for-none", tested),
+        _ => tr!(words, "instrument-good-for-some", tested, good = met.join(", "), poor = missed.join(", ")),
     };
     // the rule of 25 % is applied to positions
     match document.poses.iter().any(|p| p.rp_a_deg.is_some()) {
@@ -189,6 +238,8 @@ pub(super) fn columns<'a>(words: &'a Words) -> Columns<'a, Named<'a>> {
         .micrometres("RP", |n| n.pose.rp_mm)
         .sheet(phrase!("rp-interval-from"), "mm", |n| n.pose.rp_interval.map(|i| i.low_mm))
         .sheet(phrase!("rp-interval-to"), "mm", |n| n.pose.rp_interval.map(|i| i.high_mm))
+        .sheet(phrase!("rp-of-judged-approach"), "mm", |n| n.pose.rp_approach.as_ref().map(|a| a.value_mm))
+        .sheet(phrase!("ap-of-judged-approach"), "mm", |n| n.pose.ap_approach.as_ref().map(|a| a.value_mm))
         .micrometres(phrase!("rp-without-noise"), |n| n.pose.rp_without_noise_mm)
         .sheet(phrase!("rp-in-plane"), "mm", |n| n.pose.rp_xy_mm)
         .sheet(phrase!("rp-along-x"), "mm", |n| n.pose.rp_along_x_mm)
@@ -236,31 +287,28 @@ struct OfApproach<'a> {
     spatial: bool,
 }
 
-/// Variation of AP between approaches.
-fn by_approach(document: &Iso9283Document, words: &Words) -> Vec<Block> {
-    if document.approaches.is_empty() {
-        return Vec::new();
-    }
-    let mut section = Section::new("", "");
-    section.push(Block::note(tr!(words, "definition-vap")));
-    for v in &document.approaches {
-        let [a, b] = v.between.each_ref().map(|name| isolated(&Approaches::new(document, words).name(name)));
-        let um = number::fixed(1e3 * v.vap_mm, 1);
-        section.push(Block::text(tr!(words, "vap-farthest", pose = v.pose, first = a, second = b, distance = um)));
-    }
-    section.push(Block::Table(approaches(document, words).detail()));
-    section.push(Block::Table(turned(document, words)));
+/// vAP of each pose, and the approaches with the largest distance.
+pub(super) fn variation(document: &Iso9283Document, words: &Words) -> Table {
+    let named = Approaches::new(document, words);
+    let between = move |v: &Iso9283Variation, i: usize| Text::name(&named.name(&v.between[i]));
     let columns = Columns::<Iso9283Variation>::new()
-        .sheet(phrase!("pose"), "", |v| v.pose)
-        .sheet("vAP", "mm", |v| v.vap_mm)
+        .both(phrase!("pose"), "", |v| v.pose)
+        .micrometres("vAP", |v| v.vap_mm)
+        .page(phrase!("head-between"), "", move |v| between(v, 0))
+        .page(phrase!("head-and"), "", move |v| between(v, 1))
         .sheet(phrase!("head-between"), "", |v| v.between[0].as_str())
         .sheet(phrase!("head-and"), "", |v| v.between[1].as_str())
         .sheet_xyz(["a", "b", "c"].map(|axis| phrase!("angle-vap", axis)), "deg", |v| &v.vap_angles_deg)
-        .sheet("vAP r", "deg", |v| v.vap_rotation_deg);
-    let variation = Table::new(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation"));
-    section.push(Block::Table(variation.without_empty_columns()));
-    section.blocks.extend(section.data.into_iter().map(Block::Table));
-    section.blocks
+        .both("vAP r", "deg", |v| fixed(v.vap_rotation_deg, 4));
+    Table::new(words, &document.approaches, columns).on(phrase!("sheet-iso9283-variation")).without_empty_columns()
+}
+
+/// Tables of the approaches, and of vAP of the angles.
+pub(super) fn approach_tables(document: &Iso9283Document, words: &Words) -> Vec<Block> {
+    if document.approaches.is_empty() {
+        return Vec::new();
+    }
+    vec![Block::Table(approaches(document, words).detail()), Block::Table(turned(document, words))]
 }
 
 fn approaches(document: &Iso9283Document, words: &Words) -> Table {

@@ -3,7 +3,7 @@
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, fixed, numbers, significant};
 use crate::number;
 use crate::plots::curves::{Curve, Curves, Mark};
-use crate::words::{Words, tr};
+use crate::words::{Words, isolated, tr};
 use etalon_base::phrase;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
@@ -64,6 +64,18 @@ pub(super) fn weaving(tested: &Characteristics, words: &Words) -> Option<Section
         }
     }
     section.on_terminal().whole()
+}
+
+/// Commanded velocities of the recorded paths, with the name of each recording; `None` if no
+/// recording has one.
+pub(super) fn velocities(document: &Iso9283StreamsDocument, words: &Words) -> Option<String> {
+    let commanded = |named: &Iso9283NamedStream| {
+        let velocity = named.stream.path.as_ref()?.velocity.as_ref()?;
+        let value = number::stated(velocity.commanded_mm_s);
+        Some(tr!(words, "velocity-of-recording", value, name = isolated(&named.name)))
+    };
+    let all: Vec<String> = document.streams.iter().filter_map(commanded).collect();
+    (!all.is_empty()).then(|| all.join(", "))
 }
 
 fn micrometres(mm: f64) -> String {
@@ -254,6 +266,9 @@ fn characteristics(document: &Iso9283StreamsDocument, words: &Words) -> Table {
             s.stream.path.as_ref().and_then(|p| p.rt_interval).map(|i| i.high_mm)
         })
         .sheet(phrase!("rt-location"), "mm", |s| s.stream.path.as_ref().and_then(|p| p.rt_along_mm))
+        .sheet(phrase!("commanded-velocity"), "mm/s", |s| {
+            s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.commanded_mm_s)
+        })
         .sheet(phrase!("mean-velocity"), "mm/s", |s| {
             s.stream.path.as_ref().and_then(|p| p.velocity.as_ref()).map(|v| v.mean_mm_s)
         })

@@ -34,10 +34,10 @@ fn places(document: &Iso9283Document, words: &Words) -> Table {
     let rows: Vec<(PoseName, usize, Vector)> =
         by_pose.into_iter().filter_map(|(pose, places)| Some((pose, places.len(), centroid(&places)?))).collect();
     let columns = Columns::<(PoseName, usize, Vector)>::new()
-        .page(phrase!("pose"), "", |(pose, ..)| *pose)
-        .page(phrase!("visits"), "", |(_, visits, _)| *visits)
-        .page("x", "mm", |(.., mean)| fixed(mean[0], 3))
-        .page("y", "mm", |(.., mean)| fixed(mean[1], 3))
-        .page("z", "mm", |(.., mean)| fixed(mean[2], 3));
-    Table::new(words, &rows, columns)
+        .both(phrase!("pose"), "", |(pose, ..)| *pose)
+        .both(phrase!("visits"), "", |(_, visits, _)| *visits)
+        .both("x", "mm", |(.., mean)| fixed(mean[0], 3))
+        .both("y", "mm", |(.., mean)| fixed(mean[1], 3))
+        .both("z", "mm", |(.., mean)| fixed(mean[2], 3));
+    Table::new(words, &rows, columns).on(phrase!("sheet-iso9283-places"))
 }

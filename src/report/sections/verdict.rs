@@ -15,14 +15,12 @@ use etalon_documents::{
     ToolFrame, VerdictDocument, WrittenFile,
 };
 
-/// Title of the report; a test of repeatability alone has its own title.
+/// Title of the report: the tested characteristics.
 pub(crate) fn title(tested: &Characteristics, words: &Words) -> String {
-    let repeatability = tested.poses.as_ref().is_some_and(|d| d.poses.iter().all(|p| p.ap_mm.is_none()));
-    match repeatability && tested.compliance.is_none() {
-        true => tr!(words, "repeatability-report"),
-        false => {
-            tr!(words, "iso9283-report", characteristics = clauses::tested_characteristics(tested, words))
-        }
+    let characteristics = clauses::tested_characteristics(tested, words);
+    match characteristics.is_empty() {
+        true => tr!(words, "iso9283-characteristics"),
+        false => tr!(words, "iso9283-report", characteristics),
     }
 }
 
@@ -674,7 +672,7 @@ mod tests {
                 by_rule(phrase!("all-poses-conform", count = 2)),
             ]
             .join(" "),
-            tr!(words, "instrument-good-for-all"),
+            tr!(words, "instrument-good-for-all", tested = "accuracy"),
             tr!(words, "limits-undecided", limits = phrase!("limit-accuracy-max")) + " " + &guarded(),
         ];
         assert_eq!((open.class, open.met, &open.sentences[5..]), (Grade::Open, false, &expected[..]));

@@ -67,16 +67,16 @@ fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, word
         Row { name: tr!(words, "way-back-before"), pose: check.before },
         Row { name: tr!(words, "way-back-after"), pose: check.after },
     ];
-    let columns = Columns::<Row>::new().page(phrase!("way-back-display"), "", |r| Text::from(r.name.clone()));
+    let columns = Columns::<Row>::new().both(phrase!("way-back-display"), "", |r| Text::from(r.name.clone()));
     let columns = ["x", "y", "z"]
         .into_iter()
         .enumerate()
-        .fold(columns, |columns, (axis, name)| columns.page(name, "mm", move |r| fixed(r.pose.xyz_mm[axis], DECIMALS)));
+        .fold(columns, |columns, (axis, name)| columns.both(name, "mm", move |r| fixed(r.pose.xyz_mm[axis], DECIMALS)));
     let columns = ["qw", "qx", "qy", "qz"]
         .into_iter()
         .enumerate()
-        .fold(columns, |columns, (part, name)| columns.page(name, "", move |r| fixed(r.pose.quaternion[part], 6)));
-    section.push(Block::Table(Table::new(words, &rows, columns)));
+        .fold(columns, |columns, (part, name)| columns.both(name, "", move |r| fixed(r.pose.quaternion[part], 6)));
+    section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("sheet-way-back"))));
     if !check.mastered_joint_values.is_empty() {
         let joints = listed(&check.mastered_joint_values);
         section.push(Block::text(tr!(words, "way-back-mastered", joints)));

@@ -93,6 +93,8 @@ pub(crate) fn iso9283() -> Iso9283Document {
         quarter_rule_met: Some(true),
         ..Iso9283Pose::default()
     };
+    let judged = Iso9283JudgedApproach { name: "from pose 2".to_owned(), cycles: 15, value_mm: 0.0111 };
+    let approached = Iso9283Pose { rp_approach: Some(judged), ..pose(1) };
     let approach = |name: &str, mean_mm| Iso9283Approach {
         name: name.to_owned(),
         cycles: 15,
@@ -104,7 +106,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
     Iso9283Document {
         schema: "etalon/iso9283/1".to_owned(),
         conventions: vec!["positions alone".into()],
-        poses: vec![pose(1), pose(2)],
+        poses: vec![approached, pose(2)],
         distances: vec![],
         approaches: vec![Iso9283Variation {
             pose: 1.into(),

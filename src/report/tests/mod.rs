@@ -5,7 +5,7 @@ mod answer;
 mod comparison;
 pub(super) mod demo;
 pub(super) mod demo_iso9283;
-mod demo_streams;
+pub(super) mod demo_streams;
 pub(super) mod page;
 mod terminal;
 mod workbook;

@@ -24,7 +24,7 @@ fn everything() -> Documents {
 fn a_campaign_shows_its_verdict_and_every_kind_of_result_in_aligned_columns() {
     let shown = terminal(&everything());
     let parts = [
-        "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.2).\n",
+        "(limit within the uncertainty): largest pose accuracy AP. Decision rule: guarded acceptance (ILAC-G8:09/2019, 4.2.3).\n",
         "\n\nNext steps\n1. ",
         "\n\nTo complete before signing: ",
         "\nLimits\n",

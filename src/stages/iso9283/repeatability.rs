@@ -40,7 +40,8 @@ pub fn evaluate(
         document.agree(phrase!("convention-planar"));
     }
     if let Some(homings) = &gathered.homings {
-        let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, ..settings };
+        // a homing is no pose of the test: no limit applies to it
+        let settings = PoseTestSettings { drift_set: None, ap_limit_mm: None, rp_limit_mm: None, ..settings };
         let homing = Iso9283Document::evaluate(homings, &settings)?.poses.pop();
         document.messages.extend(homing.as_ref().and_then(too_coarse));
         document.robot.homing = homing;

@@ -137,7 +137,7 @@ fn moved(of: &[&PointError]) -> Option<(f64, f64)> {
 mod tests {
     use super::*;
     use etalon_base::pose::Vector;
-    use etalon_documents::ErrorQuantity;
+    use etalon_documents::{ErrorQuantity, ReadingControl};
 
     /// Errors of a robot whose poses 8 to 20 have the joint values of the pose `shift` before.
     fn errors(shift: i64) -> Vec<PointError> {
@@ -156,8 +156,7 @@ mod tests {
                 before_deg: None,
                 after_deg: None,
                 joints: Vec::new(),
-                reliability: None,
-                own_redundancy: None,
+                control: ReadingControl::default(),
             }
         };
         (1..=20).map(error).collect()

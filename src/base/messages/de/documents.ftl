@@ -37,8 +37,8 @@ positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zu
 several-approaches = mehrere Anfahrrichtungen { $count ->
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
-    }: AP, RP und ihre Intervalle gelten für alle Anfahrten zusammen
-    .hint = die Werte jeder Anfahrrichtung verwenden: die Werte aller Anfahrten zusammen enthalten vAP, und ihre Streuung ist nicht normalverteilt
+    }: Intervalle, Grenzwerte und 25-%-Regel gelten für jede Anfahrrichtung
+    .hint = die Werte jeder Anfahrrichtung verwenden: die Werte aller Anfahrten zusammen enthalten vAP
 
 positions-in-other-unit = { $axes } der { $table ->
         [commanded] Sollpositionen

@@ -4,6 +4,10 @@ accepted = angenommen
 accuracy = Genauigkeit
 accuracy-at-pose = Größter Wert der Pose-Genauigkeit AP: { $accuracy } µm, an Pose { $pose }.
 accuracy-not-tested = Die Kampagne enthält keine Sollpositionen: Die Pose-Genauigkeit (AP) ist nicht geprüft.
+accuracy-drifts = AP ändert sich während der Prüfung signifikant { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }. Das Intervall dort enthält AP jedes Satzes von Zyklen: Es ist nicht das Überdeckungsintervall eines stabilen Roboters.
 accuracy-of-position = Positioniergenauigkeit
 accuracy-over-cycles = Pose-Genauigkeit jeder Pose im Verlauf der Prüfung.
 action-label = Abhilfe:
@@ -27,6 +31,7 @@ angle-ad = AD des Winkels { $axis }
 angle-rd = RD des Winkels { $axis }
 angle-vap = vAP des Winkels { $axis }
 ap-by-set = AP je Satz
+ap-of-judged-approach = AP der bewerteten Anfahrrichtung
 ap-interval-from = AP, 95 % von
 ap-interval-to = AP, 95 % bis
 ap-within-limit = AP innerhalb des Grenzwerts
@@ -108,7 +113,7 @@ branch-and-bound-nodes = Branch-and-Bound-Knoten
 budget-left-out = U enthält nicht, weil die Kampagne keine Werte angibt: { $sources }.
 budget-note = Beiträge zu den Standardunsicherheiten (k = 1), in der Einheit jeder Zeile. Die letzte Spalte ist die Wurzel ihrer Quadratsumme. Effekte, die mehreren Messwerten gemeinsam sind, gelten als korreliert.
 budget-of-default-tolerances = Voreingestellte Toleranzen sind mit { $factor } multipliziert, dem Faktor, der am besten zu den Daten passt.
-budget-of-errors-note = Messunsicherheit der Abweichungen, die mit den Grenzwerten verglichen werden: Messwerte, Koordinatensysteme, angepasste Basis und Zielmarken. Die identifizierten Parameter sind Gegenstand der Prüfung und tragen nichts bei. Die Grenzwerte werden mit der erweiterten Messunsicherheit beurteilt, dem Doppelten dieser Werte (k = 2).
+budget-of-errors-note = Messunsicherheit der Abweichungen in dieser Tabelle: Messwerte, Koordinatensysteme, angepasste Basis und Zielmarken. Die identifizierten Parameter sind Gegenstand der Prüfung und tragen nichts bei. Die Grenzwerte werden mit der erweiterten Messunsicherheit beurteilt, dem Doppelten dieser Werte (k = 2).
 budget-of-nominal-values = Standardunsicherheit eines Nennwerts: Toleranz / √3, für eine Rechteckverteilung (GUM 4.3.7).
 budget-of-parameters = Messunsicherheitsbudget der Parameter
 budget-shares-description = Ein Balken je Ergebnis: Quadrate der Beiträge in Prozent der Varianz.
@@ -276,6 +281,7 @@ command-theta = Sollwert θ
 command-x = Sollwert x
 command-y = Sollwert y
 commanded-away = Sollposition, { $distance } µm entfernt
+commanded-velocity = Sollgeschwindigkeit
 commanded-frequency = Sollfrequenz
 commanded-stroke = Sollhub
 commanded-tooltip = Sollposition: x { $x }, y { $y }, z { $z } µm vom Mittel
@@ -315,7 +321,11 @@ convention-different-instruments = die Kampagnen haben verschiedene Messgeräte:
 convention-drift-compensated = die Drift der Positionen und Orientierungen ist durch die Referenzmarken korrigiert
 convention-f-test = Parameter insgesamt: F-Test; er ist eine Näherung, wenn die Unsicherheiten aus den Abweichungen der Posen geschätzt sind, und dann zu oft signifikant, wenn nur eine oder zwei Koordinaten je Pose gemessen wurden
 convention-first-robot = von { $count } Robotern: alle Werte gelten für `{ $robot }`, außer der Austauschbarkeit
-convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
+convention-guarded-acceptance = Konformität: Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.3) und 95-%-Intervall: nur nachgewiesen, wenn das ganze Intervall auf einer Seite des Grenzwerts liegt
+convention-interval-of-sets = AP driftet signifikant { $count ->
+        [one] an Pose { $poses }
+       *[other] an den Posen { $poses }
+    }: das Intervall dort enthält AP jedes Satzes von Zyklen
 convention-intervals-instrument = die Intervalle berücksichtigen die Stichprobe und die erweiterte Messunsicherheit einer Koordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = die Intervalle berücksichtigen nur die Stichprobe: für das Messgerät ist keine Messunsicherheit angegeben
 convention-limit-band = Grenzband: { $band } mm um das Mittel des Stillstands
@@ -406,7 +416,7 @@ definition-ad-rd = AD: mittlerer Ist-Abstand minus Sollabstand; RD: drei Standar
 definition-ap = AP: Abstand der mittleren Istposition von der Sollposition, mit seinen Komponenten (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mittlerer Istwinkel minus Sollwinkel; RP: drei Standardabweichungen; ausgewertet für jeden Winkel (ISO 9283:1998, 7.2.1 und 7.2.2).
 definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Steigung der Ausgleichsgeraden durch die unbelastete Position (ISO 9283:1998, 10).
-definition-drift = dAP und dRP: Wert des letzten Satzes von Zyklen minus Wert des ersten (ISO 9283:1998, 7.6). U von dAP enthält die Streuung innerhalb der Sätze; Abweichungen, die das Messgerät wiederholt, heben sich auf.
+definition-drift = dAP und dRP: Betrag der Differenz zwischen dem ersten und dem letzten Satz von Zyklen (ISO 9283:1998, 7.6). U von dAP enthält die Streuung innerhalb der Sätze; Abweichungen, die das Messgerät wiederholt, heben sich auf.
 definition-of-errors = Definition der Abweichungen
 definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9). U enthält die Streuung der Bewegungen und das Abtastintervall.
 definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten. U ist die erweiterte Messunsicherheit einer Position (k = 2).
@@ -529,8 +539,8 @@ errors-by-pose-linear = Eine Marke je Pose, Zyklus und Zielmarke; lineare Achse 
 errors-by-pose-logarithmic = Eine Marke je Pose, Zyklus und Zielmarke; logarithmische Achse ({ $unit }).
 errors-by-set-and-pose = Abweichungen nach Gruppe und nach Pose
 errors-contain-noise = Jede Abweichung enthält das Rauschen ihres Messwerts, das Mittelwert, quadratischen Mittelwert und Maximum vergrößert. Die Abweichung des Roboters ohne Rauschen liegt mit einer Wahrscheinlichkeit von mindestens 95 % unter Wert + U. Wert ± U ist nicht ihr Überdeckungsintervall.
-errors-draws-confirm = Die Ziehungen bestätigen die berichtete Unsicherheit aller { $errors } Abweichungen an den Validierungsposen.
-errors-draws-larger = Bei { $differing } von { $errors } Abweichungen an den Validierungsposen ist die Unsicherheit der Ziehungen größer; sie entscheidet (JCGM 101:2008, Abschnitt 8).
+errors-draws-confirm = Die Ziehungen bestätigen die berichtete Unsicherheit der { $errors } Abweichungen in der Tabelle der Abweichungen.
+errors-draws-larger = Bei { $differing } von { $errors } Abweichungen an den Validierungsposen ist die Unsicherheit der Ziehungen größer (JCGM 101:2008, Abschnitt 8). Der lineare Wert im Bericht ist zu klein.
 errors-hold-among = { $region ->
         [beyond] Einige Validierungsposen liegen außerhalb des gemessenen Bereichs; ihre Abweichungen zählen mit
        *[within] Diese Werte gelten im gemessenen Bereich
@@ -587,6 +597,7 @@ filter-rows = Zeilen filtern
 first-cycle = erster Zyklus
 fit = Anpassung
 fit-and-observability = Anpassung und Beobachtbarkeit
+first-set = { $symbol }, erster Satz
 fits = Anpassungen
 fixed-in-the-world = Im Weltkoordinatensystem feste Elemente
 folder = Ordner
@@ -630,7 +641,7 @@ geometry-alone = Geometrie allein
 geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation
 geometry-improvement = Die größte mittlere Positionsabweichung sinkt durch Geometrie allein von { $nominal } mm auf { $geometric } mm: Faktor { $improvement }.
-guarded-acceptance = Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.2)
+guarded-acceptance = Annahme mit Schutzabstand (ILAC-G8:09/2019, 4.2.3)
 guarded-acceptance-explained = bestanden, wenn der Wert zuzüglich seiner erweiterten Messunsicherheit U den Grenzwert einhält; nicht bestanden, wenn der Wert abzüglich U ihn überschreitet; sonst unentschieden
 head-along = entlang
 head-and = und
@@ -690,9 +701,18 @@ instrument = Messgerät
 instrument-calibration = Kalibrierung des Messgeräts
 instrument-expanded-uncertainty = erweiterte Messunsicherheit des Messgeräts
 instrument-good-enough = Eignung des Messgeräts
-instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen übersteigt an keiner Pose 25 % von AP und RP.
-instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von AP oder RP; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
-instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von AP oder RP an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen übersteigt an keiner Pose 25 % von { $tested ->
+        [repeatability] RP
+       *[accuracy] AP und RP
+    }.
+instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von { $tested ->
+        [repeatability] RP
+       *[accuracy] AP oder RP
+    }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
+instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von { $tested ->
+        [repeatability] RP
+       *[accuracy] AP oder RP
+    } an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
 left-out-feature = Geometrieelement `{ $feature }`, ohne redundanten Punkt gemessen
 left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
@@ -733,6 +753,7 @@ largest-errors-of-poses = Abweichungen je Pose, die größten zuerst
 largest-mean-deviation-from-linear = größte mittlere Linearitätsabweichung
 largest-of-all-modes = größte aller Arbeitsmodi
 largest-residual-of-a-coordinate = größtes Residuum einer Koordinate
+last-set = { $symbol }, letzter Satz
 last-cycle = letzter Zyklus
 leads = Spindelsteigungen
 left = verbleibend
@@ -770,6 +791,7 @@ limited-error = { $quantity } an { $count ->
 limits = Grenzwerte
 limits-all-met = Alle { $count } Grenzwerte der Kampagne sind eingehalten.
 limits-are-of-file = Bewertet mit den Werten von `{ $file }`.
+limits-by-interval = Ein Wert mit einem Intervall wird nach den Grenzen des Intervalls statt nach U bewertet.
 limits-both-met = Beide Grenzwerte der Kampagne sind eingehalten.
 limits-not-assessable = Nicht beurteilbar (Größe nicht gemessen): { $limits }.
 limits-not-met = { $count ->
@@ -1022,7 +1044,7 @@ point-in-flange = Punkt { $point } mm im Flanschkoordinatensystem
 point-in-platform = Punkt { $point } mm im Plattformkoordinatensystem
 point-in-targets = Punkt { $point } mm im Koordinatensystem der Zielmarken
 points = Punkte
-points-drawn = { $drawn } von { $total } Punkten sind gezeichnet: eine gleichmäßige Auswahl einschließlich des größten Werts.
+points-drawn = { $drawn } von { $total } Punkten sind gezeichnet: eine gleichmäßige Auswahl einschließlich der größten Abweichung in dieser Ebene.
 points-of = { $set }, Punkte
 pose = Pose
 pose-accuracy-ap = Pose-Genauigkeit AP
@@ -1073,7 +1095,7 @@ position-residuals-explained = Positionsresiduen: RMS { $rms } { $unit }; aus d
 position-residuals-rms = Positionsresiduen, RMS
 position-rms = Position, RMS
 positions = Positionen
-preconditions-column = Voraussetzungen
+preconditions-column = Vorbehalte
 predicted-target-uncertainty = vorhergesagte Unsicherheit der Zielmarkenpositionen an den Kandidaten (k = 1)
 predicted-u = vorhergesagtes u (k = 1)
 predicted-uncertainty-title = Vorhergesagte Unsicherheit der Parameter
@@ -1148,7 +1170,6 @@ repeatability-from-one-approach = { $approaches ->
        *[other] Wiederholgenauigkeit bei einer einzigen Anfahrrichtung an Pose { $pose } ({ $approaches } Anfahrrichtungen): { $smallest } bis { $largest } µm; alle Anfahrrichtungen zusammen: { $together } µm.
     }
 repeatability-over-cycles = Pose-Wiederholgenauigkeit jeder Pose im Verlauf der Prüfung.
-repeatability-report = Bericht zur Pose-Wiederholgenauigkeit
 repeatability-title = Wiederholgenauigkeit
 repeats = Wiederholungen
 report = Bericht
@@ -1169,7 +1190,7 @@ reservation-file-hardly-better = die Steuerungsdatei für { $formats } bringt ke
 reservation-file-not-written = mindestens eine Steuerungsdatei wurde nicht geschrieben (siehe Meldungen)
 reservation-given-refused = die Parameter dürfen nicht verwendet werden: sie sind an den gemessenen Posen schlechter als die Nennparameter oder gehören zu einem anderen Roboter
 reservation-hardly-better = die identifizierten Parameter sind kaum besser als die Nennparameter: RMS { $rms } mm (nominal { $nominal_rms } mm), größte Abweichung { $max } mm (nominal { $nominal_max } mm)
-reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % von AP oder RP an { $count ->
+reservation-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Kenngröße an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, Abschnitt 6)
@@ -1241,6 +1262,8 @@ rp-by-set = RP je Satz
 rp-circle = Radius RP
 rp-circle-tooltip = Pose { $pose }: RP = { $rp } µm
 rp-in-plane = RP in x, y
+rp-of-judged-approach = RP der bewerteten Anfahrrichtung
+scatter-of-all-visits = alle Anfahrten: { $distance } µm
 rp-interval-from = RP, 95 % von
 rp-interval-to = RP, 95 % bis
 rp-within-limit = RP innerhalb des Grenzwerts
@@ -1319,6 +1342,7 @@ sheet-iso9283-approaches = ISO 9283, Anfahrrichtungen
 sheet-iso9283-compliance = ISO 9283, Nachgiebigkeit
 sheet-iso9283-distances = ISO 9283, Abstände
 sheet-iso9283-drift = ISO 9283, Drift
+sheet-iso9283-places = ISO 9283, mittlere Positionen
 sheet-iso9283-poses = ISO 9283, Posen
 sheet-iso9283-reference-targets = ISO 9283, Referenzmarken
 sheet-iso9283-robot = ISO 9283, Roboter
@@ -1372,6 +1396,7 @@ sheet-values = Werte
 sheet-wait = Wartezeit an jeder Pose
 sheet-wait-seconds = { $seconds } s
 sheet-wait-trigger = { $seconds } s; Ausgang { $output } ist in der zweiten Hälfte eingeschaltet
+sheet-way-back = Prüfung nach dem Laden
 sheet-without-partner = Ohne Zuordnung
 should-know = Zur Kenntnis
 show = Anzeigen
@@ -1565,8 +1590,8 @@ values-nominal = vorher und nachher: Nennparameter, einschließlich Basis und Zi
 values-nominal-refit = vorher und nachher: Nennparameter des Roboters, mit an die Kalibrierposen angepasster Basis und Zielmarken
 values-of-every-campaign = Werte je Kampagne
 values-of-identification = vorher: Nennparameter des Roboters, nur Basis und Zielmarken an die Kalibrierposen angepasst; nachher: alle identifizierten Parameter
-vap-farthest = Größter Wert von vAP: { $distance } µm an Pose { $pose }, zwischen den Mitteln { $first } und { $second }.
 velocities = Geschwindigkeiten
+velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Geschwindigkeit: { $velocity }.
 verdict = Bewertung
 files-beyond-limits = { $files } nicht laden: mit den Werten { $count ->

@@ -43,7 +43,7 @@ few-cycles-of-direction = fewer than { $least } cycles in { $count ->
     .hint = measure more cycles with a load in this direction
 
 # Means: The expanded uncertainty of the instrument exceeds a quarter of the characteristic (ISO
-# 9283, 6.6).
+# 9283, clause 6).
 # Matters: The instrument causes part of the scatter. RP is an upper bound of the robot's
 # repeatability; AP is not bounded.
 # Do: Use RP as an upper bound, or measure with a more accurate instrument.
@@ -64,15 +64,15 @@ positions-drift = the position of pose { $pose } changes by { FIXED($change_mm, 
     .hint = set `drift_set` in [poses] (`--drift-set`), or warm the robot up before the test
 
 # Means: Some poses were approached from several directions.
-# Matters: ISO 9283 defines AP and RP for one approach (7.2). If values are computed from all visits
-# together, they also include vAP.
+# Matters: ISO 9283 defines AP and RP for one approach (7.2). Values of all visits together also
+# include vAP. Intervals, limits and the 25 % rule therefore apply to each approach by itself.
 # Do: Use the values of each approach: the report gives them separately.
 # Example: pose 1 attained from +x and from −x
 several-approaches = several approaches at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
-    }: AP, RP and their intervals are computed from all visits
-    .hint = use the values of each approach: values of all visits include vAP, and their scatter is not Gaussian
+    }: intervals, limits and the 25 % rule apply to each approach
+    .hint = use the values of each approach: values of all visits together include vAP
 
 # Means: The coordinates of one table are in another unit than mm: after a conversion they agree
 # with the other table.

@@ -4,6 +4,10 @@ accepted = accepted
 accuracy = Accuracy
 accuracy-at-pose = Largest pose accuracy AP: { $accuracy } µm, at pose { $pose }.
 accuracy-not-tested = The campaign has no commanded positions: pose accuracy (AP) is not tested.
+accuracy-drifts = AP changes significantly during the test at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }. The interval there contains AP of every set of cycles: it is not the coverage interval of a stable robot.
 accuracy-of-position = Positioning accuracy
 accuracy-over-cycles = Pose accuracy of each pose during the test.
 action-label = what to do:
@@ -26,6 +30,7 @@ angle-vap = vAP of the angle { $axis }
 ap-by-set = AP by set
 ap-interval-from = AP, 95 % from
 ap-interval-to = AP, 95 % to
+ap-of-judged-approach = AP of the judged approach
 ap-within-limit = AP within its limit
 approach-not-known = approach unknown
 approached = approached
@@ -102,7 +107,7 @@ branch-and-bound-nodes = branch-and-bound nodes
 budget-left-out = U does not include, because the campaign gives no values: { $sources }.
 budget-note = Contributions to the standard uncertainties (k = 1), in the unit of each row. The last column is the root sum of squares. Effects common to several readings are treated as correlated.
 budget-of-default-tolerances = Default tolerances are multiplied by { $factor }, the factor that agrees best with the data.
-budget-of-errors-note = Measurement uncertainty of the errors that are compared with the limits: readings, frames, and fitted base and targets. The identified parameters are under test, so their uncertainty is not included. The limits are judged with the expanded uncertainty, twice these values (k = 2).
+budget-of-errors-note = Measurement uncertainty of the errors in this table: readings, frames, and fitted base and targets. The identified parameters are under test, so their uncertainty is not included. The limits are judged with the expanded uncertainty, twice these values (k = 2).
 budget-of-nominal-values = Standard uncertainty of a nominal value: tolerance / √3, for a rectangular distribution (GUM 4.3.7).
 budget-of-parameters = Uncertainty budget of the parameters
 budget-shares-description = One bar per result: squared contributions in percent of the variance.
@@ -265,6 +270,7 @@ command-x = command x
 command-y = command y
 commanded-away = commanded position, { $distance } µm away
 commanded-frequency = commanded frequency
+commanded-velocity = commanded velocity
 commanded-stroke = commanded stroke
 commanded-tooltip = commanded position: x { $x }, y { $y }, z { $z } µm from the mean
 compared-with = compared with
@@ -303,7 +309,11 @@ convention-different-instruments = the campaigns used different instruments: a s
 convention-drift-compensated = drift of positions and orientations is compensated by reference targets
 convention-f-test = all parameters together: F test; it is approximate if uncertainties are estimated from pose errors, and then too often significant if only one or two coordinates of a pose were measured
 convention-first-robot = { $count } robots: all results except exchangeability refer to `{ $robot }`
-convention-guarded-acceptance = conformity: guarded acceptance (ILAC-G8:09/2019, 4.2.2): a decision is made only if the whole 95 % interval lies on one side of the limit
+convention-guarded-acceptance = conformity: guarded acceptance (ILAC-G8:09/2019, 4.2.3): a decision is made only if the whole 95 % interval lies on one side of the limit
+convention-interval-of-sets = AP drifts significantly at { $count ->
+        [one] pose { $poses }
+       *[other] poses { $poses }
+    }: the interval there contains AP of every set of cycles
 convention-intervals-instrument = intervals include sampling and the instrument's expanded uncertainty of a coordinate, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = intervals include sampling only: no uncertainty of the instrument is given
 convention-limit-band = limit band: { $band } mm about the mean of the standstill
@@ -385,7 +395,7 @@ definition-ad-rd = AD: mean attained distance minus commanded distance; RD: thre
 definition-ap = AP: distance between the mean attained position and the commanded position, with its components (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mean attained angle minus commanded angle; RP: three standard deviations; evaluated for each angle (ISO 9283:1998, 7.2.1 and 7.2.2).
 definition-compliance = Displacement along the force per unit force: slope of the line fitted through the unloaded position (ISO 9283:1998, 10).
-definition-drift = dAP and dRP: last set minus first set (ISO 9283:1998, 7.6). U of dAP contains the scatter within the sets; errors that the instrument repeats cancel.
+definition-drift = dAP and dRP: absolute difference between the first set and the last set (ISO 9283:1998, 7.6). U of dAP contains the scatter within the sets; errors that the instrument repeats cancel.
 definition-of-errors = definition of errors
 definition-posing-time = Time from departure from a pose to the end of stabilisation at the next pose (ISO 9283:1998, 9). U contains the scatter of the moves and the sampling interval.
 definition-quarter-rule = ISO 9283: the expanded measurement uncertainty must not exceed 25 % of the characteristic under test. U is the expanded uncertainty of a position (k = 2).
@@ -505,8 +515,8 @@ errors-by-pose-linear = One mark per pose, cycle and target; linear axis ({ $uni
 errors-by-pose-logarithmic = One mark per pose, cycle and target; logarithmic axis ({ $unit }).
 errors-by-set-and-pose = Errors by set and by pose
 errors-contain-noise = An error is the deviation of a reading and contains its noise, which increases mean, RMS and maximum. The error of the robot without noise is below value + U with a probability of at least 95 %. Value ± U is not its coverage interval.
-errors-draws-confirm = The draws confirm the reported uncertainty of all { $errors } errors at the validation poses.
-errors-draws-larger = For { $differing } of { $errors } errors at the validation poses, the draws give the larger uncertainty; this value is used (JCGM 101:2008, clause 8).
+errors-draws-confirm = The draws confirm the reported uncertainty of the { $errors } errors in the table of errors.
+errors-draws-larger = For { $differing } of { $errors } errors at the validation poses, the draws give the larger uncertainty (JCGM 101:2008, clause 8). The linear value in the report is too small.
 errors-hold-among = { $region ->
         [beyond] Some validation poses are outside the measured region; their errors are included
        *[within] These figures apply within the measured region
@@ -560,6 +570,7 @@ filter-rows = Filter rows
 first-cycle = first cycle
 fit = fit
 fit-and-observability = Fit and observability
+first-set = { $symbol }, first set
 fits = Fits
 fixed-in-the-world = Elements fixed in the world frame
 folder = folder
@@ -603,7 +614,7 @@ geometry-alone = Geometry alone
 geometry-alone-title = Measurements of the geometric calibration
 geometry-beside-identification = Geometric calibration compared with the identification
 geometry-improvement = The largest mean position error decreases from { $nominal } mm to { $geometric } mm by geometry alone: a factor of { $improvement }.
-guarded-acceptance = guarded acceptance (ILAC-G8:09/2019, 4.2.2)
+guarded-acceptance = guarded acceptance (ILAC-G8:09/2019, 4.2.3)
 guarded-acceptance-explained = pass if the value plus its expanded uncertainty U is within the limit; fail if the value minus U exceeds the limit; otherwise undecided
 head-along = along
 head-and = and
@@ -660,9 +671,18 @@ instrument = instrument
 instrument-calibration = instrument's calibration
 instrument-expanded-uncertainty = instrument's expanded uncertainty
 instrument-good-enough = Suitability of the instrument
-instrument-good-for-all = Suitable: the measurement uncertainty of positions is within 25 % of AP and RP at every pose.
-instrument-good-for-none = Measurement uncertainty exceeds 25 % of AP or RP at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
-instrument-good-for-some = Measurement uncertainty exceeds 25 % of AP or RP at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
+instrument-good-for-all = Suitable: the measurement uncertainty of positions is within 25 % of { $tested ->
+        [repeatability] RP
+       *[accuracy] AP and RP
+    } at every pose.
+instrument-good-for-none = Measurement uncertainty exceeds 25 % of { $tested ->
+        [repeatability] RP
+       *[accuracy] AP or RP
+    } at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
+instrument-good-for-some = Measurement uncertainty exceeds 25 % of { $tested ->
+        [repeatability] RP
+       *[accuracy] AP or RP
+    } at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
 left-out-feature = feature `{ $feature }`, measured without a redundant point
 left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = thermal expansion of robot and part ([expansion])
@@ -703,6 +723,7 @@ largest-errors-of-poses = Errors by pose, largest first
 largest-mean-deviation-from-linear = largest mean deviation from linearity
 largest-of-all-modes = largest of all working modes
 largest-residual-of-a-coordinate = largest residual of a coordinate
+last-set = { $symbol }, last set
 last-cycle = last cycle
 leads = Leads
 left = remaining
@@ -737,6 +758,7 @@ limited-error = { $quantity } at { $count } { $set } poses{ $readings ->
 limits = Limits
 limits-all-met = All { $count } limits of the campaign are met.
 limits-are-of-file = Judged with the values of `{ $file }`.
+limits-by-interval = A value with an interval is judged by the ends of the interval instead of U.
 limits-both-met = Both limits of the campaign are met.
 limits-not-assessable = Not assessable (quantity not measured): { $limits }.
 limits-not-met = { $count ->
@@ -980,7 +1002,7 @@ point-in-flange = the point { $point } mm in the flange frame
 point-in-platform = the point { $point } mm in the platform frame
 point-in-targets = the point { $point } mm in the target frame
 points = points
-points-drawn = { $drawn } of { $total } points are drawn: an even selection that includes the largest.
+points-drawn = { $drawn } of { $total } points are drawn: an even selection that includes the largest error in this plane.
 points-of = { $set } points
 pose = pose
 pose-accuracy-ap = Pose accuracy AP
@@ -1028,7 +1050,7 @@ position-residuals-explained = Position residuals: RMS { $rms } { $unit }; expec
 position-residuals-rms = position residuals, RMS
 position-rms = position, RMS
 positions = positions
-preconditions-column = Preconditions
+preconditions-column = Reservations
 predicted-target-uncertainty = predicted uncertainty of the target positions over the candidates (k = 1)
 predicted-u = predicted u (k = 1)
 predicted-uncertainty-title = Predicted uncertainty of the parameters
@@ -1097,7 +1119,6 @@ repeatability-from-one-approach = { $approaches ->
        *[other] Repeatability for a single approach at pose { $pose } ({ $approaches } approaches): { $smallest } to { $largest } µm; all approaches together: { $together } µm.
     }
 repeatability-over-cycles = Pose repeatability of each pose during the test.
-repeatability-report = Repeatability report
 repeatability-title = Repeatability
 repeats = repeats
 report = report
@@ -1118,7 +1139,7 @@ reservation-file-hardly-better = the controller file for { $formats } brings no 
 reservation-file-not-written = at least one controller file was not written (see the messages)
 reservation-given-refused = the parameters must not be used: they are worse than nominal parameters at the measured poses, or belong to another robot
 reservation-hardly-better = the identified parameters are not significantly better than nominal parameters: RMS { $rms } mm (nominal { $nominal_rms } mm), largest error { $max } mm (nominal { $nominal_max } mm)
-reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of AP or RP at { $count ->
+reservation-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, clause 6)
@@ -1187,6 +1208,8 @@ rp-by-set = RP by set
 rp-circle = radius RP
 rp-circle-tooltip = pose { $pose }: RP = { $rp } µm
 rp-in-plane = RP in x, y
+rp-of-judged-approach = RP of the judged approach
+scatter-of-all-visits = all visits: { $distance } µm
 rp-interval-from = RP, 95 % from
 rp-interval-to = RP, 95 % to
 rp-within-limit = RP within its limit
@@ -1253,6 +1276,7 @@ sheet-iso9283-approaches = ISO 9283 approaches
 sheet-iso9283-compliance = ISO 9283 compliance
 sheet-iso9283-distances = ISO 9283 distances
 sheet-iso9283-drift = ISO 9283 drift
+sheet-iso9283-places = ISO 9283 mean positions
 sheet-iso9283-poses = ISO 9283 poses
 sheet-iso9283-reference-targets = ISO 9283 reference targets
 sheet-iso9283-robot = ISO 9283 robot
@@ -1306,6 +1330,7 @@ sheet-values = Values
 sheet-wait = waiting time at each pose
 sheet-wait-seconds = { $seconds } s
 sheet-wait-trigger = { $seconds } s; output { $output } is on during the second half
+sheet-way-back = Test after loading
 sheet-without-partner = Without partner
 should-know = Should know
 show = Show
@@ -1499,8 +1524,8 @@ values-nominal = before and after: nominal parameters, including base and target
 values-nominal-refit = before and after: nominal robot parameters, with base and targets fitted to the calibration poses
 values-of-every-campaign = Values by campaign
 values-of-identification = before: nominal robot parameters, with only base and targets fitted to the calibration poses; after: all identified parameters
-vap-farthest = Largest vAP: { $distance } µm at pose { $pose }, between the means { $first } and { $second }.
 velocities = velocities
+velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Velocity: { $velocity }.
 verdict = verdict
 files-beyond-limits = Do not load { $files }: with the values of { $count ->

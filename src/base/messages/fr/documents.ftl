@@ -37,8 +37,8 @@ positions-drift = la position de la pose { $pose } change de { FIXED($change_mm,
 several-approaches = plusieurs directions d’approche { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
-    } : AP, RP et leurs intervalles valent pour l’ensemble des positionnements
-    .hint = utiliser les valeurs de chaque direction d’approche : les valeurs de l’ensemble contiennent vAP, et leur dispersion n’est pas gaussienne
+    } : les intervalles, les limites et la règle des 25 % valent pour chaque direction
+    .hint = utiliser les valeurs de chaque direction d’approche : les valeurs de l’ensemble contiennent vAP
 
 positions-in-other-unit = { $axes } des positions { $table ->
         [commanded] commandées

@@ -4,6 +4,10 @@ accepted = accepté
 accuracy = Exactitude
 accuracy-at-pose = Plus grande valeur de l’exactitude de pose AP : { $accuracy } µm, à la pose { $pose }.
 accuracy-not-tested = La campagne n’a pas de positions commandées : l’exactitude de pose (AP) n’est pas évaluée.
+accuracy-drifts = AP varie de façon significative pendant l’essai { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    }. L’intervalle y contient AP de chaque série de cycles : ce n’est pas l’intervalle élargi d’un robot stable.
 accuracy-of-position = Exactitude de positionnement
 accuracy-over-cycles = Exactitude de pose de chaque pose au cours de l’essai.
 action-label = à faire :
@@ -30,6 +34,7 @@ angle-ad = AD de l’angle { $axis }
 angle-rd = RD de l’angle { $axis }
 angle-vap = vAP de l’angle { $axis }
 ap-by-set = AP par série
+ap-of-judged-approach = AP de la direction d’approche évaluée
 ap-interval-from = AP, 95 %, de
 ap-interval-to = AP, 95 %, à
 ap-within-limit = AP dans sa limite
@@ -111,7 +116,7 @@ branch-and-bound-nodes = nœuds de séparation et évaluation
 budget-left-out = U ne comprend pas, faute de valeurs dans la campagne : { $sources }.
 budget-note = Contributions aux incertitudes-types (k = 1), dans l’unité de chaque ligne. La dernière colonne est la racine carrée de la somme de leurs carrés. Les effets communs à plusieurs lectures sont traités comme corrélés.
 budget-of-default-tolerances = Les tolérances par défaut sont multipliées par { $factor }, le facteur le plus compatible avec les données.
-budget-of-errors-note = Incertitude de mesure des erreurs comparées aux limites : lectures, repères, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
+budget-of-errors-note = Incertitude de mesure des erreurs de ce tableau : lectures, repères, base et cibles telles qu’ajustées. Les paramètres identifiés sont l’objet de l’essai et n’y contribuent pas. Les limites sont jugées avec l’incertitude élargie, soit le double de ces valeurs (k = 2).
 budget-of-nominal-values = Incertitude-type d’une valeur nominale : tolérance / √3, pour une loi rectangulaire (GUM 4.3.7).
 budget-of-parameters = Bilan d’incertitude des paramètres
 budget-shares-description = Une barre par résultat : carrés des contributions, en pour cent de la variance.
@@ -279,6 +284,7 @@ command-theta = consigne θ
 command-x = consigne x
 command-y = consigne y
 commanded-away = position commandée, à { $distance } µm
+commanded-velocity = vitesse commandée
 commanded-frequency = fréquence commandée
 commanded-stroke = course commandée
 commanded-tooltip = position commandée : x { $x }, y { $y }, z { $z } µm depuis la moyenne
@@ -318,7 +324,11 @@ convention-different-instruments = les campagnes ont des instruments différents
 convention-drift-compensated = la dérive des positions et des orientations est corrigée par les cibles de référence
 convention-f-test = paramètres dans leur ensemble : test F ; le test est approché si les incertitudes sont estimées à partir des erreurs des poses ; il est alors trop souvent significatif si une pose n’a qu’une ou deux coordonnées mesurées
 convention-first-robot = { $count } robots : tous les résultats, sauf l’interchangeabilité, se rapportent à `{ $robot }`
-convention-guarded-acceptance = conformité : acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2) : limite respectée ou non respectée seulement si l’intervalle à 95 % est entièrement d’un côté de la limite
+convention-guarded-acceptance = conformité : acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.3) : limite respectée ou non respectée seulement si l’intervalle à 95 % est entièrement d’un côté de la limite
+convention-interval-of-sets = AP dérive de façon significative { $count ->
+        [one] à la pose { $poses }
+       *[other] aux poses { $poses }
+    } : l’intervalle y contient AP de chaque série de cycles
 convention-intervals-instrument = les intervalles tiennent compte de l’échantillonnage et de l’incertitude élargie de l’instrument pour une coordonnée, { $uncertainty_um } µm (k = 2)
 convention-intervals-sampling = les intervalles ne tiennent compte que de l’échantillonnage : aucune incertitude de l’instrument n’est indiquée
 convention-limit-band = bande limite : { $band } mm autour de la moyenne de l’arrêt
@@ -409,7 +419,7 @@ definition-ad-rd = AD : distance moyenne atteinte moins distance commandée ;
 definition-ap = AP : distance entre la position moyenne atteinte et la position commandée, avec ses composantes (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP : angle moyen atteint moins angle commandé ; RP : trois écarts-types ; évaluées pour chaque angle (ISO 9283:1998, 7.2.1 et 7.2.2).
 definition-compliance = Déplacement suivant la force par unité de force : pente de la droite ajustée passant par la position sans charge (ISO 9283:1998, 10).
-definition-drift = dAP et dRP : valeur de la dernière série moins valeur de la première (ISO 9283:1998, 7.6). U de dAP contient la dispersion dans les séries ; les erreurs que l’instrument répète s’annulent.
+definition-drift = dAP et dRP : valeur absolue de la différence entre la première et la dernière série (ISO 9283:1998, 7.6). U de dAP contient la dispersion dans les séries ; les erreurs que l’instrument répète s’annulent.
 definition-of-errors = définition des erreurs
 definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9). U contient la dispersion des mouvements et la période d’échantillonnage.
 definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée. U est l’incertitude élargie d’une position (k = 2).
@@ -532,8 +542,8 @@ errors-by-pose-linear = Une marque par pose, cycle et cible ; axe linéaire ({
 errors-by-pose-logarithmic = Une marque par pose, cycle et cible ; axe logarithmique ({ $unit }).
 errors-by-set-and-pose = Erreurs par ensemble et par pose
 errors-contain-noise = Une erreur contient le bruit de sa lecture, qui augmente moyenne, moyenne quadratique et maximum. L’erreur du robot sans bruit est inférieure à valeur + U avec une probabilité d’au moins 95 %. Valeur ± U n’est pas son intervalle de couverture.
-errors-draws-confirm = Les tirages confirment l’incertitude rapportée des { $errors } erreurs aux poses de validation.
-errors-draws-larger = Pour { $differing } erreurs sur { $errors } aux poses de validation, l’incertitude des tirages est la plus grande et fait foi (JCGM 101:2008, article 8).
+errors-draws-confirm = Les tirages confirment l’incertitude rapportée des { $errors } erreurs du tableau des erreurs.
+errors-draws-larger = Pour { $differing } erreurs sur { $errors } aux poses de validation, l’incertitude des tirages est la plus grande (JCGM 101:2008, article 8). La valeur linéaire du rapport est trop petite.
 errors-hold-among = { $region ->
         [beyond] Certaines poses de validation sont hors de la région mesurée ; leurs erreurs sont comprises
        *[within] Ces valeurs s’appliquent à la région mesurée
@@ -590,6 +600,7 @@ filter-rows = Filtrer les lignes
 first-cycle = premier cycle
 fit = ajustement
 fit-and-observability = Ajustement et observabilité
+first-set = { $symbol }, première série
 fits = Ajustements
 fixed-in-the-world = Éléments fixes dans le repère atelier
 folder = dossier
@@ -633,7 +644,7 @@ geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
 geometry-beside-identification = Géométrie seule, comparée à l’identification
 geometry-improvement = La plus grande erreur moyenne de position passe de { $nominal } mm à { $geometric } mm par la géométrie seule (facteur { $improvement }).
-guarded-acceptance = acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.2)
+guarded-acceptance = acceptation avec bande de garde (ILAC-G8:09/2019, 4.2.3)
 guarded-acceptance-explained = conforme si la valeur augmentée de son incertitude élargie U respecte la limite ; non conforme si la valeur diminuée de U dépasse la limite ; sinon indécidé
 head-along = suivant
 head-and = et
@@ -693,9 +704,18 @@ instrument = instrument de mesure
 instrument-calibration = étalonnage de l’instrument
 instrument-expanded-uncertainty = incertitude de mesure élargie de l’instrument
 instrument-good-enough = Aptitude de l’instrument
-instrument-good-for-all = Apte : l’incertitude de mesure des positions est au plus 25 % de AP et de RP à toutes les poses.
-instrument-good-for-none = L’incertitude de mesure dépasse 25 % de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
-instrument-good-for-some = L’incertitude de mesure dépasse 25 % de AP ou de RP aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
+instrument-good-for-all = Apte : l’incertitude de mesure des positions est au plus 25 % { $tested ->
+        [repeatability] de RP
+       *[accuracy] de AP et de RP
+    } à toutes les poses.
+instrument-good-for-none = L’incertitude de mesure dépasse 25 % { $tested ->
+        [repeatability] de RP
+       *[accuracy] de AP ou de RP
+    } à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
+instrument-good-for-some = L’incertitude de mesure dépasse 25 % { $tested ->
+        [repeatability] de RP
+       *[accuracy] de AP ou de RP
+    } aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
 left-out-feature = élément géométrique `{ $feature }`, mesuré sans point redondant
 left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
@@ -736,6 +756,7 @@ largest-errors-of-poses = Erreurs par pose, les plus grandes d’abord
 largest-mean-deviation-from-linear = plus grand écart moyen de linéarité
 largest-of-all-modes = la plus grande de tous les modes de travail
 largest-residual-of-a-coordinate = plus grand résidu d’une coordonnée
+last-set = { $symbol }, dernière série
 last-cycle = dernier cycle
 leads = Pas de vis
 left = restant
@@ -773,6 +794,7 @@ limited-error = { $quantity } sur { $count ->
 limits = Limites
 limits-all-met = Les { $count } limites de la campagne sont toutes respectées.
 limits-are-of-file = Jugé avec les valeurs de `{ $file }`.
+limits-by-interval = Une valeur avec un intervalle est évaluée d’après les bornes de l’intervalle et non d’après U.
 limits-both-met = Les deux limites de la campagne sont respectées.
 limits-not-assessable = Non évaluable (grandeur non mesurée) : { $limits }.
 limits-not-met = { $count ->
@@ -1028,7 +1050,7 @@ point-in-flange = le point { $point } mm dans le repère de la bride
 point-in-platform = le point { $point } mm dans le repère de la plate-forme
 point-in-targets = le point { $point } mm dans le repère des cibles
 points = points
-points-drawn = { $drawn } points sur { $total } sont tracés : une sélection régulière, valeur maximale comprise.
+points-drawn = { $drawn } points sur { $total } sont tracés : une sélection régulière qui contient la plus grande erreur dans ce plan.
 points-of = { $set }, points
 pose = pose
 pose-accuracy-ap = Exactitude de pose AP
@@ -1079,7 +1101,7 @@ position-residuals-explained = Résidus de position : RMS { $rms } { $unit }�
 position-residuals-rms = résidus de position, RMS
 position-rms = position, RMS
 positions = positions
-preconditions-column = Conditions préalables
+preconditions-column = Réserves
 predicted-target-uncertainty = incertitude prédite des positions des cibles aux poses candidates (k = 1)
 predicted-u = u prédite (k = 1)
 predicted-uncertainty-title = Incertitude prédite des paramètres
@@ -1154,7 +1176,6 @@ repeatability-from-one-approach = { $approaches ->
        *[other] Répétabilité pour une seule direction d’approche à la pose { $pose } ({ $approaches } directions) : { $smallest } à { $largest } µm ; toutes les directions ensemble : { $together } µm.
     }
 repeatability-over-cycles = Répétabilité de pose de chaque pose au cours de l’essai.
-repeatability-report = Rapport de répétabilité de pose
 repeatability-title = Répétabilité
 repeats = répétitions
 report = rapport
@@ -1175,7 +1196,7 @@ reservation-file-hardly-better = le fichier pour le contrôleur ({ $formats }) n
 reservation-file-not-written = au moins un fichier pour le contrôleur n’a pas été écrit (voir les messages)
 reservation-given-refused = les paramètres ne doivent pas être utilisés : ils sont moins bons que les paramètres nominaux aux poses mesurées, ou ce sont ceux d’un autre robot
 reservation-hardly-better = les paramètres identifiés ne sont guère meilleurs que les paramètres nominaux : RMS { $rms } mm (nominal { $nominal_rms } mm), plus grande erreur { $max } mm (nominal { $nominal_max } mm)
-reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de AP ou de RP { $count ->
+reservation-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caractéristique évaluée { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, article 6)
@@ -1247,6 +1268,8 @@ rp-by-set = RP par série
 rp-circle = rayon RP
 rp-circle-tooltip = pose { $pose } : RP = { $rp } µm
 rp-in-plane = RP dans x, y
+rp-of-judged-approach = RP de la direction d’approche évaluée
+scatter-of-all-visits = ensemble : { $distance } µm
 rp-interval-from = RP, 95 %, de
 rp-interval-to = RP, 95 %, à
 rp-within-limit = RP dans sa limite
@@ -1325,6 +1348,7 @@ sheet-iso9283-approaches = ISO 9283 approches
 sheet-iso9283-compliance = ISO 9283 compliance
 sheet-iso9283-distances = ISO 9283 distances
 sheet-iso9283-drift = ISO 9283 dérive
+sheet-iso9283-places = ISO 9283 positions moyennes
 sheet-iso9283-poses = ISO 9283 poses
 sheet-iso9283-reference-targets = ISO 9283 cibles de référence
 sheet-iso9283-robot = ISO 9283 robot
@@ -1378,6 +1402,7 @@ sheet-values = Valeurs
 sheet-wait = attente à chaque pose
 sheet-wait-seconds = { $seconds } s
 sheet-wait-trigger = { $seconds } s ; la sortie { $output } est active pendant la seconde moitié
+sheet-way-back = Essai après chargement
 sheet-without-partner = Sans correspondance
 should-know = À savoir
 show = Afficher
@@ -1571,8 +1596,8 @@ values-nominal = avant et après : paramètres nominaux, base et cibles compris
 values-nominal-refit = avant et après : paramètres nominaux du robot, avec base et cibles ajustées aux poses d’étalonnage
 values-of-every-campaign = Valeurs par campagne
 values-of-identification = avant : paramètres nominaux du robot, avec seules base et cibles ajustées aux poses d’étalonnage ; après : tous les paramètres identifiés
-vap-farthest = Plus grande valeur de vAP : { $distance } µm à la pose { $pose }, entre les moyennes { $first } et { $second }.
 velocities = vitesses
+velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Vitesse : { $velocity }.
 verdict = verdict
 files-beyond-limits = Ne pas charger { $files } : avec les valeurs de { $count ->

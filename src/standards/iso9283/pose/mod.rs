@@ -14,6 +14,7 @@ pub mod test;
 pub use characteristics::{accuracy, directions, distance, drift, exchangeability, repeatability};
 
 use self::accuracy::{PoseAccuracy, angle_accuracy_rad, pose_accuracy};
+use self::drift::pose_drift;
 use self::ellipsoid::{Ellipsoid, ellipsoid};
 use self::noise_free::NoiseFree;
 use self::orientation::{Inseparable, RotationCharacteristics};
@@ -96,26 +97,53 @@ pub struct AngleCharacteristics {
     pub repeatability_rad: [Option<f64>; 3],
 }
 
-/// Assessment of a characteristic of a pose.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Approach whose value is judged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedApproach {
+    /// Value of the column `approach`, or the previous pose of the path.
+    pub name: String,
+    /// Number of visits.
+    pub cycles: usize,
+    /// AP or RP of these visits.
+    pub value_mm: f64,
+}
+
+/// Assessment of a characteristic of a pose. If visits come from several approaches, it applies to
+/// one approach, for which ISO 9283 defines AP and RP (7.2.1, 7.2.2).
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Assessed {
+    /// Approach with the worst decision and, among these, the largest value; absent if all visits
+    /// count.
+    pub approach: Option<JudgedApproach>,
     /// Bootstrap interval, including the instrument's uncertainty if given; absent with fewer than
-    /// three visits.
+    /// three visits. If AP drifts significantly, the interval contains AP of every set of cycles.
     pub interval: Option<Interval>,
     /// Interval in closed form, from the sampling alone.
     pub interval_analytic: Option<Interval>,
     /// Conformity with the limit, if any.
     pub conformity: Option<Conformity>,
-    /// Ratio of the instrument's uncertainty to the characteristic, if given.
+    /// Ratio of the instrument's uncertainty to the characteristic, if given; the largest ratio of
+    /// all approaches.
     pub uncertainty: Option<UncertaintyRatio>,
 }
 
 /// AP and RP of all poses in a test of one robot.
 pub fn characteristics(test: &PoseTest, settings: &PoseTestSettings) -> Result<Vec<PoseCharacteristics>> {
     let mut bootstraps = BTreeMap::new();
-    test.poses.iter().map(|p| pose_characteristics(test, p, settings, &mut bootstraps)).collect()
+    let mut found = |p: &TestedPose| pose_characteristics(test, p, settings, &mut bootstraps);
+    let judged = |p: &TestedPose| -> Result<PoseCharacteristics> {
+        let by_approach = |name: &str| -> Result<(String, PoseCharacteristics)> {
+            Ok((name.to_owned(), found(&p.approached(name))?))
+        };
+        let approaches: Vec<_> = p.repeated_approaches().into_iter().map(by_approach).collect::<Result<_>>()?;
+        let mut pose = found(p)?;
+        pose.judge_approaches(&approaches);
+        Ok(pose)
+    };
+    test.poses.iter().map(judged).collect()
 }
 
+/// Characteristics of all visits together.
 fn pose_characteristics(
     test: &PoseTest,
     p: &TestedPose,
@@ -145,6 +173,10 @@ fn pose_characteristics(
             Entry::Vacant(place) => place.insert(Bootstrap::new(n, settings.draws, settings.seed)?),
         };
         pose.intervals(&positions, bootstrap)?;
+    }
+    let drift = settings.drift_set.and_then(|size| pose_drift(p, size)?.ok()).filter(|d| d.is_significant);
+    if let Some(drift) = drift {
+        pose.ap.interval = pose.ap.interval.map(|interval| interval.containing(&drift.ap_mm));
     }
     if let Some(expanded_mm) = settings.expanded_uncertainty_mm {
         let ap = pose.ap.interval.zip(pose.accuracy);
@@ -183,6 +215,21 @@ impl PoseCharacteristics {
         Ok(())
     }
 
+    /// Replaces the assessments of all visits by the assessments of single approaches.
+    fn judge_approaches(&mut self, approaches: &[(String, Self)]) {
+        if approaches.is_empty() {
+            return;
+        }
+        let worst = |assessed: fn(&Self) -> &Assessed, value: fn(&Self) -> Option<f64>| {
+            Assessed::worst_approach(approaches.iter().filter_map(|(name, found)| {
+                let judged = JudgedApproach { name: name.clone(), cycles: found.cycles, value_mm: value(found)? };
+                Some(Assessed { approach: Some(judged), ..assessed(found).clone() })
+            }))
+        };
+        self.ap = worst(|found| &found.ap, |found| found.accuracy.map(|a| a.ap_mm));
+        self.rp = worst(|found| &found.rp, |found| found.repeatability.map(|r| r.rp_mm));
+    }
+
     /// `true` if the instrument is sufficient for AP and RP; `None` if its uncertainty is not
     /// given.
     pub fn is_verified(&self) -> Option<bool> {
@@ -192,6 +239,22 @@ impl PoseCharacteristics {
 }
 
 impl Assessed {
+    /// Assessment of the approach with the worst decision and, among these, the largest value.
+    fn worst_approach(all: impl Iterator<Item = Self>) -> Self {
+        let all: Vec<Self> = all.collect();
+        let ratios = all.iter().filter_map(|found| found.uncertainty);
+        let uncertainty = ratios.max_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        let rank = |found: &Self| match found.conformity {
+            Some(Conformity::NotConforming) => 2,
+            Some(Conformity::Neither | Conformity::NotAssessable) => 1,
+            Some(Conformity::Conforming) | None => 0,
+        };
+        let value_mm = |found: &Self| found.approach.as_ref().map_or(0.0, |approach| approach.value_mm);
+        let worse = |a: &Self, b: &Self| rank(a).cmp(&rank(b)).then(value_mm(a).total_cmp(&value_mm(b)));
+        let worst = all.into_iter().max_by(worse).unwrap_or_default();
+        Self { uncertainty, ..worst }
+    }
+
     /// Judges conformity with the limit, and the instrument's uncertainty relative to the
     /// characteristic.
     fn judge(&mut self, value_mm: Option<f64>, limit_mm: Option<f64>, rule: DecisionRule, uncertainty_mm: Option<f64>) {
@@ -199,5 +262,89 @@ impl Assessed {
         let judge = |limit| value_mm.map_or(Conformity::Neither, |mm| rule.judge(mm, self.interval, limit));
         self.conformity = limit_mm.map(judge);
         self.uncertainty = uncertainty_mm.zip(value_mm).map(|(u, mm)| uncertainty_ratio(u, mm));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::test::AttainedPose;
+    use super::*;
+    use etalon_base::noise::Noise;
+
+    const SETTINGS: PoseTestSettings = PoseTestSettings {
+        expanded_uncertainty_mm: None,
+        position_uncertainty_mm: None,
+        drift_set: None,
+        rotation_order: None,
+        seed: 1,
+        draws: 200,
+        ap_limit_mm: None,
+        rp_limit_mm: None,
+        decision_rule: DecisionRule::Guarded,
+    };
+
+    /// Thirty cycles of one pose with a scatter of 10 µm, one visit from each approach; the pose
+    /// moves along y. Each approach has its own x.
+    fn visited(approaches_mm: &[(&str, f64)], moves_mm: f64) -> PoseTest {
+        let mut noise = Noise::new(9283, 4);
+        let mut attained = Vec::new();
+        for cycle in 1..=30 {
+            for (name, x_mm) in approaches_mm {
+                let moved_mm = moves_mm * (cycle - 1) as f64 / 29.0;
+                let position_mm =
+                    [x_mm + noise.gaussian(0.01), 0.3 + moved_mm + noise.gaussian(0.01), noise.gaussian(0.01)];
+                attained.push(AttainedPose {
+                    cycle,
+                    position_mm,
+                    angles_rad: Vec::new(),
+                    approach: Some((*name).to_owned()),
+                    robot: String::new(),
+                    readings_mm: vec![position_mm],
+                    readings_rad: Vec::new(),
+                });
+            }
+        }
+        let pose = TestedPose { pose: 1.into(), commanded_mm: Some([0.0; 3]), commanded_rad: Vec::new(), attained };
+        PoseTest { poses: vec![pose], spatial: true, angles: Vec::new(), rotation_order: None, warnings: Vec::new() }
+    }
+
+    /// Two approaches 0.2 mm apart: all visits scatter by 0.1 mm, and the visits of one approach
+    /// have RP = 3.615 × 10 µm.
+    #[test]
+    fn each_approach_is_judged_by_itself() {
+        let test = visited(&[("east", 0.1), ("west", -0.1)], 0.0);
+        let settings = PoseTestSettings { rp_limit_mm: Some(0.06), position_uncertainty_mm: Some(0.006), ..SETTINGS };
+        let pose = characteristics(&test, &settings).unwrap().remove(0);
+        let all_mm = pose.repeatability.unwrap().rp_mm;
+        let judged = pose.rp.approach.clone().unwrap();
+        assert!(all_mm > 0.1 && (0.025..0.047).contains(&judged.value_mm), "{all_mm} {judged:?}");
+        assert_eq!((judged.cycles, pose.cycles, pose.rp.conformity), (30, 60, Some(Conformity::Conforming)));
+        let interval = pose.rp.interval.unwrap();
+        assert!(interval.low_mm < judged.value_mm && interval.high_mm < 0.06, "{interval:?}");
+        // the 25 % rule applies to the smallest RP
+        let single =
+            ["east", "west"].map(|name| pose_repeatability(&test.poses[0].approached(name).positions_mm(|_| true)));
+        let smallest = single.map(|rp| rp.unwrap().rp_mm).into_iter().fold(f64::INFINITY, f64::min);
+        assert!((pose.rp.uncertainty.unwrap().ratio - 0.006 / smallest).abs() < 1e-12);
+        // an approach with the worst decision is judged
+        let beyond = PoseTestSettings { rp_limit_mm: Some(0.02), ..SETTINGS };
+        let pose = characteristics(&test, &beyond).unwrap().remove(0);
+        assert_eq!(pose.rp.conformity, Some(Conformity::NotConforming));
+        let one = characteristics(&visited(&[("east", 0.1)], 0.0), &SETTINGS).unwrap().remove(0);
+        assert!(one.rp.approach.is_none() && one.ap.approach.is_none());
+    }
+
+    #[test]
+    fn the_interval_of_a_drifting_pose_contains_its_sets() {
+        let settings = PoseTestSettings { drift_set: Some(5), ..SETTINGS };
+        let interval = |moves_mm: f64, settings: &PoseTestSettings| {
+            characteristics(&visited(&[("east", 0.0)], moves_mm), settings).unwrap().remove(0).ap.interval.unwrap()
+        };
+        // the means of the first and the last set are 0.069 mm apart
+        let found = interval(0.08, &settings);
+        let sets = pose_drift(&visited(&[("east", 0.0)], 0.08).poses[0], 5).unwrap().unwrap();
+        assert!(sets.is_significant && sets.ap_mm.iter().all(|ap| (found.low_mm..=found.high_mm).contains(ap)));
+        assert!(interval(0.08, &SETTINGS).low_mm > sets.ap_mm[0]);
+        assert_eq!(interval(0.0, &settings), interval(0.0, &SETTINGS));
     }
 }

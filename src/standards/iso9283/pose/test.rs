@@ -96,6 +96,21 @@ impl TestedPose {
         }
         counts
     }
+
+    /// Approaches with at least two visits, if there are several: ISO 9283 defines AP and RP for
+    /// one approach (7.2.1, 7.2.2).
+    pub fn repeated_approaches(&self) -> Vec<&str> {
+        let repeated = self.approaches().into_iter().filter(|(_, count)| *count > 1);
+        let names: Vec<&str> = repeated.map(|(name, _)| name).collect();
+        if names.len() > 1 { names } else { Vec::new() }
+    }
+
+    /// Visits by one approach.
+    pub fn approached(&self, name: &str) -> Self {
+        let mut visits = self.clone();
+        visits.attained.retain(|v| v.approach.as_deref() == Some(name));
+        visits
+    }
 }
 
 /// Name of the approach from a pose.

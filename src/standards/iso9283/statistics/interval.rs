@@ -18,6 +18,11 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// Extends the interval to contain these values.
+    pub fn containing(self, values_mm: &[f64]) -> Self {
+        values_mm.iter().fold(self, |i, v| Self { low_mm: i.low_mm.min(*v), high_mm: i.high_mm.max(*v) })
+    }
+
     /// Adds the instrument's expanded uncertainty (k = 2) of a coordinate to an interval of AP:
     /// each half is the root of the sum of squares (GUM 5.1.2). Errors common to all readings
     /// remain in their mean.

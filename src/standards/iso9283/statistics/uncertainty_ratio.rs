@@ -4,6 +4,8 @@
 /// Verdict of the 25 % rule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UncertaintyRatio {
+    /// Expanded uncertainty of a position.
+    pub expanded_mm: f64,
     /// Expanded uncertainty of a position over the characteristic.
     pub ratio: f64,
     /// `true` if the ratio is at most 0.25.
@@ -16,5 +18,5 @@ const SHARE: f64 = 0.25;
 /// Applies the rule to one characteristic (both in mm); a characteristic of zero never passes.
 pub fn uncertainty_ratio(expanded_uncertainty_mm: f64, characteristic_mm: f64) -> UncertaintyRatio {
     let ratio = expanded_uncertainty_mm / characteristic_mm.abs();
-    UncertaintyRatio { ratio, met: ratio <= SHARE }
+    UncertaintyRatio { expanded_mm: expanded_uncertainty_mm, ratio, met: ratio <= SHARE }
 }

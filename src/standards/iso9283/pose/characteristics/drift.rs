@@ -88,14 +88,17 @@ fn dap_uncertainty(sets_mm: &[Vec<Vector>], commanded_mm: Vector) -> (f64, f64) 
 /// Drift of all commanded poses of a test, in sets of `size` cycles in their order; an incomplete
 /// last set does not count.
 pub fn drifts(test: &PoseTest, size: usize) -> Result<Vec<Drift>> {
-    let drifting = |(p, commanded): (&TestedPose, Vector)| -> Result<Drift> {
-        let cycles: BTreeSet<i64> = p.attained.iter().map(|v| v.cycle).collect();
-        let cycles: Vec<i64> = cycles.into_iter().collect();
-        let sets: Vec<Vec<Vector>> =
-            cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
-        drift(p.pose, &sets, commanded)
-    };
-    test.poses.iter().filter_map(|p| Some((p, p.commanded_mm?))).map(drifting).collect()
+    test.poses.iter().filter_map(|p| pose_drift(p, size)).collect()
+}
+
+/// Drift of one pose, in sets of `size` cycles; `None` without a commanded position.
+pub fn pose_drift(p: &TestedPose, size: usize) -> Option<Result<Drift>> {
+    let commanded = p.commanded_mm?;
+    let cycles: BTreeSet<i64> = p.attained.iter().map(|v| v.cycle).collect();
+    let cycles: Vec<i64> = cycles.into_iter().collect();
+    let sets: Vec<Vec<Vector>> =
+        cycles.chunks_exact(size.max(1)).map(|set| p.positions_mm(|v| set.contains(&v.cycle))).collect();
+    Some(drift(p.pose, &sets, commanded))
 }
 
 /// Largest significant change (mm) of the position of a pose from its first to its last cycle, with
