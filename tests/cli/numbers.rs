@@ -256,18 +256,34 @@ fn of_test(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     })
 }
 
+/// Numbers of a sentence about residuals.
+fn of_residuals(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
+    let residuals = &documents.read("parameters.json")["residuals"];
+    let starts = |text: &str| s.template.starts_with(text);
+    Some(match () {
+        () if starts("Position residuals: RMS #") => {
+            let rms = number(&residuals["position_rms_mm"]);
+            vec![rms, rms / documents.ratio()]
+        }
+        () if starts("Residuals are # ×") => {
+            let freedom = number(&residuals["degrees_of_freedom"]);
+            let p = ChiSquared::new(freedom).unwrap().sf(number(&residuals["chi_square"]));
+            vec![documents.ratio(), p, 0.001]
+        }
+        () if s.template.contains("residuals are # ×") => vec![documents.ratio()],
+        _ => return None,
+    })
+}
+
 /// What the numbers of a sentence must be, by the beginning of its template.
 fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     let accuracy = documents.read("accuracy.json");
     let starts = |text: &str| s.template.starts_with(text);
-    if let Some(found) = of_error(s, documents).or_else(|| of_test(s, documents)) {
+    if let Some(found) = of_error(s, documents).or_else(|| of_test(s, documents)).or_else(|| of_residuals(s, documents))
+    {
         return Some(found);
     }
     Some(match () {
-        () if starts("Position residuals: RMS #") => {
-            let rms = number(&documents.read("parameters.json")["residuals"]["position_rms_mm"]);
-            vec![rms, rms / documents.ratio()]
-        }
         () if starts("Test the loaded file at pose #") || starts("Test the file in your software") => {
             let files = documents.read("campaign.json")["controller_files"].as_array()?.clone();
             vec![files.iter().map(|file| &file["check"]["pose"]).find(|pose| !pose.is_null()).map(number)?]
@@ -281,13 +297,6 @@ fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
         }
         // the name of a hash
         () if s.template.contains(" its SHA-#") => vec![256.0],
-        () if starts("Residuals are # ×") => {
-            let residuals = &documents.read("parameters.json")["residuals"];
-            let freedom = number(&residuals["degrees_of_freedom"]);
-            let p = ChiSquared::new(freedom).unwrap().sf(number(&residuals["chi_square"]));
-            vec![documents.ratio(), p, 0.001]
-        }
-        () if s.template.contains("residuals are # ×") => vec![documents.ratio()],
         () if starts("Within the limit of #") => {
             let limits: Vec<f64> = documents.limits().iter().map(|l| number(&l["limit"])).collect();
             vec![*limits.iter().find(|limit| s.numbers[0].is(**limit))?]

@@ -4,12 +4,15 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Tail of a coverage probability of 95.45 %, for which k is 2 with many repeats (GUM G.1.3).
 const TAIL: f64 = 0.022_75;
-/// Degrees of freedom beyond which Student's factor is 2.00.
-const MANY: f64 = 1e6;
+/// Degrees of freedom beyond which Student's factor is 2.00, as for a normal distribution.
+const MANY: f64 = 1e4;
 
 /// Student's factor for a coverage probability of 95.45 % (GUM G.3.2, table G.2).
 pub(crate) fn student_factor(degrees: f64) -> Option<f64> {
-    let student = StudentsT::new(0.0, 1.0, degrees.min(MANY)).ok()?;
+    if degrees >= MANY {
+        return Some(2.0);
+    }
+    let student = StudentsT::new(0.0, 1.0, degrees).ok()?;
     Some(student.inverse_cdf(1.0 - TAIL)).filter(|factor| factor.is_finite())
 }
 
