@@ -22,10 +22,10 @@ use etalon_robots::{Parameter, Quantity, Robot, Role};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A calibration under test: the robot with its identified parameters as nominal values, and the
-/// uncertainty of predicted coordinates.
+/// A calibration under test: the robot, its identified parameters, and the uncertainty of predicted
+/// coordinates.
 pub struct EarlierCalibration<'r> {
-    robot: &'r dyn Robot,
+    robot: &'r mut dyn Robot,
     parameters: IdentifiedParameters,
     noise: ExpectedDeviation,
     /// Nominal parameters, with the base and targets that were fitted to them.
@@ -53,8 +53,6 @@ impl<'r> EarlierCalibration<'r> {
             (None, _) => parameters.values[i],
         };
         let nominal = robot.parameters().iter().enumerate().map(before).collect();
-        // what the calibrated robot cannot be is a wrong set-up, wherever its base is
-        robot.definition_mut().set_nominal(&parameters.values);
         Ok(Self { robot, parameters, noise, nominal, bound: UncertaintyBound::default(), messages })
     }
 
@@ -98,24 +96,34 @@ pub fn verify(
     }
     messages.extend(stale(robot, &observations));
     let positions = Settings { standard_uncertainty_mm: Some(noise.total_mm()), ..settings.clone() };
+    let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);
+    let (misfit, settings) = (noise.misfit(&settings.conditions), noise.applied(settings));
+    let comparison = Comparison {
+        robot: &*robot,
+        observations: &observations,
+        settings: &settings,
+        given: &parameters,
+        misfit: &misfit,
+    };
+    let tested = comparison.verify(noise.variance).map_err(remedied);
+    let is_unexplained = tested.as_ref().is_ok_and(|found| found.is_changed() && found.cause().is_none());
+    let valid = |is_left_out: &dyn Fn(PoseName, usize) -> bool| {
+        p_value_without(comparison, noise.variance, is_left_out).is_some_and(|p| p >= SIGNIFICANCE)
+    };
+    let deviating = if is_unexplained { wrong_pose(&poses, valid) } else { None };
+    messages.extend(deviating.map(|pose| wrong_reading(comparison, pose, valid)));
+    // what the calibrated robot cannot be is a wrong set-up, wherever its base is; values of joints
+    // refer to the nominal robot, and are compared before
+    robot.definition_mut().set_nominal(&parameters.values);
+    let robot: &dyn Robot = robot;
     if let Some(problem) = set_up_far(robot, &observations, &positions) {
         return Err(warning_message(&problem).into());
     }
-    let conditions = noise.conditions(robot, &parameters.values, &settings.conditions);
-    let (misfit, settings) = (noise.misfit(&settings.conditions), noise.applied(settings));
-    let comparison =
-        Comparison { robot, observations: &observations, settings: &settings, given: &parameters, misfit: &misfit };
-    let found = comparison.verify(noise.variance).map_err(remedied)?;
-    let mut deviating = None;
-    if found.is_changed() && found.cause().is_none() {
+    let found = tested?;
+    if is_unexplained {
         if let Some(exchanged) = exchanged_targets(robot, &parameters.values, &observations, &found) {
             return Err(exchanged.into());
         }
-        let valid = |is_left_out: &dyn Fn(PoseName, usize) -> bool| {
-            p_value_without(comparison, noise.variance, is_left_out).is_some_and(|p| p >= SIGNIFICANCE)
-        };
-        deviating = wrong_pose(&poses, valid);
-        messages.extend(deviating.map(|pose| wrong_reading(comparison, pose, valid)));
         if deviating.is_none() {
             messages.extend(set_up_contradicted(robot, &observations, &positions).map(|w| warning_message(&w)));
         }
@@ -220,6 +228,7 @@ pub fn plan(
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<VerificationPlanDocument> {
     let EarlierCalibration { robot, parameters, noise, bound, mut messages, .. } = calibration;
+    let robot: &dyn Robot = robot;
     for o in &mut candidates {
         let at = |k: usize| robot.position(&parameters.values, &o.joints, k);
         o.targets = o.targets.iter().enumerate().map(|(k, seen)| seen.map(|_| at(k))).collect();
