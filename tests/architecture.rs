@@ -221,7 +221,7 @@ pub fn modules(root: &Path) -> BTreeMap<String, PathBuf> {
     };
     let all = files.iter().map(|f| (module(f), f.clone()));
     let named = all.filter(|(name, _)| name != "main" && !tests_alone(name));
-    named.filter(|(name, _)| !name.starts_with("tests::")).collect()
+    named.filter(|(name, _)| !name.split("::").any(|part| part == "tests")).collect()
 }
 
 /// The file that a path leads to: the longest part of it that is a module, or a module of a group that its folder re-exports.

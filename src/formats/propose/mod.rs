@@ -155,7 +155,7 @@ pub fn propose_file_for(path: &Path, robot: Option<&dyn Robot>) -> Result<Format
         None,
         robot,
         Some(&mut |table, found| {
-            labels = found.first(Meaning::Label).map(|at| several::texts(&table.columns[at])).unwrap_or_default();
+            labels = found.first(Meaning::Label).map(|at| table.columns[at].texts()).unwrap_or_default();
             robot.map(|robot| against::correct(robot, table, found)).unwrap_or_default()
         }),
     )?;

@@ -120,7 +120,8 @@ impl Table<'_> {
     /// Every change alone, with base, targets and fixtures located.
     pub fn single(&self) -> Vec<Slip> {
         let Self { robot, data, tried: [subset, probes], .. } = *self;
-        let mut all: Vec<Slip> = self.changes().into_par_iter().filter_map(|change| self.placed(change)).collect();
+        let mut all: Vec<Slip> =
+            self.changes().into_par_iter().filter_map(|(change, probes)| self.placed(change, probes)).collect();
         for (shift, neighbour) in [(-1, "previous"), (1, "next")] {
             let case = Case::located(robot, data.shifted(shift).subset(robot), false);
             all.extend(case.map(|case| Slip::new(phrase!("slip-neighbour", neighbour), case)));
@@ -170,19 +171,17 @@ impl Table<'_> {
             let pair = |(second, probes): (Change, Data)| {
                 let what = phrase!("slip-pair", first = first.what.clone(), second = second.what);
                 let anywhere = first.anywhere || second.anywhere;
-                self.placed((
-                    Change { what, anywhere, origin: Origin::Named, listing: Listing::Never, ..second },
-                    probes,
-                ))
+                self.placed(Change { what, anywhere, origin: Origin::Named, listing: Listing::Never, ..second }, probes)
             };
             changed.changes().into_iter().filter_map(pair).collect()
         };
-        let reversed = self.tried_with(reversed_pairs).into_par_iter().filter_map(|pair| self.placed(pair));
+        let reversed =
+            self.tried_with(reversed_pairs).into_par_iter().filter_map(|(pair, probes)| self.placed(pair, probes));
         first.par_iter().flat_map(with).chain(reversed).collect()
     }
 
     /// A change with base, targets and fixtures located, and poses elsewhere with it.
-    fn placed(&self, (change, probes): (Change, Data)) -> Option<Slip> {
+    fn placed(&self, change: Change, probes: Data) -> Option<Slip> {
         let Change { what, origin, data, anywhere, listing } = change;
         let case = Case::located(self.robot, data, anywhere)?;
         Some(Slip { origin, listing, elsewhere: probes.joints(), ..Slip::new(what, case) })

@@ -362,7 +362,7 @@ impl RobustFit {
         let mut readings: Vec<Reading> = all.into_iter().map(deviating).collect();
         readings.retain(|reading| reading.is_judged(&settings.conditions));
         let region = Region::new(robot, observations, &settings.conditions);
-        let lengths = scales.iter().filter(|scale| scale.0.is_some() && shows_misfit(*scale, settings));
+        let lengths = scales.iter().filter(|(of, scale)| of.is_some() && shows_misfit(**scale, **of, settings));
         let largest_mm = lengths.map(|(_, scale)| *scale).fold(0.0, f64::max);
         for &quantity in scales.keys().filter(|quantity| is_incomplete(&scales, settings, **quantity)) {
             let limit = outlier_limit(&readings, quantity);
@@ -480,9 +480,9 @@ fn stated_deviation(settings: &Settings, quantity: Option<ErrorKind>) -> f64 {
 }
 
 /// `true` if the scatter of a quantity shows that the model is incomplete.
-fn shows_misfit((quantity, scale): (&Option<ErrorKind>, &f64), settings: &Settings) -> bool {
-    let stated = stated_deviation(settings, *quantity);
-    stated > 0.0 && *scale > MISFIT * stated
+fn shows_misfit(scale: f64, quantity: Option<ErrorKind>, settings: &Settings) -> bool {
+    let stated = stated_deviation(settings, quantity);
+    stated > 0.0 && scale > MISFIT * stated
 }
 
 /// `true` if the scatter of any quantity shows that the model is incomplete, or if none is given to
@@ -490,7 +490,7 @@ fn shows_misfit((quantity, scale): (&Option<ErrorKind>, &f64), settings: &Settin
 /// quantities.
 fn is_incomplete(scales: &BTreeMap<Option<ErrorKind>, f64>, settings: &Settings, quantity: Option<ErrorKind>) -> bool {
     let stated = stated_deviation(settings, quantity);
-    scales.iter().any(|scale| shows_misfit(scale, settings)) || stated <= 0.0 || !stated.is_finite()
+    scales.iter().any(|(of, scale)| shows_misfit(*scale, *of, settings)) || stated <= 0.0 || !stated.is_finite()
 }
 
 /// `true` if the residuals of a condition are judged: observed joint values are inputs of the

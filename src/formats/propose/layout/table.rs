@@ -193,6 +193,14 @@ pub fn heading_without_unit(heading: &str) -> &str {
 const UNIT: f64 = 2e-3;
 
 impl Column {
+    /// Cells as keys of rows.
+    pub fn texts(&self) -> Vec<String> {
+        match self.is_numeric() {
+            true => self.values.iter().map(f64::to_string).collect(),
+            false => self.cells.iter().map(|cell| cell.trim().to_owned()).collect(),
+        }
+    }
+
     /// Decides whether `grad` of an angle of an instrument means gon: angles above 360 do. Others
     /// leave the unit open.
     fn decide_grad(&mut self) {

@@ -1,5 +1,6 @@
 //! Proposal for several files: the use of each file, and how the files are joined.
 
+mod choice;
 mod join;
 mod keys;
 mod names;
@@ -7,7 +8,8 @@ mod part;
 mod poses;
 mod tested;
 
-pub(super) use keys::{Keys, best_join, texts};
+pub(super) use choice::best_join;
+pub(super) use keys::Keys;
 pub(super) use part::Part;
 
 use super::against::Remarks;

@@ -1,6 +1,5 @@
 //! A file of a proposal.
 
-use super::keys::texts;
 use crate::dialect::quoted;
 use crate::export::Pattern;
 use crate::exports::stamp_seconds;
@@ -210,9 +209,9 @@ impl Part {
     pub fn targets(&self) -> Option<Vec<String>> {
         let (table, found) = self.read.as_ref()?;
         if let Some(at) = found.first(Meaning::Target) {
-            return Some(texts(&table.columns[at]));
+            return Some(table.columns[at].texts());
         }
-        let labels = texts(&table.columns[found.first(Meaning::Label)?]);
+        let labels = table.columns[found.first(Meaning::Label)?].texts();
         let Labels { form, .. } = Labels::new(&labels)?;
         let pattern = Pattern::parse(&form).ok()?;
         let target = |label: &String| pattern.read(label, |_| false).and_then(|named| named.target).unwrap_or_default();

@@ -1,6 +1,5 @@
 //! Tables of a test of poses to ISO 9283.
 
-use super::keys::texts;
 use super::part::Part;
 use crate::dialect::quoted;
 use crate::propose::meaning::{Interpretation, Meaning, PointSet};
@@ -61,7 +60,7 @@ fn tables_of_poses(parts: &[Part]) -> Option<[usize; 2]> {
     let poses = |part: &Part| -> Option<(Vec<String>, bool)> {
         let (table, found) = part.read.as_ref().filter(|(_, found)| found.points.len() < 2)?;
         let [Some(_), Some(_), _] = found.points.first().or(found.commanded_point())?.columns else { return None };
-        Some((texts(&table.columns[found.first(Meaning::Pose)?]), found.first(Meaning::Cycle).is_some()))
+        Some((table.columns[found.first(Meaning::Pose)?].texts(), found.first(Meaning::Cycle).is_some()))
     };
     let tables: Vec<(usize, Vec<String>, bool)> = parts
         .iter()
