@@ -131,8 +131,9 @@ impl ReportCommand {
             (false, true) => return Err(error!("certificate-of-earlier-inputs", files = changed).into()),
             (false, false) => out.remark(&[warning!("report-of-earlier-inputs", files = changed)]),
         }
-        // a hash in the report is the hash of the file beside it
+        // a hash in the report is the hash of the file beside it; `export` makes a missing one again
         let listed = results.campaign.controller_files.iter().filter(|file| file.sha256.is_some());
+        let listed = listed.filter(|file| documents.path(&file.file).exists());
         let changed: Vec<_> = listed.filter_map(|file| documents.bytes(&file.file).err()).collect();
         Problems(changed.into_iter().flat_map(|more| more.0).collect()).check()?;
         results.campaign.report = self.branding.over(results.campaign.report)?;

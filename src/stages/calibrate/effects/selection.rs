@@ -217,7 +217,8 @@ pub fn check_selections(campaign: &Campaign, poses: &BTreeSet<PoseName>, all: &B
 
 /// Error about a selection of which no pose is measured.
 fn without_pose(set: &str, poses: &BTreeSet<PoseName>) -> Message {
-    error!("selection-without-pose", set).answered_by(AnsweredBy::Measurements).hint(measured(poses))
+    let hint = measured(poses);
+    error!("selection-without-pose", set).answered_by(AnsweredBy::Measurements).hint(hint)
 }
 
 /// Warning about series without a calibration pose.
