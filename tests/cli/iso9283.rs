@@ -58,7 +58,8 @@ fn a_recording_tells_stops_path_and_poses_that_the_command_takes_again() {
     near(velocity.rv_percent.unwrap(), 0.0);
     assert!(document.standstills.iter().all(|s| s.mean_mm.len() == 2));
 
-    assert!(text_of(&run(here, line)).is_empty() && !run(here, line).stdout.is_empty());
+    let said = text_of(&run(here, line));
+    assert!(said.says("warning[few-passes] least=10 count=3") && said.matches("warning[").count() == 1, "{said}");
     let poses = run(here, "iso9283 poses.csv --commanded commanded.csv --json");
     let list: Vec<serde_json::Value> = serde_json::from_slice(&poses.stdout).unwrap();
     assert!(list.len() == 2 && list.iter().all(|p| p["ap_mm"].as_f64().unwrap() < 1e-9 && p["cycles"] == 3));

@@ -363,7 +363,8 @@ fn arguments<'a>(sample: &str, limit_mm: &'a str) -> Vec<&'a str> {
         }
         _ => "visits.csv --commanded positions.csv --expanded-uncertainty-um 2.7 --rp-limit-mm",
     };
-    let order = if sample == "pose-test" { &["--rotation-order", "Rz(c) Ry(b) Rx(a)"][..] } else { &[] };
+    let order =
+        if sample == "pose-test" { &["--rotation-order", "Rz(c) Ry(b) Rx(a)", "--drift-set", "5"][..] } else { &[] };
     tables.split(' ').chain([limit_mm]).chain(order.iter().copied()).collect()
 }
 

@@ -570,7 +570,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&json.stdout).unwrap();
     assert_eq!((document.visits.len(), document.poses.len()), (240, 5));
 
-    scratch.replace("campaign.toml", "repeatability_max_mm = 0.040", "repeatability_max_mm = 0.020");
+    scratch.replace("campaign.toml", "repeatability_max_mm = 0.040", "repeatability_max_mm = 0.010");
     assert_eq!(etalon(scratch.root(), &["run", "campaign"]).status.code(), Some(1));
     let checked = etalon(scratch.root(), &["check", "campaign"]);
     assert!(

@@ -300,7 +300,7 @@ mod tests {
             .with(Line::Remark("a name over\ntwo lines".to_owned()))
             .with(Line::File("p \"1\".txt".to_owned()))
             .with(Line::Label(Label::Open))
-            .with(Line::Target(Target::Named("K \\ 1".to_owned(), "of the file")))
+            .with(Line::Target(Target::Named("K \\ 1".to_owned(), "its column")))
             .with(Line::PoseByRow);
         lines.insert_behind_files(&Line::Text("encoding = \"latin1\"\n".to_owned()));
         let table: toml::Table = lines.to_string().parse().unwrap();

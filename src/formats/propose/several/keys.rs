@@ -4,7 +4,7 @@ use super::part::Part;
 use crate::export::{LabelNames, Pattern};
 use crate::propose::labels::{ALONE, Labels, NUMBER, are_numbers};
 use crate::propose::meaning::Meaning;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Keys of the rows of a file by which it can be joined.
 #[derive(Default)]
