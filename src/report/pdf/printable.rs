@@ -66,10 +66,21 @@ fn styled(svg: &str) -> String {
     }
 }
 
+/// Break opportunity that the template replaces, so that the text of the PDF does not contain it.
+const BREAK: char = '\u{e000}';
+/// Break opportunity that the text of the PDF contains.
+const ZERO_WIDTH_SPACE: char = '\u{200b}';
+/// Maximum number of [`BREAK`] in a text. The typesetter refuses a paragraph with more than 500.
+const MOST_BREAKS: usize = 50;
+
 /// Adds break opportunities to long words, except for checksums, which are copied.
 fn breakable(text: &str) -> String {
     let broken = |word: &str| if is_checksum(word) { word.to_owned() } else { broken(word, &SEPARATORS) };
-    text.split(' ').map(broken).collect::<Vec<_>>().join(" ")
+    let text = text.split(' ').map(broken).collect::<Vec<_>>().join(" ");
+    match text.matches(BREAK).count() > MOST_BREAKS {
+        true => text.replace(BREAK, &ZERO_WIDTH_SPACE.to_string()),
+        false => text,
+    }
 }
 
 /// Characters behind which a long word may be broken, the best first.
@@ -84,9 +95,9 @@ fn broken(word: &str, separators: &[&[char]]) -> String {
     match separators {
         [first, others @ ..] => {
             let parts = word.split_inclusive(*first).map(|part| broken(part, others));
-            parts.collect::<Vec<_>>().join("\u{200b}")
+            parts.collect::<Vec<_>>().join(&BREAK.to_string())
         }
-        [] => word.chars().flat_map(|c| [c, '\u{200b}']).collect(),
+        [] => word.chars().flat_map(|c| [c, ZERO_WIDTH_SPACE]).collect(),
     }
 }
 
@@ -137,7 +148,9 @@ mod tests {
         assert_eq!(value[0], format!("a {} b", "n\u{200b}".repeat(29)));
         // a reader finds the name of a file
         let name = "measurements_of_a_robot.csv";
-        assert_eq!(breakable(&format!("exports/2026/{name}")), format!("exports/\u{200b}2026/\u{200b}{name}"));
+        assert_eq!(breakable(&format!("exports/2026/{name}")), format!("exports/\u{e000}2026/\u{e000}{name}"));
+        let folders = "a/".repeat(60);
+        assert_eq!(breakable(&folders), "a/\u{200b}".repeat(60).trim_end_matches('\u{200b}'));
         assert_eq!((value[1].as_str(), value[2].as_str()), (Some(&*checksum), Some(&*"n".repeat(28))));
         assert!(value[3]["svg"].as_str().unwrap().ends_with(&format!("</style><text>{long}</text>")));
     }
