@@ -131,7 +131,7 @@ impl ReportCommand {
             (false, true) => return Err(error!("certificate-of-earlier-inputs", files = changed).into()),
             (false, false) => out.remark(&[warning!("report-of-earlier-inputs", files = changed)]),
         }
-        // a hash in the report is the hash of the file beside it; `export` makes a missing one again
+        // a hash in the report is the hash of the file in the folder; `export` writes a missing one
         let listed = results.campaign.controller_files.iter().filter(|file| file.sha256.is_some());
         let listed = listed.filter(|file| documents.path(&file.file).exists());
         let changed: Vec<_> = listed.filter_map(|file| documents.bytes(&file.file).err()).collect();

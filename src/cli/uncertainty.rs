@@ -14,8 +14,8 @@ use std::path::PathBuf;
 ///
 /// Every uncertain quantity of the campaign is drawn randomly (JCGM 101): points of frames,
 /// targets, scale, temperature, homing. Frames and parameters are identified again from each draw.
-/// The draws are compared with the linear uncertainties of `etalon run`. The bootstrap resamples the
-/// measured poses and cycles, and omits tolerances. Only reports are written.
+/// The draws are compared with the linear uncertainties of `etalon run`. The bootstrap resamples
+/// the measured poses and cycles, and omits tolerances. Only reports are written.
 #[derive(Debug, clap::Args)]
 pub struct Uncertainty {
     /// Folder of the campaign, or its campaign.toml.

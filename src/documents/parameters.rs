@@ -464,8 +464,8 @@ const DOUBTFUL: f64 = 0.05;
 pub enum ModelFit {
     /// Noise explains the residuals.
     Fits,
-    /// Noise explains the residuals in less than one of twenty campaigns; chi-square does not reject
-    /// the model.
+    /// Noise explains the residuals in less than one of twenty campaigns; chi-square does not
+    /// reject the model.
     Doubtful,
     /// Chi-square does not reject the model, but residuals of one pose are correlated.
     Correlated,

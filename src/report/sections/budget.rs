@@ -53,7 +53,8 @@ fn nominal(parameters: &ParametersDocument) -> Option<&NominalUncertainties> {
 }
 
 /// Sentence on errors whose uncertainty is unknown: common errors of all lengths for which the
-/// campaign gives no uncertainty, and features without a redundant point; empty without such errors.
+/// campaign gives no uncertainty, and features without a redundant point; empty without such
+/// errors.
 pub(super) fn left_out(results: &Results, words: &Words) -> String {
     let Some(identified) = &results.identified else { return String::new() };
     let of_figures = identified.accuracy.budget.iter().flat_map(|f| &f.contributions).map(|c| c.source);

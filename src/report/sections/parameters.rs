@@ -268,7 +268,7 @@ mod tests {
         assert!(!shown(&document).contains(&marked));
     }
 
-    /// Of eleven identified values, two have no smaller contribution than their tolerance, one of
+    /// Two of eleven identified values have no smaller contribution than their tolerance, one of
     /// them a default.
     #[test]
     fn uncertainties_by_tolerances_are_counted() {

@@ -319,7 +319,7 @@ mod tests {
         }
     }
 
-    /// What the terminal warns of is in the page too, and a step follows from it.
+    /// Warnings of the terminal are in the page too, and a step follows from them.
     #[test]
     fn a_verification_says_what_to_do() {
         let words = Words::default();

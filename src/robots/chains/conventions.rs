@@ -479,7 +479,8 @@ impl Serial {
         Self::from_table(TableConvention::Modified, joints, targets, &effects)
     }
 
-    /// Creates an arm of `joints` in Denavit-Hartenberg parameters, with `targets` on its last link.
+    /// Creates an arm of `joints` in Denavit-Hartenberg parameters, with `targets` on its last
+    /// link.
     pub fn from_axis_table(convention: TableConvention, joints: &[SerialJoint], targets: &[String]) -> Self {
         Self::from_table(convention, joints, targets, &Effects { gravity: [0.0, 0.0, -1.0], ..Effects::default() })
     }

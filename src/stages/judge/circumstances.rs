@@ -74,8 +74,9 @@ fn implausible_temperature(low: f64, high: f64) -> Option<Message> {
     })
 }
 
-/// Returns a warning if a payload of `high_kg` is too heavy for an arm of the reach that the readings
-/// show with nominal parameters: compliances by masses in grams are a thousand times too small.
+/// Returns a warning if a payload of `high_kg` is too heavy for an arm of the reach that the
+/// readings show with nominal parameters: compliances by masses in grams are a thousand times too
+/// small.
 fn implausible_mass(robot: &dyn Robot, sets: &Sets, high_kg: f64) -> Option<Message> {
     let nominal = robot.nominal();
     let origin = robot.base_origin(&nominal);

@@ -57,7 +57,7 @@ impl ExpectedDeviation {
             });
         };
         let u = u.hypot(residuals.test.common_standard_uncertainty_mm.unwrap_or(0.0));
-        // readings may have uncertainties of their own, and other quantities a model error of theirs
+        // readings may have uncertainties of their own, and other quantities their model errors
         let model_mm = excess(shown_mm, u).min(shown_mm * model_share(residuals).sqrt());
         let between_targets_mm = within_mm.map(|within_mm| excess(within_mm, u).min(model_mm));
         let is_estimated = model_mm > 0.0 || conditions.iter().any(|(_, model)| *model > 0.0);

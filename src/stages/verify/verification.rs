@@ -163,8 +163,8 @@ pub fn verify(
     })
 }
 
-/// Test for changes as its document has it; `alike` are the names of motions that explain as much as
-/// the cause.
+/// Test for changes as its document has it; `alike` are the names of motions that explain as much
+/// as the cause.
 fn evidence(robot: &dyn Robot, found: &Verification, alike: Vec<String>) -> ChangeEvidence {
     let whole = found.of_changes.sum + found.of_rest.sum;
     let movement = |e: &Explanation| movement(robot, e, whole);

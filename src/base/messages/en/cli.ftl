@@ -472,10 +472,10 @@ verify-without-observations = no row of the table contains an observation
 # the last digit.
 # Matters: A copy of the readings shows no change of the robot: the parameters were identified from
 # them.
-# Do: Replace exports and logs by those of the new measurement.
+# Do: Replace exports and logs by the files of the new measurement.
 # Example: an unchanged copy of the campaign
 readings-of-calibration = { $count } of { $rows } rows are equal to readings of the calibration: they verify nothing
-    .hint = replace exports and logs by those of the new measurement
+    .hint = replace exports and logs by the files of the new measurement
 
 # Means: `etalon verify` has a campaign as its observations, together with options for reading a
 # table.

@@ -57,13 +57,13 @@ campaign-twice = `{ $folder }` is given twice
 
 # Means: Two folders contain the very same readings.
 # Matters: A copy of a campaign shows no change of the robot.
-# Do: Replace exports and logs of the later campaign by those of its own measurement.
+# Do: Replace exports and logs of the later campaign by the files of its own measurement.
 # Example: `etalon compare campaign copy`
 campaigns-with-same-readings = { $count ->
         [one] two folders contain
        *[other] folders contain
     } the same readings: { $pairs }
-    .hint = replace exports and logs of the later campaign by those of its own measurement
+    .hint = replace exports and logs of the later campaign by the files of its own measurement
 same-readings = `{ $first }` and `{ $second }`
 
 # Means: The robot files of the campaigns have different names.

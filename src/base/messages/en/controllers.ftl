@@ -395,7 +395,7 @@ template-holds-unknown = no parameter matches `{ $pattern }`
 template-parameters-unread = the template lists { $count ->
         [one] 1 parameter
        *[other] { $count } parameters
-    } that it does not write: { $names }; the errors of this file are those of another file
+    } that it does not write: { $names }; the errors of this file are the errors of another file
     .hint = list after `holds:` only the parameters that the template writes
 
 # Means: The file name of a template does not end with `.j2`.
