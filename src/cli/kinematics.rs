@@ -14,7 +14,7 @@ use etalon_campaign::read_robot;
 use etalon_documents::{KinematicsDocument, KinematicsEntry, UnreachablePose, to_json};
 use etalon_formats::table::{ASSEMBLY, QUATERNION, XYZ};
 use etalon_formats::tables::joints::{joint_column, stated_modes};
-use etalon_robots::Kinematics;
+use etalon_robots::{Kinematics, Role};
 use std::path::PathBuf;
 
 /// Tolerance of a quaternion's length: the file contains only a few decimals.
@@ -71,7 +71,10 @@ impl KinematicsCommand {
         let mut robot = file.build(&file.targets_or("tool"))?;
         if let Some(path) = &self.parameters {
             let document = read_loaded_parameters(path, self.loaded.as_deref())?;
-            let values = identified(robot.as_ref(), &document, path)?;
+            let mut values = identified(robot.as_ref(), &document, path)?;
+            // the display of a controller knows no tilt of its base, which gravity acts on
+            let parameters = robot.parameters().iter().zip(&mut values).filter(|_| self.loaded.is_some());
+            parameters.filter(|(p, _)| p.role == Role::Base).for_each(|(p, value)| *value = p.nominal);
             robot.definition_mut().set_nominal(&values);
         }
         let arm = whole_pose(robot.as_ref())?;

@@ -391,7 +391,10 @@ fn a_campaign_and_the_command_give_one_verdict_of_the_same_data() {
             let done = etalon(&scratch.path(), &[&["iso9283"][..], &command].concat());
             let code = Some(i32::from(!conforms));
             assert_eq!((run.status.code(), done.status.code()), (code, code), "{sample} {limit_mm}");
-            let same: Vec<Iso9283Pose> = answered(&scratch, &command);
+            let mut same: serde_json::Value = answered(&scratch, &command);
+            // drifts are in a document with the poses
+            let same = if same.is_object() { same["poses"].take() } else { same };
+            let same: Vec<Iso9283Pose> = serde_json::from_value(same).unwrap();
             for (p, q) in found.poses.iter().zip(&same) {
                 assert_eq!((p.rp_conformity, p.quarter_rule_met), (q.rp_conformity, q.quarter_rule_met));
                 assert!((p.rp_mm.unwrap() - q.rp_mm.unwrap()).abs() < 1e-9);

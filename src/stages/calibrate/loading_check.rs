@@ -5,23 +5,21 @@ use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{DisplayedPose, LoadingCheck, PoseSet};
 use etalon_formats::table::ASSEMBLY;
-use etalon_robots::{Kinematics, Parameter, Robot, Role};
+use etalon_robots::{Kinematics, Robot, Role};
 
 /// Displays at the measured pose where these values change the position most; `None` for a robot
 /// without kinematics of a whole pose. A display knows joint values alone: no load, no torque, no
 /// temperature, no direction of approach, and no tilt of the base.
 pub fn loading_check(robot: &dyn Robot, solution: &IdentifiedSolution, values: &[f64]) -> Option<LoadingCheck> {
     let (arm, nominal) = (robot.kinematics()?, robot.nominal());
-    let own = |((p, value), nominal): ((&Parameter, &f64), &f64)| if p.role == Role::Base { *nominal } else { *value };
-    let values: Vec<f64> = robot.parameters().iter().zip(values).zip(&nominal).map(own).collect();
-    let displays = |joints: &[f64]| Some([arm.tool_pose(&nominal, joints)?, arm.tool_pose(&values, joints)?]);
+    let displays = |joints: &[f64]| Some([arm.tool_pose(&nominal, joints)?, arm.tool_pose(values, joints)?]);
     let change = |[before, after]: &[Pose; 2]| norm(minus(after.translation_mm, before.translation_mm));
     let count = arm.joints().len() + usize::from(arm.has_assembly_modes());
     let known = measured(solution).map(|(pose, state)| (pose, &state[..count.min(state.len())]));
     let poses = known.filter_map(|(pose, joints)| Some((pose, joints, displays(joints)?)));
     let (pose, joints, [before, after]) = poses.max_by(|a, b| change(&a.2).total_cmp(&change(&b.2)))?;
-    let tolerance_mm = rounding_mm(arm, &values, joints);
-    let mastered_joint_values = match mastered(arm, [&nominal, &values], joints) {
+    let tolerance_mm = rounding_mm(arm, values, joints);
+    let mastered_joint_values = match mastered(arm, [&nominal[..], values], joints) {
         Some(shifted) => named(arm, &shifted).map(|(_, value)| value).collect(),
         None => Vec::new(),
     };
