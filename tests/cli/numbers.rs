@@ -48,8 +48,8 @@ const CITED: [&str; 10] = [
     "(k = 1)",
     "(k = 2)",
     "25 % of AP or RP",
+    "25 % of the verified value",
     "25 % of RP",
-    "25 %",
 ];
 
 impl Sentence {
