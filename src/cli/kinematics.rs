@@ -69,13 +69,17 @@ impl KinematicsCommand {
         // the model needs a target, whose position differs from the tool's
         let file = read_robot(&self.robot)?;
         let mut robot = file.build(&file.targets_or("tool"))?;
+        let mut values = robot.nominal();
         if let Some(path) = &self.parameters {
             let document = read_loaded_parameters(path, self.loaded.as_deref())?;
-            let mut values = identified(robot.as_ref(), &document, path)?;
+            values = identified(robot.as_ref(), &document, path)?;
             // the display of a controller knows no tilt of its base, which gravity acts on
             let parameters = robot.parameters().iter().zip(&mut values).filter(|_| self.loaded.is_some());
             parameters.filter(|(p, _)| p.role == Role::Base).for_each(|(p, value)| *value = p.nominal);
-            robot.definition_mut().set_nominal(&values);
+            // torques that bend an arm are computed with its nominal geometry
+            if self.direction == Direction::Inverse {
+                robot.definition_mut().set_nominal(&values);
+            }
         }
         let arm = whole_pose(robot.as_ref())?;
         let file = self.format.read_other(Table::File(&self.table))?;
@@ -87,7 +91,7 @@ impl KinematicsCommand {
             unreachable: Vec::new(),
         };
         match self.direction {
-            Direction::Direct => direct(arm, &file, &mut document),
+            Direction::Direct => direct(arm, &values, &file, &mut document),
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
@@ -194,14 +198,13 @@ pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>>
     problems.check().map(|_| poses)
 }
 
-fn direct(arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
-    let nominal = arm.nominal();
+fn direct(arm: &dyn Kinematics, values: &[f64], file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
     let names = file.table.poses()?;
     for (pose, joints) in names.into_iter().zip(joint_values(arm, file)?) {
-        match arm.tool_pose(&nominal, &joints) {
+        match arm.tool_pose(values, &joints) {
             Some(at) => {
                 document.poses.push(entry(arm, pose, &joints, &at));
-                let reason = arm.limit_violation(&nominal, &joints);
+                let reason = arm.limit_violation(values, &joints);
                 document.unreachable.extend(reason.map(|reason| UnreachablePose::new(pose, reason)));
             }
             None => {

@@ -13,6 +13,8 @@ struct Range<'a> {
     validation: Option<[f64; 2]>,
 }
 
+/// Column of the times of readings.
+const TIME: &str = "time_s";
 /// Digits of joint values (mm or deg).
 const DIGITS: usize = 4;
 
@@ -49,7 +51,9 @@ fn ranges(identified: &IdentifiedDocuments) -> Vec<Range<'_>> {
         validation: range(PoseSet::Validation, k),
     };
     let names = identified.accuracy.joints.iter().map(String::as_str);
-    names.enumerate().map(named).filter(|range| range.calibration.or(range.validation).is_some()).collect()
+    // results do not apply to times alone
+    let names = names.enumerate().filter(|(_, name)| *name != TIME);
+    names.map(named).filter(|range| range.calibration.or(range.validation).is_some()).collect()
 }
 
 #[cfg(test)]

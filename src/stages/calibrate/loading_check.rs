@@ -52,15 +52,13 @@ fn mastered(arm: &dyn Kinematics, [nominal, values]: [&[f64]; 2], joints: &[f64]
     (shifted != joints).then_some(shifted)
 }
 
-/// Deciding poses with their joint values.
+/// Measured poses with their joint values.
 fn measured(solution: &IdentifiedSolution) -> impl Iterator<Item = (PoseName, &[f64])> {
-    let of_set = |set: PoseSet| {
+    [PoseSet::Calibration, PoseSet::Validation].into_iter().flat_map(|set| {
         let (observations, conditions) = solution.sets.observations_and_conditions(set);
         let observed = observations.iter().map(|o| (o.pose, &o.joints[..]));
         observed.chain(conditions.iter().map(|c| (c.pose, &c.joints[..])))
-    };
-    let validates = of_set(PoseSet::Validation).next().is_some();
-    of_set(if validates { PoseSet::Validation } else { PoseSet::Calibration })
+    })
 }
 
 /// Columns of the joints and of the assembly mode, with their values (mm or deg).

@@ -29,7 +29,7 @@ instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Ke
         [one] an Pose { $poses }
        *[other] an den Posen { $poses }
     }
-    .hint = RP als Obergrenze verwenden oder mit einem besseren Messgerät messen
+    .hint = das obere Ende des Intervalls von RP verwenden oder mit einem besseren Messgerät messen
 
 positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
     .hint = `drift_set` in [poses] angeben (`--drift-set`) oder den Roboter vor der Prüfung warmfahren
@@ -247,7 +247,7 @@ action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; e
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
 action-verify = das Laden prüfen: einige Posen messen und `etalon verify` ausführen. Gelten die Parameter nicht, die vorherige Datei der Steuerung wiederherstellen
-action-verify-moved = das Laden verschiebt geteachte Positionen im Basiskoordinatensystem um bis zu { $change } (Pose { $pose }): Freiräume prüfen und Werkstücke neu einlernen. { $count ->
+action-verify-moved = das Laden verschiebt geteachte Positionen an den gemessenen Posen um bis zu { $change } (Flansch im Basiskoordinatensystem, Pose { $pose }): Freiräume prüfen und Werkstücke neu einlernen. { $count ->
         [0] Die gesicherte Datei als `controller_backup` in [conditions] nennen: der Bericht gibt dann ihren SHA-256 an
        *[other] Die vorherige Datei ist `{ $file }`; derselbe Abschnitt nennt ihren SHA-256
     }

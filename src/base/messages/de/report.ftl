@@ -550,7 +550,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } Abweichungen, deren Position oder Wert nicht endlich ist, sind nicht gezeichnet.
     }
 errors-of-each-pose = Abweichungen je Pose
-errors-of-noise-alone = Rauschen allein kann die größte Abweichung dieser Größen erklären: { $quantities }. Der Wert ist dann eine Obergrenze.
+errors-of-noise-alone = Rauschen allein kann die größte Abweichung dieser Größen erklären: { $quantities }. Der Wert ist dann vor allem Rauschen.
 errors-of-poses-drawn = { $drawn } von { $total } Abweichungen sind gezeichnet.
 errors-overlaid-description = Anteile von { $count } Punkten ({ $set }); logarithmische Achse.
 errors-overlaid-title = Abweichungen vorher und nachher: { $quantity }
@@ -568,7 +568,7 @@ expected-of-parameters = erwartet, Parameter (k = 1)
 expected-standard = erwartet (k = 1)
 expected-value = { $value }, erwartet { $expected }
 expected-value-judged = { $value }, erwartet { $expected } ({ $criterion })
-expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } je Messwert (k = 2)
+expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } je Komponente eines Messwerts (k = 2)
 expired = abgelaufen
 explained = erklärt
 explanations-of-messages = Erklärungen dieser Meldungen
@@ -708,11 +708,11 @@ instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen überste
 instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von { $tested ->
         [repeatability] RP
        *[accuracy] AP oder RP
-    }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter.
+    }; wo sie 25 % von RP übersteigt, enthält RP viel Rauschen des Messgeräts.
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von { $tested ->
         [repeatability] RP
        *[accuracy] AP oder RP
-    } an den Posen { $poor }; wo sie 25 % von RP übersteigt, ist RP eine Obergrenze für den Roboter. Geeignet an den Posen: { $good }.
+    } an den Posen { $poor }; wo sie 25 % von RP übersteigt, enthält RP viel Rauschen des Messgeräts. Geeignet an den Posen: { $good }.
 left-out-feature = Geometrieelement `{ $feature }`, ohne redundanten Punkt gemessen
 left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
@@ -1120,7 +1120,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25-%-Regel
 radius = Radius
 range = { $from } bis { $to }
-quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) je Messwert
+quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) je Komponente eines Messwerts
 rank = Rang
 rank-cut = Rangschwelle { $value }
 ratio = Verhältnis

@@ -44,15 +44,15 @@ few-cycles-of-direction = fewer than { $least } cycles in { $count ->
 
 # Means: The expanded uncertainty of the instrument exceeds a quarter of the characteristic (ISO
 # 9283, clause 6).
-# Matters: The instrument causes part of the scatter. RP is an upper bound of the robot's
+# Matters: The instrument causes part of the scatter. RP is larger than the robot's
 # repeatability; AP is not bounded.
-# Do: Use RP as an upper bound, or measure with a more accurate instrument.
+# Do: Use the upper end of the interval of RP, or measure with a more accurate instrument.
 # Example: RP of 0.02 mm measured with U = 0.01 mm
 instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified value at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     }
-    .hint = use RP as an upper bound, or measure with a more accurate instrument
+    .hint = use the upper end of the interval of RP, or measure with a more accurate instrument
 
 # Means: The position of a pose changes systematically over the cycles, and no sets of cycles are
 # given. The test is Student's test of a straight line, level 0.1 % for all poses together.
@@ -391,7 +391,7 @@ action-agree-rule-reason = the limit lies within U = { $present }; a decision ne
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`. The field contains errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
 action-verify = test the loaded file: measure a few poses, and run `etalon verify`. If the parameters do not apply, restore the previous file of the controller
-action-verify-moved = loading moves taught positions by up to { $change } in the base frame (pose { $pose }): check clearances, and teach work objects again. { $count ->
+action-verify-moved = loading moves taught positions by up to { $change } at the measured poses (flange in the base frame, pose { $pose }): check clearances, and teach work objects again. { $count ->
         [0] Name the saved file as `controller_backup` in [conditions]: the report then gives its SHA-256
        *[other] The previous file is `{ $file }`; the same section gives its SHA-256
     }

@@ -523,7 +523,7 @@ errors-hold-among = { $region ->
     }: the distance from a validation pose to the nearest calibration pose is { $ratio } × the spacing of the calibration poses (median; maximum { $largest } ×). Distinct validation positions with a joint outside its calibration range: { $outside } of { $total }.
 errors-not-drawn = { $count } errors with a non-finite position or value are not drawn.
 errors-of-each-pose = Errors by pose
-errors-of-noise-alone = Noise alone can explain the largest error of these quantities: { $quantities }. The value is then an upper bound.
+errors-of-noise-alone = Noise alone can explain the largest error of these quantities: { $quantities }. The value is then mostly noise.
 errors-of-poses-drawn = { $drawn } of { $total } errors are plotted.
 errors-overlaid-description = Shares of { $count } points of { $set }; logarithmic axis.
 errors-overlaid-title = Errors before and after: { $quantity }
@@ -541,7 +541,7 @@ expected-of-parameters = expected, parameters (k = 1)
 expected-standard = expected (k = 1)
 expected-value = { $value }, expected { $expected }
 expected-value-judged = { $value }, expected { $expected } ({ $criterion })
-expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } per reading (k = 2)
+expanded-uncertainty-of-quantity = { $quantity }: U = { $uncertainty } { $unit } per component of a reading (k = 2)
 expired = expired
 explained = explained
 explanations-of-messages = Explanations of these messages
@@ -678,11 +678,11 @@ instrument-good-for-all = Suitable: the measurement uncertainty of positions is 
 instrument-good-for-none = Measurement uncertainty exceeds 25 % of { $tested ->
         [repeatability] RP
        *[accuracy] AP or RP
-    } at every pose: where it exceeds 25 % of RP, RP is an upper bound for the robot.
+    } at every pose: where it exceeds 25 % of RP, RP contains much noise of the instrument.
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of { $tested ->
         [repeatability] RP
        *[accuracy] AP or RP
-    } at poses { $poor }; where it exceeds 25 % of RP, RP is an upper bound for the robot. Suitable at poses: { $good }.
+    } at poses { $poor }; where it exceeds 25 % of RP, RP contains much noise of the instrument. Suitable at poses: { $good }.
 left-out-feature = feature `{ $feature }`, measured without a redundant point
 left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = thermal expansion of robot and part ([expansion])
@@ -1075,7 +1075,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25 % rule
 radius = radius
 range = { $from } to { $to }
-quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) per reading
+quantity-uncertainty = { $quantity }: { $uncertainty } { $unit } (k = 1) per component of a reading
 rank = rank
 rank-cut = rank cut { $value }
 ratio = ratio

@@ -29,7 +29,7 @@ instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caracté
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     }
-    .hint = utiliser les valeurs comme majorants, ou mesurer avec un meilleur instrument
+    .hint = utiliser la borne supérieure de l’intervalle de RP, ou mesurer avec un meilleur instrument
 
 positions-drift = la position de la pose { $pose } change de { FIXED($change_mm, 3) } mm du premier au dernier cycle : AP et RP contiennent cette dérive
     .hint = indiquer `drift_set` dans [poses] (`--drift-set`), ou mettre le robot en température avant l’essai
@@ -241,7 +241,7 @@ action-agree-rule-reason = la limite est à l’intérieur de U = { $present }�
 action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
 action-verify = vérifier le chargement : mesurer quelques poses et lancer `etalon verify`. Si les paramètres ne conviennent pas, rétablir le fichier précédent du contrôleur
-action-verify-moved = le chargement déplace les positions apprises de { $change } au plus dans le référentiel de la base (pose { $pose }) : vérifier les dégagements et réapprendre les pièces. { $count ->
+action-verify-moved = le chargement déplace les positions apprises de { $change } au plus aux poses mesurées (bride dans le référentiel de la base, pose { $pose }) : vérifier les dégagements et réapprendre les pièces. { $count ->
         [0] Nommer le fichier sauvegardé `controller_backup` dans [conditions] : le rapport donne alors son SHA-256
        *[other] Le fichier précédent est `{ $file }` ; la même section donne son SHA-256
     }

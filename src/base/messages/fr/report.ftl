@@ -553,7 +553,7 @@ errors-not-drawn = { $count ->
        *[other] { $count } erreurs dont la position ou la valeur n’est pas finie ne sont pas tracées.
     }
 errors-of-each-pose = Erreurs par pose
-errors-of-noise-alone = Le bruit seul peut expliquer la plus grande erreur de ces grandeurs : { $quantities }. La valeur est alors un majorant.
+errors-of-noise-alone = Le bruit seul peut expliquer la plus grande erreur de ces grandeurs : { $quantities }. La valeur est alors surtout du bruit.
 errors-of-poses-drawn = { $drawn } erreurs sur { $total } sont tracées.
 errors-overlaid-description = Proportions de { $count } points ({ $set }) ; axe logarithmique.
 errors-overlaid-title = Erreurs avant et après : { $quantity }
@@ -571,7 +571,7 @@ expected-of-parameters = attendu, paramètres (k = 1)
 expected-standard = attendu (k = 1)
 expected-value = { $value }, attendu { $expected }
 expected-value-judged = { $value }, attendu { $expected } ({ $criterion })
-expanded-uncertainty-of-quantity = { $quantity } : U = { $uncertainty } { $unit } par lecture (k = 2)
+expanded-uncertainty-of-quantity = { $quantity } : U = { $uncertainty } { $unit } par composante d’une lecture (k = 2)
 expired = expiré
 explained = expliqué
 explanations-of-messages = Explications de ces messages
@@ -711,11 +711,11 @@ instrument-good-for-all = Apte : l’incertitude de mesure des positions est au
 instrument-good-for-none = L’incertitude de mesure dépasse 25 % { $tested ->
         [repeatability] de RP
        *[accuracy] de AP ou de RP
-    } à toutes les poses ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot.
+    } à toutes les poses ; là où elle dépasse 25 % de RP, RP contient beaucoup de bruit de l’instrument.
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % { $tested ->
         [repeatability] de RP
        *[accuracy] de AP ou de RP
-    } aux poses { $poor } ; là où elle dépasse 25 % de RP, RP est un majorant de la valeur du robot. Instrument apte aux poses : { $good }.
+    } aux poses { $poor } ; là où elle dépasse 25 % de RP, RP contient beaucoup de bruit de l’instrument. Instrument apte aux poses : { $good }.
 left-out-feature = élément géométrique `{ $feature }`, mesuré sans point redondant
 left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
@@ -1126,7 +1126,7 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = règle des 25 %
 radius = rayon
 range = { $from } à { $to }
-quantity-uncertainty = { $quantity } : { $uncertainty } { $unit } (k = 1) par lecture
+quantity-uncertainty = { $quantity } : { $uncertainty } { $unit } (k = 1) par composante d’une lecture
 rank = rang
 rank-cut = seuil de rang { $value }
 ratio = rapport
