@@ -7,16 +7,15 @@ use super::{
     repeatability,
 };
 use crate::model::{
-    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, numbers, sentence, significant, term,
-    with_uncertainty,
+    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, numbers, significant, term, with_uncertainty,
 };
 use crate::words::{Words, isolated, names, tr};
 use crate::{coverage, number};
 use etalon_base::message::{Message, Rank, one_line};
 use etalon_base::{files, phrase};
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, LoadAnswer, Loading, ParameterEntry,
-    Results, Source, SourceKind, WrittenFile,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, LoadAnswer, ParameterEntry, Results, Source,
+    SourceKind, WrittenFile,
 };
 
 /// Identifiers of sections of characteristics whose results the certificate has in its own tables.
@@ -60,10 +59,6 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
     });
     sections.splice(place..place, printed);
     let mut sentences = whole.verdict.sentences;
-    // a next step is an opinion, too
-    let withheld = results.verdict.loading.as_ref().and_then(Loading::withheld);
-    let withheld = withheld.map(|answer| sentence(&words.tr(&answer)));
-    sentences.retain(|said| withheld.as_ref() != Some(said));
     if results.identified.is_some() {
         sentences.push(computed(results, words));
     }
