@@ -303,9 +303,8 @@ mod tests {
         assert!(certificate_contents(&documents).draft.is_some());
     }
 
-    #[test]
-    fn a_certificate_is_tied_to_its_inputs_parameters_and_files() {
-        let mut documents = complete();
+    /// Adds a controller file, and returns its checksum.
+    fn with_controller_file(documents: &mut Documents) -> String {
         let sha256 = files::sha256(b"a controller file");
         documents.campaign.controller_files = vec![WrittenFile {
             format: "json".to_owned(),
@@ -315,6 +314,13 @@ mod tests {
             omitted_effects: Vec::new(),
             check: None,
         }];
+        sha256
+    }
+
+    #[test]
+    fn a_certificate_is_tied_to_its_inputs_parameters_and_files() {
+        let mut documents = complete();
+        let sha256 = with_controller_file(&mut documents);
         let results = documents.results();
         let identified = &results.identified.as_ref().unwrap().parameters;
         let parameters = files::sha256(&etalon_documents::to_json(identified).unwrap());
@@ -331,15 +337,7 @@ mod tests {
     #[test]
     fn a_certificate_lists_no_file_that_should_not_be_loaded() {
         let (mut documents, words) = (complete(), Words::default());
-        let sha256 = files::sha256(b"a controller file");
-        documents.campaign.controller_files = vec![WrittenFile {
-            format: "json".to_owned(),
-            file: "controller.json".to_owned(),
-            is_for_controllers: false,
-            sha256: Some(sha256.clone()),
-            omitted_effects: Vec::new(),
-            check: None,
-        }];
+        let sha256 = with_controller_file(&mut documents);
         let section =
             |documents: &Documents| serde_json::to_string(&loaded_section(&documents.results(), &words)).unwrap();
         assert!(section(&documents).contains(&sha256));
