@@ -9,7 +9,7 @@ use crate::support::root;
 use etalon::base::message::Problems;
 use etalon::base::noise::Noise;
 use etalon::campaign::Campaign;
-use etalon::documents::ErrorQuantity;
+use etalon::documents::{ErrorQuantity, PoseCharacteristic};
 use etalon::report::Renderer;
 use etalon::run::pipeline;
 use std::collections::{BTreeMap, BTreeSet};
@@ -163,11 +163,10 @@ fn run(files: &Files) -> Result<Outcome, Problems> {
         }
     }
     for pose in found.results.tested.poses.iter().flat_map(|tested| &tested.poses) {
-        let of = [("AP", pose.ap_mm, &pose.ap_interval), ("RP", pose.rp_mm, &pose.rp_interval)];
-        for (name, value, interval) in of {
-            let (Some(value), Some(interval)) = (value, interval) else { continue };
+        for c in &PoseCharacteristic::ALL {
+            let (Some(value), Some(interval)) = ((c.value)(pose), (c.interval)(pose)) else { continue };
             let u = (interval.high_mm - interval.low_mm) / 4.0;
-            results.insert(format!("{name} of pose {}", pose.pose), Figure { value, u, turns: false });
+            results.insert(format!("{} of pose {}", c.symbol, pose.pose), Figure { value, u, turns: false });
         }
     }
     let warnings = found.results.messages().map(|m| numberless(&m.what)).collect();
