@@ -4,7 +4,7 @@ use crate::computing::compute_long;
 use crate::errors::refused;
 use crate::robot::{Robot, kinematics};
 use etalon::run::documents::parse_parameters;
-use etalon::tasks::{self, set_parameters};
+use etalon::tasks::{self, Arm, stated_parameters};
 use etalon_base::message::{Message, Problems};
 use etalon_base::pose::Pose;
 use etalon_robots::Robot as Model;
@@ -23,13 +23,12 @@ pub fn direct<'py>(
     joints: PyReadonlyArray2<'py, f64>,
     parameters: Option<&str>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let mut model = robot.model()?;
-    set_parameters(model.as_mut(), parameters).map_err(refused)?;
+    let model = robot.model()?;
+    let values = stated_parameters(model.as_ref(), parameters).map_err(refused)?;
     let arm = kinematics(model.as_ref())?;
     let rows = inward(arm, &joints, "joints")?;
-    let nominal = arm.nominal();
     let poses: Vec<f64> = py.detach(|| {
-        let pose = |q: &Vec<f64>| match arm.tool_pose(&nominal, q) {
+        let pose = |q: &Vec<f64>| match arm.tool_pose(&values, q) {
             Some(pose) => numbers(&pose),
             None => [f64::NAN; POSE],
         };
@@ -143,12 +142,15 @@ pub fn inverse<'py>(
     search: Search<'py>,
     parameters: Option<&str>,
 ) -> PyResult<Solutions<'py>> {
-    let mut model = robot.model()?;
-    set_parameters(model.as_mut(), parameters).map_err(refused)?;
+    let model = robot.model()?;
+    let values = stated_parameters(model.as_ref(), parameters).map_err(refused)?;
     let arm = kinematics(model.as_ref())?;
     let starts = search.near.as_ref().map(|near| inward(arm, near, "near")).transpose()?.unwrap_or_default();
     let poses: Vec<Pose> = crate::fit::rows::<POSE>(&poses)?.iter().map(pose).collect();
-    let found = compute_long(py, None, |_| tasks::inverse(arm, &poses, &starts, !search.all))?.map_err(refused)?;
+    let found = compute_long(py, None, |_| {
+        tasks::inverse(Arm { model: arm, values: &values }, &poses, &starts, !search.all)
+    })?
+    .map_err(refused)?;
     let mut missing = Vec::new();
     let (mut rows, mut values) = (Vec::new(), Vec::new());
     let width = values_of(arm);

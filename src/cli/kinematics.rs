@@ -5,7 +5,7 @@ use crate::run::documents::read_loaded_parameters;
 use crate::stages::observe::joint_range::{self, Joints};
 use crate::stages::table_file::TableFile;
 use crate::tasks::kinematics::identified;
-use crate::tasks::{Table, TableFormat, inverse, whole_pose};
+use crate::tasks::{Arm, Table, TableFormat, inverse, whole_pose};
 use etalon_base::cell;
 use etalon_base::message::{Problems, Result};
 use etalon_base::pose::Pose;
@@ -68,7 +68,7 @@ impl KinematicsCommand {
     pub(super) fn run(self, out: &Output) -> anyhow::Result<Verdict> {
         // the model needs a target, whose position differs from the tool's
         let file = read_robot(&self.robot)?;
-        let mut robot = file.build(&file.targets_or("tool"))?;
+        let robot = file.build(&file.targets_or("tool"))?;
         let mut values = robot.nominal();
         if let Some(path) = &self.parameters {
             let document = read_loaded_parameters(path, self.loaded.as_deref())?;
@@ -76,22 +76,18 @@ impl KinematicsCommand {
             // the display of a controller knows no tilt of its base, which gravity acts on
             let parameters = robot.parameters().iter().zip(&mut values).filter(|_| self.loaded.is_some());
             parameters.filter(|(p, _)| p.role == Role::Base).for_each(|(p, value)| *value = p.nominal);
-            // torques that bend an arm are computed with its nominal geometry
-            if self.direction == Direction::Inverse {
-                robot.definition_mut().set_nominal(&values);
-            }
         }
-        let arm = whole_pose(robot.as_ref())?;
+        let arm = Arm { model: whole_pose(robot.as_ref())?, values: &values };
         let file = self.format.read_other(Table::File(&self.table))?;
         let mut document = KinematicsDocument {
             schema: "etalon/kinematics/1".to_owned(),
-            robot: arm.model().to_owned(),
-            joints: joint_names(arm),
+            robot: arm.model.model().to_owned(),
+            joints: joint_names(arm.model),
             poses: Vec::new(),
             unreachable: Vec::new(),
         };
         match self.direction {
-            Direction::Direct => direct(arm, &values, &file, &mut document),
+            Direction::Direct => direct(arm, &file, &mut document),
             Direction::Inverse => self.inverse(arm, &file, &mut document),
         }
         .map_err(|problems| file.place(problems))?;
@@ -105,10 +101,10 @@ impl KinematicsCommand {
         out.print_with(answer, verdict)
     }
 
-    fn inverse(&self, arm: &dyn Kinematics, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
-        let (nominal, names) = (arm.nominal(), file.table.poses()?);
-        let starts = starts(arm, file)?.unwrap_or_default();
-        let poses = poses(arm, file)?;
+    fn inverse(&self, arm: Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+        let (Arm { model, values }, names) = (arm, file.table.poses()?);
+        let starts = starts(model, file)?.unwrap_or_default();
+        let poses = poses(model, file)?;
         let solutions = inverse(arm, &poses, &starts, self.nearest)?;
         for ((pose, name), found) in poses.iter().zip(names).zip(solutions) {
             let found = found.unwrap_or_else(|reason| {
@@ -116,11 +112,11 @@ impl KinematicsCommand {
                 Vec::new()
             });
             // each pose of a redundant arm leaves joints free
-            let redundant = arm.joints().len() > 6;
+            let redundant = model.joints().len() > 6;
             for joints in found {
-                let free = if redundant { Vec::new() } else { arm.free_joints(&nominal, &joints) };
-                let free_joints = free.into_iter().map(|joint| arm.joints()[joint].name.clone()).collect();
-                document.poses.push(KinematicsEntry { free_joints, ..entry(arm, name, &joints, pose) });
+                let free = if redundant { Vec::new() } else { model.free_joints(values, &joints) };
+                let free_joints = free.into_iter().map(|joint| model.joints()[joint].name.clone()).collect();
+                document.poses.push(KinematicsEntry { free_joints, ..entry(model, name, &joints, pose) });
             }
         }
         Ok(())
@@ -198,13 +194,13 @@ pub(super) fn poses(arm: &dyn Kinematics, file: &TableFile) -> Result<Vec<Pose>>
     problems.check().map(|_| poses)
 }
 
-fn direct(arm: &dyn Kinematics, values: &[f64], file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
-    let names = file.table.poses()?;
-    for (pose, joints) in names.into_iter().zip(joint_values(arm, file)?) {
-        match arm.tool_pose(values, &joints) {
+fn direct(arm: Arm, file: &TableFile, document: &mut KinematicsDocument) -> Result<()> {
+    let (Arm { model, values }, names) = (arm, file.table.poses()?);
+    for (pose, joints) in names.into_iter().zip(joint_values(model, file)?) {
+        match model.tool_pose(values, &joints) {
             Some(at) => {
-                document.poses.push(entry(arm, pose, &joints, &at));
-                let reason = arm.limit_violation(values, &joints);
+                document.poses.push(entry(model, pose, &joints, &at));
+                let reason = model.limit_violation(values, &joints);
                 document.unreachable.extend(reason.map(|reason| UnreachablePose::new(pose, reason)));
             }
             None => {

@@ -143,8 +143,6 @@ pub struct Evidence<'a> {
     pub campaign: &'a CampaignSummary,
     /// Errors of single points.
     pub errors: &'a [PointError],
-    /// Warnings of all documents.
-    pub messages: Vec<&'a Message>,
 }
 
 impl Action {
@@ -224,7 +222,7 @@ impl Evidence<'_> {
         all.extend(effects.filter(|e| !e.is_identified).map(|proof| self.add_effect(proof, is_first)));
         all.extend(verdict.reasons.iter().filter_map(|reason| self.remedy(reason, verdict)));
         all.extend(self.add_validation(&verdict.reasons));
-        all.extend(self.messages.iter().filter_map(|m| resolve(m)));
+        all.extend(self.judged.messages.iter().filter_map(|m| resolve(m)));
         let judges = self.judged.accuracy.is_some() || self.judged.tested.poses.is_some();
         if verdict.limits.is_empty() && judges {
             let what = phrase!("action-state-limits");

@@ -51,6 +51,7 @@ impl Results {
     pub fn judged(mut self) -> Self {
         let identified = self.identified.as_ref();
         let file = self.judged_file();
+        let messages: Vec<&Message> = self.messages().collect();
         let judged = Judged {
             parameters: identified.map(|i| &i.parameters),
             accuracy: identified.map(|i| &i.accuracy),
@@ -58,11 +59,11 @@ impl Results {
             controllers: self.controllers.as_ref(),
             loaded: file.map(|(_, values)| values),
             conditions: Some(&self.campaign.conditions),
+            messages: &messages,
         };
         let errors = identified.map_or(&[][..], |i| &i.errors);
-        let messages = self.messages().collect();
         let judged_file = file.map(|(written, _)| written.file.clone());
-        let verdict = Evidence { judged, campaign: &self.campaign, errors, messages }.verdict();
+        let verdict = Evidence { judged, campaign: &self.campaign, errors }.verdict();
         self.verdict = VerdictDocument { judged_file, ..verdict };
         self
     }

@@ -6,10 +6,12 @@ use crate::{
     ControllerFiles, ControllersDocument, ErrorQuantity, Iso9283Document, LeftOutErrors, LimitQuantity, LimitVerdict,
     Loading, ParametersDocument, PoseCharacteristic, PoseSet, PositionErrors, UntestedMistake,
 };
+use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
 use etalon_standards::iso9283::pose::CYCLES;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// `verdict.json`: verdict of a run, with its reasons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -108,6 +110,11 @@ pub enum Reason {
         /// Required number of cycles.
         required: usize,
     },
+    /// Warnings question the data, and nobody has resolved them.
+    OpenWarnings {
+        /// Ids of the warnings.
+        ids: Vec<String>,
+    },
     /// Residuals of the calibration are several times the uncertainty of the instrument: the model
     /// is incomplete, or readings or joint values are wrong.
     ModelDoesNotFit {
@@ -176,6 +183,8 @@ pub struct Judged<'a> {
     pub loaded: Option<&'a ControllerFiles>,
     /// Given conditions of the measurements.
     pub conditions: Option<&'a Conditions>,
+    /// Messages of all documents.
+    pub messages: &'a [&'a Message],
 }
 
 /// Set of poses whose errors decide.
@@ -202,6 +211,7 @@ impl Reason {
             | Self::NoWarmUp
             | Self::DriftNotSettled { .. }
             | Self::FewCycles { .. }
+            | Self::OpenWarnings { .. }
             | Self::ModelDoesNotFit { .. }
             | Self::SetUpUntested { .. }
             | Self::HardlyBetter { .. } => Acceptance::Conditional,
@@ -248,6 +258,12 @@ impl Reason {
             all.push(Self::FewCycles { poses: few, required: CYCLES });
         }
         all
+    }
+
+    /// Warnings on which somebody has to decide.
+    fn from_messages(messages: &[&Message]) -> Option<Self> {
+        let open: BTreeSet<&str> = messages.iter().filter(|m| m.is_open_decision()).map(|m| &*m.id).collect();
+        (!open.is_empty()).then(|| Self::OpenWarnings { ids: open.into_iter().map(str::to_owned).collect() })
     }
 
     /// Conformities of single poses that no limit of the document combines.
@@ -334,7 +350,15 @@ impl Reason {
 impl<'a> Judged<'a> {
     /// Test to ISO 9283 alone.
     pub fn tested(tested: &'a Characteristics) -> Self {
-        Self { parameters: None, accuracy: None, tested, controllers: None, loaded: None, conditions: None }
+        Self {
+            parameters: None,
+            accuracy: None,
+            tested,
+            controllers: None,
+            loaded: None,
+            conditions: None,
+            messages: &[],
+        }
     }
 
     /// All limits; limits of errors apply to the values of the file to load.
@@ -372,6 +396,7 @@ impl<'a> Judged<'a> {
         }
         reasons.extend(misfit);
         reasons.extend(plausible.and_then(|parameters| Reason::from_untested(parameters, &limits)));
+        reasons.extend(Reason::from_messages(self.messages));
         if let (Some(accuracy), Some(_)) = (self.accuracy, plausible) {
             reasons.extend(Reason::from_controller_files(accuracy, self.controllers));
         }

@@ -25,23 +25,30 @@ pub fn whole_pose(robot: &dyn Robot) -> Result<&dyn Kinematics> {
     robot.kinematics().ok_or_else(none)
 }
 
-/// Uses the parameters of a `parameters.json`, if given, as the nominal ones.
+/// Parameters of a `parameters.json`, if given; otherwise the nominal ones.
 ///
 /// # Errors
 /// Fails with parameters of another robot.
-pub fn set_parameters(robot: &mut dyn Robot, json: Option<&str>) -> Result<()> {
-    let Some(json) = json else { return Ok(()) };
+pub fn stated_parameters(robot: &dyn Robot, json: Option<&str>) -> Result<Vec<f64>> {
+    let Some(json) = json else { return Ok(robot.nominal()) };
     let document = parse_parameters("parameters", json)?;
-    if let Some(other) = other_nominal(robot, &document) {
-        return Err(other.into());
+    match other_nominal(robot, &document) {
+        Some(other) => Err(other.into()),
+        None => identified(robot, &document, Path::new("parameters")),
     }
-    let values = identified(robot, &document, Path::new("parameters"))?;
-    robot.definition_mut().set_nominal(&values);
-    Ok(())
 }
 
 /// Solutions of the inverse kinematics of a pose (rad and mm), or the reason why it has none.
 pub type Solutions = std::result::Result<Vec<Vec<f64>>, Phrase>;
+
+/// Arm with the values of its parameters.
+#[derive(Clone, Copy)]
+pub struct Arm<'a> {
+    /// Model.
+    pub model: &'a dyn Kinematics,
+    /// Values of the parameters (mm, rad).
+    pub values: &'a [f64],
+}
 
 /// Joint values of poses: all solutions of each pose, or the `nearest` to its start.
 ///
@@ -50,8 +57,9 @@ pub type Solutions = std::result::Result<Vec<Vec<f64>>, Phrase>;
 ///
 /// # Errors
 /// Fails if all solutions are infinitely many.
-pub fn inverse(arm: &dyn Kinematics, poses: &[Pose], starts: &[Vec<f64>], nearest: bool) -> Result<Vec<Solutions>> {
-    let (joints, nominal) = (arm.joints().len(), arm.nominal());
+pub fn inverse(arm: Arm, poses: &[Pose], starts: &[Vec<f64>], nearest: bool) -> Result<Vec<Solutions>> {
+    let Arm { model, values } = arm;
+    let joints = model.joints().len();
     if !nearest && joints > 6 {
         return Err(error!("infinite-solutions", joints).into());
     }
@@ -63,8 +71,8 @@ pub fn inverse(arm: &dyn Kinematics, poses: &[Pose], starts: &[Vec<f64>], neares
         }
         let start = if starts.len() == 1 { starts.first() } else { starts.get(row) }.unwrap_or(&last);
         let found = match nearest {
-            true => arm.nearest_joints(&nominal, pose, start).map(|joints| vec![joints]),
-            false => arm.solutions(&nominal, pose, start),
+            true => model.nearest_joints(values, pose, start).map(|joints| vec![joints]),
+            false => model.solutions(values, pose, start),
         };
         if let Ok([first, ..]) = found.as_deref() {
             last = first[..joints].to_vec();
@@ -81,6 +89,8 @@ const POINTS: [&str; 3] = ["etalon_origin", "etalon_x", "etalon_y"];
 pub struct Twists {
     /// The robot with three targets at the flange: its origin, and 1 mm from it along x and y.
     robot: Box<dyn Robot>,
+    /// Values of its parameters.
+    values: Vec<f64>,
 }
 
 impl Twists {
@@ -90,14 +100,13 @@ impl Twists {
     /// Fails for a robot whose flange has no whole pose in space, and with parameters of another
     /// robot.
     pub fn new(file: &RobotFile, json: Option<&str>) -> Result<Self> {
-        let mut robot = file.build(&POINTS.map(str::to_owned))?;
+        let robot = file.build(&POINTS.map(str::to_owned))?;
         let known = whole_pose(robot.as_ref())?;
         let spatial = known.dimension() == 3 && known.base_in_world(&known.nominal()).is_some();
         if !spatial || robot.targets() != POINTS {
             return Err(error!("no-whole-pose", model = robot.model()).into());
         }
-        set_parameters(robot.as_mut(), json)?;
-        let mut values = robot.nominal();
+        let mut values = stated_parameters(robot.as_ref(), json)?;
         let places: BTreeMap<String, f64> = POINTS
             .iter()
             .zip([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -106,17 +115,16 @@ impl Twists {
         for (value, p) in values.iter_mut().zip(robot.parameters()) {
             *value = places.get(&p.name).copied().unwrap_or(if p.role == Role::Base { 0.0 } else { *value });
         }
-        robot.definition_mut().set_nominal(&values);
-        Ok(Self { robot })
+        Ok(Self { robot, values })
     }
 
     /// Velocity (mm) of the flange's origin and its rotation vector (rad) per mm or rad of each
     /// joint, in the base: six rows of all joints.
     pub fn at(&self, joints: &[f64]) -> Vec<f64> {
-        let (n, values) = (self.robot.joints().len(), self.robot.nominal());
+        let (n, values) = (self.robot.joints().len(), &self.values);
         let (mut places, mut moves) = (vec![0.0; 9], vec![0.0; 9 * n]);
-        self.robot.positions(&values, joints, &mut places);
-        self.robot.joint_jacobian(&values, joints, &mut moves);
+        self.robot.positions(values, joints, &mut places);
+        self.robot.joint_jacobian(values, joints, &mut moves);
         let point = |k: usize| -> Vector { std::array::from_fn(|i| places[3 * k + i]) };
         let [x, y] = [1, 2].map(|k| minus(point(k), point(0)));
         let z = cross(x, y);

@@ -44,7 +44,7 @@ pub use inputs::{Inputs, Table};
 pub(crate) use iso230::evaluate as evaluate_axis;
 pub use iso230::iso230;
 pub use iso9283::{PoseOptions, TestTables, iso9283};
-pub use kinematics::{Solutions, Twists, inverse, set_parameters, whole_pose};
+pub use kinematics::{Arm, Solutions, Twists, inverse, stated_parameters, whole_pose};
 pub use known_robots::{default_chain, known_names, known_text, urdf_text};
 pub use model::ModelOptions;
 pub(crate) use path::evaluate as evaluate_path;

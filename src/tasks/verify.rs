@@ -16,9 +16,9 @@ use crate::stages::verify::copies::copies;
 use crate::stages::verify::expected_deviation::{angle_uncertainty_rad, unknown_quantity};
 use crate::stages::verify::verification::{self, EarlierCalibration};
 use etalon_base::message::{Message, Problems, Result};
-use etalon_base::{error, warning};
+use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, ObservationsDefinition};
-use etalon_documents::{ParametersDocument, VerificationDocument, VerificationPlanDocument};
+use etalon_documents::{ParametersDocument, VerificationDocument, VerificationPlanDocument, VerificationVerdict};
 use etalon_identify::Settings;
 use etalon_identify::plan::candidates::Candidates;
 use serde::Deserialize;
@@ -109,11 +109,15 @@ pub fn verify_new(
     // an earlier file that cannot be read says nothing of the new one
     let earlier = calibrated.and_then(|path| Table::File(path).read().ok());
     let copies = earlier.map_or(0, |earlier| copies(&observed.table, &earlier.table));
+    let rows = observed.table.height();
     if copies > 0 {
-        messages.push(warning!("readings-of-calibration", count = copies, rows = observed.table.height()).to_decide());
+        messages.push(warning!("readings-of-calibration", count = copies, rows).to_decide());
     }
     let mut found = verification::verify(calibration, measured, files)?;
     found.residuals.copies = copies;
+    if copies > 0 && found.verdict == VerificationVerdict::Valid {
+        found.meaning = phrase!("verified-by-copies", count = copies, rows).into();
+    }
     found.messages.splice(0..0, messages);
     Ok(found)
 }

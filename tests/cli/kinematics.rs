@@ -3,6 +3,7 @@
 use super::{etalon, text};
 use crate::support::root;
 use crate::support::said::Says;
+use crate::support::scratch::copy_sample;
 use std::path::{Path, PathBuf};
 
 /// The answer to a table, its exit code and what stderr says.
@@ -95,6 +96,27 @@ fn joints_to_poses_and_back() {
                 assert!((a - b).abs() < 1e-9, "{}: {nearest}", robot.display());
             }
         }
+    }
+}
+
+/// Links bend by torques of the nominal geometry, as in the identification, in both directions.
+#[test]
+fn an_elastic_arm_comes_back_with_its_identified_parameters() {
+    let scratch = copy_sample("elastic-arm");
+    assert!(etalon(scratch.root(), &["run", "campaign"]).status.code() < Some(2));
+    let parameters = scratch.path().join("out/parameters.json");
+    let more = ["--parameters", parameters.to_str().unwrap()];
+    let robot = scratch.path().join("robot.toml");
+    let joints = "pose,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,10,-40,70,20,30,40\n2,-50,-70,90,-20,60,10\n";
+    let (poses, ..) = kinematics("direct", &robot, joints, &more);
+    let (found, code, said) = kinematics("inverse", &robot, &poses, &more);
+    assert_eq!(code, Some(0), "{said}");
+    let found = rows(&found);
+    for (pose, expected) in rows(joints) {
+        let solutions = found.iter().filter(|(other, _)| *other == pose);
+        let off = |q: &[f64]| q.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let nearest = solutions.map(|(_, q)| off(q)).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-9, "{pose}: {nearest} deg");
     }
 }
 

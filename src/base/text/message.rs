@@ -296,6 +296,12 @@ impl Message {
         Self { rank: Rank::Decide, ..self }
     }
 
+    /// `true` for a warning on which somebody has to act, and that no step of a report answers.
+    pub fn is_open_decision(&self) -> bool {
+        let is_open = self.rank == Rank::Decide && self.answered_by != AnsweredBy::NextStep;
+        self.severity == Severity::Warning && is_open
+    }
+
     /// Ranks the message as given for completeness.
     pub fn routine(self) -> Self {
         Self { rank: Rank::Routine, ..self }

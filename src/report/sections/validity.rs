@@ -18,12 +18,10 @@ use etalon_documents::{
 
 /// Verdict on whether the parameters still apply.
 pub(crate) fn still_valid(document: &VerificationDocument, words: &Words) -> Verdict {
-    let met = document.verdict == VerificationVerdict::Valid && !document.is_refused();
-    let class = match document.residuals.copies {
-        0 => Grade::from_met(met),
-        _ if met => Grade::Conditional,
-        _ => Grade::Bad,
-    };
+    let is_valid = document.verdict == VerificationVerdict::Valid && !document.is_refused();
+    // copies confirm nothing
+    let met = is_valid && document.residuals.copies == 0;
+    let class = if is_valid && !met { Grade::Open } else { Grade::from_met(met) };
     let sentences = vec![Text::worded(&document.meaning, words).plain()];
     Verdict { met, class, sentences, steps: steps(document, words), ..Verdict::default() }
 }

@@ -99,6 +99,10 @@ fn reservation(reason: &Reason, words: &Words) -> Option<String> {
         Reason::InstrumentTooCoarse { poses } => {
             tr!(words, "reservation-instrument-too-coarse", count = poses.len(), poses = list(poses))
         }
+        Reason::OpenWarnings { ids } => {
+            let warnings = ids.iter().map(|id| format!("`{id}`")).collect::<Vec<_>>().join(", ");
+            tr!(words, "reservation-open-warnings", count = ids.len(), warnings)
+        }
         Reason::ModelDoesNotFit { times, set } => {
             // output folders of earlier versions do not contain the set
             let set = set.unwrap_or(PoseSet::Validation).name();

@@ -9,9 +9,10 @@ use crate::*;
 use etalon_base::message::AnsweredBy;
 use etalon_base::warning;
 use etalon_documents::{
-    Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule, DisplayedPose, Effect,
-    EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck,
-    PoseSet, RobustParameter, RobustPose, RobustSummary, Source, SourceKind, Statistics, WrittenFile,
+    Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
+    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict,
+    LoadAnswer, LoadingCheck, PoseSet, Reason, RobustParameter, RobustPose, RobustSummary, Source, SourceKind,
+    Statistics, VerdictDocument, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -297,6 +298,10 @@ fn a_warning_is_a_step_unless_a_step_says_the_same() {
         documents.parameters.messages = vec![warning.answered_by(answered_by)];
         let all = kinds(&actions(&documents));
         assert_eq!(all.iter().filter(|kind| **kind == ActionKind::Resolve).count(), expected, "{all:?}");
+        // nobody has resolved it: the verdict has a reservation
+        let VerdictDocument { verdict, reasons, .. } = documents.results().verdict;
+        let open = Reason::OpenWarnings { ids: vec!["few-cycles".to_owned()] };
+        assert_eq!((reasons.contains(&open), verdict == Some(Acceptance::Conditional)), (expected == 1, expected == 1));
     }
 }
 

@@ -1203,6 +1203,11 @@ reservation-set-up-untested = { $count ->
        *[other] { $count } Fehler des Aufbaus sind
     } von den Messungen nicht geprüft; der Flansch würde um bis zu { $flange_mm } mm und { $flange_deg } deg abweichen
 reservation-no-warm-up = der Roboter wurde vor der Prüfung nicht warmgefahren
+reservation-open-warnings =
+    { $count ->
+        [one] eine Warnung ist nicht geklärt: { $warnings }
+       *[other] Warnungen sind nicht geklärt: { $warnings }
+    }
 reservations = Vorbehalte: { $reasons }.
 residual-field = Residuenfeld
 residual-over = Residuum / σ
@@ -1610,6 +1615,7 @@ verdict-pass = Bewertung: bestanden.
 verdict-title = Bewertung
 verdict-undecided = Bewertung: unentschieden.
 verification-of-identified-parameters = Überprüfung identifizierter Parameter
+verified-by-copies = es wurde nichts neu gemessen: { $count } von { $rows } Messwerten sind Messwerte der Kalibrierung
 verified-by-program = ein unabhängiges Programm; nicht mit einem gekauften Exemplar der Norm verglichen
 verified-by-simulation = simulierte Bewegungen; nicht mit einem gekauften Exemplar der Norm verglichen
 verified-by-text = Text der Norm, einen veröffentlichten Datensatz und ein unabhängiges Programm

@@ -1152,6 +1152,11 @@ reservation-set-up-untested = { $count ->
        *[other] { $count } mistakes of the set-up are
     } not tested by the measurements, and could change the position of the flange by up to { $flange_mm } mm and { $flange_deg } deg
 reservation-no-warm-up = the robot was not warmed up before the test
+reservation-open-warnings =
+    { $count ->
+        [one] a warning is unresolved: { $warnings }
+       *[other] warnings are unresolved: { $warnings }
+    }
 reservations = Reservations: { $reasons }.
 residual-field = Residual field
 residual-over = residual over σ
@@ -1544,6 +1549,7 @@ verdict-pass = Verdict: pass.
 verdict-title = Verdict
 verdict-undecided = Verdict: undecided.
 verification-of-identified-parameters = Verification of identified parameters
+verified-by-copies = nothing new was measured: { $count } of { $rows } readings are readings of the calibration
 verified-by-program = an independent program; not compared with a purchased copy of the standard
 verified-by-simulation = simulated motions; not compared with a purchased copy of the standard
 verified-by-text = text of the standard, a published data set and an independent program

@@ -1209,6 +1209,11 @@ reservation-set-up-untested = { $count ->
        *[other] { $count } erreurs du montage ne sont pas contrôlées
     } par les mesures ; la bride pourrait s’écarter de { $flange_mm } mm et de { $flange_deg } deg au plus
 reservation-no-warm-up = le robot n’a pas été mis en température avant l’essai
+reservation-open-warnings =
+    { $count ->
+        [one] un avertissement n’est pas résolu : { $warnings }
+       *[other] des avertissements ne sont pas résolus : { $warnings }
+    }
 reservations = Réserves : { $reasons }.
 residual-field = Champ résiduel
 residual-over = résidu / σ
@@ -1616,6 +1621,7 @@ verdict-pass = Verdict : conforme.
 verdict-title = Verdict
 verdict-undecided = Verdict : indécidé.
 verification-of-identified-parameters = Vérification de paramètres identifiés
+verified-by-copies = rien de nouveau n’a été mesuré : { $count } lectures sur { $rows } sont des lectures de l’étalonnage
 verified-by-program = un programme indépendant ; non comparé à un exemplaire acheté de la norme
 verified-by-simulation = des mouvements simulés ; non comparés à un exemplaire acheté de la norme
 verified-by-text = le texte de la norme, un jeu de données publié et un programme indépendant
