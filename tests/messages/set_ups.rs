@@ -87,6 +87,7 @@ fn of_changes_of_a_set_up() {
             (0..3).for_each(|i| at[i] += along[i]);
         }
     });
+    hold("joint-zero-shifted", measured(50.0, 1.2), |all| all[30..].iter_mut().for_each(|o| o.joints[2] += 0.01));
     hold("poses-exchanged", measured(50.0, 1.2), |all| {
         let other = all[40].joints.clone();
         all[40].joints = std::mem::replace(&mut all[9].joints, other);

@@ -836,6 +836,26 @@ mod tests {
         }
     }
 
+    /// A joint that lost its zero is named. A turned base explains another zero of the first joint,
+    /// and both are named.
+    #[test]
+    fn a_lost_zero_is_found_where_it_happens() {
+        for (joint, id) in [(0, "reference-moved"), (2, "joint-zero-shifted"), (4, "joint-zero-shifted")] {
+            let (robot, mut observations) = arm(3, 60);
+            let settings = Settings { prior: crate::Prior::TOLERANCES, ..stated(0.02) };
+            observations[25..].iter_mut().for_each(|o| o.joints[joint] -= 0.01);
+            let found = crate::identify(&robot, &observations, &settings).expect("identified");
+            let found = moved_between(&robot, &observations, &settings, &found, &found.values).expect("changed");
+            let [pose, previous] = [25, 24].map(|k: usize| observations[k].pose);
+            assert!(found.is(id, &[("pose", &pose), ("previous", &previous)]), "{joint}: {found:?}");
+            let name = format!("joint `{}`", robot.joints()[joint].name);
+            assert!(found.what.contains(&name), "{joint}: {found:?}");
+            if let Some(etalon_base::catalogue::Argument::Number(change)) = found.arguments.get("change") {
+                assert!((change - 0.01f64.to_degrees()).abs() < 0.02, "{found:?}");
+            }
+        }
+    }
+
     #[test]
     fn a_move_is_found_where_it_happens_and_nowhere_else() {
         let robot = Prexyt::default();

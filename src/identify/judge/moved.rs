@@ -1,5 +1,5 @@
 //! A set-up that changed while it was measured: from one pose on, base or measuring system, or one
-//! target on its carrier, is elsewhere.
+//! target on its carrier, is elsewhere, or a joint counts from another zero.
 //!
 //! All changes are tried at every pose, to first order about the identified parameters: the columns
 //! of the change are zero before the pose, and the parameters are fitted again. Sums over the poses
@@ -8,10 +8,11 @@
 
 use crate::model::residuals::Residuals;
 use crate::{Identification, Observation, Settings};
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::pose::{Vector, centroid, cross, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_math::Problem;
 use etalon_math::statistics::{median, standard_deviation};
 use etalon_robots::{Quantity, Robot};
@@ -34,6 +35,11 @@ const NEIGHBOURS: f64 = 1.1;
 const LARGE: f64 = 8.0;
 /// Minimum share of the residual sum of squares that is worth a decision.
 const LEAST_SHARE: f64 = 0.05;
+/// The same share of a zero of a joint, whose errors in the model are alike at many poses.
+const LEAST_SHARE_OF_ZERO: f64 = 0.3;
+/// Maximum residual sum of squares that another change leaves, relative to the best one, if it
+/// explains the measurements as well.
+const ALIKE: f64 = 1.1;
 /// Minimum degrees of freedom of the residuals with a change.
 const FEWEST_DEGREES: f64 = 5.0;
 /// Minimum number of residuals for each parameter and each column of the usual misfit.
@@ -52,6 +58,8 @@ enum Part {
     Turned,
     /// The target with this index, on its carrier.
     Target(usize),
+    /// The zero of the joint with this index.
+    Zero(usize),
 }
 
 /// A change at a pose.
@@ -59,10 +67,12 @@ struct Found {
     part: Part,
     /// Index of the first observation after it.
     at: usize,
-    /// Shift (mm) of the measured points, of the target on its carrier.
+    /// Shift (mm) of the measured points, or of the target on its carrier; zero for a joint.
     shift_mm: Vector,
-    /// Standard uncertainty (mm) of the shift along its direction.
-    u_mm: f64,
+    /// Standard uncertainty of the shift along its direction (mm), or of the zero (rad or mm).
+    u: f64,
+    /// Root mean square of the displacement (mm) of the measured points.
+    size_mm: f64,
     /// Standard deviation (mm) of the residuals of a coordinate with the change.
     left_mm: f64,
     /// Logarithm of the probability by chance.
@@ -107,6 +117,8 @@ struct Linear<'a> {
     starts: Vec<usize>,
     /// Number of residuals of positions and conditions.
     measured: usize,
+    /// Derivatives of the coordinates by the joints.
+    by_joint: DMatrix<f64>,
     middle: Vector,
     /// Standard deviation (mm) of a coordinate that the residuals show: their unit.
     unit_mm: f64,
@@ -129,25 +141,16 @@ pub fn moved_between(
     if robot.targets().len() > 1 && robot.free_base().is_some() {
         parts.extend((0..robot.targets().len()).map(Part::Target));
     }
-    let all = parts.into_iter().filter_map(|part| linear.changed(part));
-    let found = all.min_by(|a, b| a.chance.total_cmp(&b.chance))?;
-    let is_large = norm(found.shift_mm) > LARGE * found.left_mm;
-    let is_significant = found.chance <= CHANCE.ln() && found.share >= LEAST_SHARE;
-    if !is_significant || !(is_large || linear.shows_between_neighbours(&found)) {
+    parts.extend((0..robot.joints().len()).map(Part::Zero));
+    let all: Vec<Found> = parts.into_iter().filter_map(|part| linear.changed(part)).collect();
+    let best = all.iter().min_by(|a, b| a.chance.total_cmp(&b.chance))?;
+    let least = if matches!(best.part, Part::Zero(_)) { LEAST_SHARE_OF_ZERO } else { LEAST_SHARE };
+    let is_large = best.size_mm > LARGE * best.left_mm;
+    let is_significant = best.chance <= CHANCE.ln() && best.share >= least;
+    if !is_significant || !(is_large || linear.shows_between_neighbours(best)) {
         return None;
     }
-    let (pose, previous) = (observations[found.at].pose, observations[found.at - 1].pose);
-    let vector_mm = found.shift_mm.map(|v| (1e3 * v).round() / 1e3);
-    let (shift_mm, expanded_mm) = (norm(found.shift_mm), 2.0 * found.u_mm);
-    let share_percent = 100.0 * found.share;
-    let message = match found.part {
-        Part::Target(k) => {
-            let target = &robot.targets()[k];
-            warning!("target-shifted", target, pose, previous, shift_mm, expanded_mm, vector_mm, share_percent)
-        }
-        _ => warning!("reference-moved", pose, previous, shift_mm, expanded_mm, vector_mm, share_percent),
-    };
-    Some(message.to_decide())
+    Some(linear.message(best, &all))
 }
 
 impl<'a> Linear<'a> {
@@ -169,16 +172,19 @@ impl<'a> Linear<'a> {
         let mut residuals = vec![0.0; problem.residual_count()];
         problem.residuals(&x, &mut residuals);
         let mut jacobian = jacobian_with_misfit(&problem, &x);
-        let dimension = robot.dimension();
+        let (dimension, measured) = (robot.dimension(), problem.measured_count());
+        let mut by_joint = DMatrix::from_row_slice(measured, robot.joints().len(), &problem.joint_jacobian(&x));
         for row in wrong_rows(observations, &residuals[..problem.coordinate_count()], dimension)? {
             residuals[row] = 0.0;
             jacobian.row_mut(row).fill(0.0);
+            by_joint.row_mut(row).fill(0.0);
         }
         let scales = misfits(&problem, &residuals)?;
         scales.iter().enumerate().for_each(|(row, scale)| {
             residuals[row] /= scale;
             jacobian.row_mut(row).unscale_mut(*scale);
         });
+        by_joint.row_iter_mut().zip(&scales).for_each(|(mut row, scale)| row.unscale_mut(*scale));
         let n = jacobian.ncols();
         let norms: Vec<f64> = jacobian.column_iter().map(|c| c.norm().max(f64::MIN_POSITIVE)).collect();
         let basis =
@@ -192,8 +198,7 @@ impl<'a> Linear<'a> {
         let points: Vec<Vector> = observations.iter().flat_map(|o| o.targets.iter().flatten().copied()).collect();
         let middle = centroid(&points)?;
         let unit_mm = problem.unit * scales.first()?;
-        let measured = problem.measured_count();
-        Some(Self { robot, observations, values, residuals, basis, starts, measured, middle, unit_mm })
+        Some(Self { robot, observations, values, residuals, basis, starts, measured, by_joint, middle, unit_mm })
     }
 
     /// Variance of the mean residual of a pose relative to the variance of independent residuals:
@@ -229,13 +234,16 @@ impl<'a> Linear<'a> {
     /// Derivatives of the residuals (predicted minus measured, in their unit) by the
     /// change of a part.
     fn columns(&self, k: usize, part: Part) -> DMatrix<f64> {
+        if let Part::Zero(joint) = part {
+            return self.by_joint.view((self.starts[k], joint), (self.starts[k + 1] - self.starts[k], 1)).into_owned();
+        }
         let (o, dimension) = (&self.observations[k], self.robot.dimension());
         let seen: Vec<(usize, Vector)> = o.targets.iter().enumerate().filter_map(|(k, at)| Some((k, (*at)?))).collect();
         let count = match part {
             Part::Turned if dimension == 2 => 3,
             Part::Turned => 6,
             Part::Shifted => dimension,
-            Part::Target(_) => 3,
+            Part::Target(_) | Part::Zero(_) => 3,
         };
         let arm = self.robot.free_base();
         DMatrix::from_fn(dimension * seen.len(), count, |row, column| {
@@ -290,18 +298,98 @@ impl<'a> Linear<'a> {
             }
         }
         let Step { explained, at, change, inverse, absorbed } = best?;
-        let variance = (total - explained).max(f64::MIN_POSITIVE) / degrees;
+        // a zero that drifts is no other zero from one pose on
+        if matches!(part, Part::Zero(_)) && self.explained_by_drift(&rows) >= explained {
+            return None;
+        }
+        // residuals of the measurements with the change and the parameters fitted to it
+        let mut left = self.residuals.rows(0, self.measured) + self.basis.rows(0, self.measured) * &absorbed;
+        for (k, row) in rows.iter().enumerate().skip(at) {
+            let mut here = left.rows_mut(self.starts[k], row.columns.nrows());
+            here -= &row.columns * &change;
+        }
+        let left = left.norm_squared().max(f64::MIN_POSITIVE);
+        let (variance, explained) = (left / degrees, (total - left).max(0.0));
         let common = self.common_to_a_pose();
         let f = FisherSnedecor::new(count as f64, (degrees / common).max(1.0)).ok()?;
         let chance = f.sf(explained / count as f64 / variance / common).max(1e-300).ln() + (n as f64).ln();
+        let left_mm = self.unit_mm * variance.sqrt();
+        let share = explained / total;
+        if matches!(part, Part::Zero(_)) {
+            let u = (common * variance * inverse[(0, 0)]).sqrt();
+            let moved: f64 = rows[at..].iter().map(|row| (&row.columns * &change).norm_squared()).sum();
+            let points = rows[at..].iter().map(|row| row.columns.nrows()).sum::<usize>() / self.robot.dimension();
+            let size_mm = self.unit_mm * (moved / points as f64).sqrt();
+            return Some(Found { part, at, shift_mm: [0.0; 3], u, size_mm, left_mm, chance, share, change, absorbed });
+        }
         // residuals are predicted minus measured
         let dimension = if matches!(part, Part::Target(_)) { 3 } else { self.robot.dimension() };
         let shift_mm = [0, 1, 2].map(|i| if i < dimension { -self.unit_mm * change[i] } else { 0.0 });
         let along = DVector::from_fn(count, |i, _| if i < 3 { shift_mm.get(i).copied().unwrap_or(0.0) } else { 0.0 });
         let along = along.scale(1.0 / along.norm().max(f64::MIN_POSITIVE));
-        let u_mm = self.unit_mm * (common * variance * (along.transpose() * inverse * &along)[(0, 0)]).sqrt();
-        let left_mm = self.unit_mm * variance.sqrt();
-        Some(Found { part, at, shift_mm, u_mm, left_mm, chance, share: explained / total, change, absorbed })
+        let u = self.unit_mm * (common * variance * (along.transpose() * inverse * &along)[(0, 0)]).sqrt();
+        let size_mm = norm(shift_mm);
+        Some(Found { part, at, shift_mm, u, size_mm, left_mm, chance, share, change, absorbed })
+    }
+
+    /// Sum of squares that a change explains that grows with the number of the observation.
+    fn explained_by_drift(&self, rows: &[Rows]) -> f64 {
+        let count = rows.first().map_or(0, |row| row.columns.ncols());
+        let mut along = DMatrix::zeros(self.basis.ncols(), count);
+        let (mut normal, mut right) = (DMatrix::zeros(count, count), DVector::zeros(count));
+        for (k, row) in rows.iter().enumerate() {
+            let columns = &row.columns * (k as f64 / rows.len() as f64);
+            along += row.basis.tr_mul(&columns);
+            normal += columns.tr_mul(&columns);
+            right += columns.tr_mul(&row.residuals);
+        }
+        let left = normal - along.tr_mul(&along);
+        Cholesky::new(left).map_or(0.0, |c| right.dot(&c.solve(&right)))
+    }
+
+    /// Warning about the best of all changes, with the changes that explain the measurements as
+    /// well. Of these, a motion of base, measuring system or target is more usual than another zero.
+    fn message(&self, best: &Found, all: &[Found]) -> Message {
+        let is_alike = |other: &&Found| 1.0 - other.share <= ALIKE * (1.0 - best.share);
+        let alike: Vec<&Found> = all.iter().filter(is_alike).collect();
+        let is_zero = |found: &Found| matches!(found.part, Part::Zero(_));
+        let motions = alike.iter().copied().filter(|found| !is_zero(found));
+        let named = motions.min_by(|a, b| a.chance.total_cmp(&b.chance)).unwrap_or(best);
+        let others = alike.into_iter().filter(|other| is_zero(other) && other.part != named.part);
+        // one target moves with the last joint whose axis it is not on
+        let carrier = (is_zero(named) && self.robot.targets().len() == 1 && self.robot.free_base().is_some())
+            .then(|| self.changed(Part::Target(0)))
+            .flatten();
+        let others = others.chain(carrier.iter().filter(is_alike));
+        let others: Vec<Phrase> = others.map(|other| self.phrase(other.part)).collect();
+        let (pose, previous) = (self.observations[named.at].pose, self.observations[named.at - 1].pose);
+        let vector_mm = named.shift_mm.map(|v| (1e3 * v).round() / 1e3);
+        let (shift_mm, expanded_mm) = (norm(named.shift_mm), 2.0 * named.u);
+        let share_percent = 100.0 * named.share;
+        let message = match named.part {
+            Part::Zero(joint) => {
+                let joint = &self.robot.joints()[joint];
+                let [change, expanded] = [-named.change[0], 2.0 * named.u].map(|v| joint.quantity.outward(v));
+                let (unit, joint) = (joint.quantity.unit(), &joint.name);
+                warning!("joint-zero-shifted", joint, pose, previous, change, expanded, unit, share_percent)
+            }
+            Part::Target(k) => {
+                let target = &self.robot.targets()[k];
+                warning!("target-shifted", target, pose, previous, shift_mm, expanded_mm, vector_mm, share_percent)
+            }
+            _ => warning!("reference-moved", pose, previous, shift_mm, expanded_mm, vector_mm, share_percent),
+        };
+        let message = if others.is_empty() { message } else { message.within(phrase!("change-or-another", others)) };
+        message.to_decide()
+    }
+
+    /// Name of a change.
+    fn phrase(&self, part: Part) -> Phrase {
+        match part {
+            Part::Zero(joint) => phrase!("change-of-zero", joint = self.robot.joints()[joint].name),
+            Part::Target(k) => phrase!("change-of-target", target = self.robot.targets()[k]),
+            Part::Shifted | Part::Turned => phrase!("change-of-reference"),
+        }
     }
 
     /// `true` if the change shows between poses before and after it that are neighbours in joint

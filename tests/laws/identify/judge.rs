@@ -201,7 +201,8 @@ fn series(measured: Measured, poses: usize, ratio: f64) -> Series {
 }
 
 /// Messages that accuse sound campaigns.
-const ACCUSING: [&str; 5] = ["reference-moved", "target-shifted", "poses-exchanged", "coordinates-wrong", "outliers"];
+const ACCUSING: [&str; 6] =
+    ["reference-moved", "target-shifted", "joint-zero-shifted", "poses-exchanged", "coordinates-wrong", "outliers"];
 
 /// A sound campaign, which no message may accuse, and `choose` of its mistakes.
 fn judged(series: Series, seed: u64, choose: impl Fn(Vec<Mistake>) -> Vec<Mistake>) -> Tally {
@@ -292,7 +293,7 @@ fn a_moved_set_up_is_found_by_size_and_time() {
                     *p = [p[0] + 0.6 * shift_mm, p[1], p[2] - 0.8 * shift_mm];
                 });
                 let said = messages(&twin, &campaign);
-                let found = said.iter().find(|m| m.id == "reference-moved" || m.id == "target-shifted")?;
+                let found = said.iter().find(|m| ACCUSING[..3].contains(&&*m.id))?;
                 let Some(Argument::Number(mm)) = found.arguments.get("shift_mm") else { return None };
                 let is_there = |o: &etalon::identify::Observation| found.is(&found.id.clone(), &[("pose", &o.pose)]);
                 Some((*mm, campaign.observations.iter().position(is_there)?))
@@ -318,6 +319,54 @@ fn a_moved_set_up_is_found_by_size_and_time() {
     println!("{right} of {all} right; {accused} of {sound} sound campaigns named");
     assert!(100 * right >= 90 * all, "{right} of {all}");
     assert!(accused == 0, "{accused} of {sound}");
+}
+
+/// A zero that one joint lost at any time, on robots whose model leaves up to 0.7 mm. If the measurements agree as well with a motion of base or target,
+/// the message has the other cause too.
+#[test]
+#[ignore = "a long law: make laws"]
+fn a_lost_zero_is_found_by_joint_size_and_time() {
+    let count = number("ETALON_CAMPAIGNS", 6);
+    let (mut all, mut right, mut wrong) = (0, 0, 0);
+    for (measured, poses, ratio) in [
+        (Measured::Positions, 60, 5.0),
+        (Measured::Positions, 60, 20.0),
+        (Measured::Positions, 120, 10.0),
+        (Measured::Targets, 60, 10.0),
+    ] {
+        let one = |seed: u64| {
+            let twin = Twin::drawn(measured, LEFT_OUT[seed as usize % LEFT_OUT.len()], ratio, 900 + seed);
+            let mut noise = Noise::new(72, seed);
+            let campaign = twin.observed(poses, 1.0, &mut noise);
+            let mut verdicts = Vec::new();
+            for lost_deg in [0.5, 1.5] {
+                let joint = whole(&mut noise, 0, twin.robot.joints().len() - 1);
+                let at = whole(&mut noise, 6, poses - 7);
+                let mut campaign = campaign.clone();
+                campaign.observations[at..].iter_mut().for_each(|o| o.joints[joint] -= f64::to_radians(lost_deg));
+                let said = messages(&twin, &campaign);
+                let found = said.iter().find(|m| ACCUSING[..3].contains(&&*m.id));
+                let name = &twin.robot.joints()[joint].name;
+                let is_right = found.is_some_and(|m| {
+                    let is_near = |pose: usize| m.is(&m.id.clone(), &[("pose", &campaign.observations[pose].pose)]);
+                    (at - 2..=at + 2).any(is_near) && m.what.contains(&format!("joint `{name}`"))
+                });
+                let is_found = found.is_some();
+                if !is_right {
+                    println!("{seed}, {name} by {lost_deg} deg from {at} on: {:?}", found.map(|m| &m.what));
+                }
+                verdicts.push((is_right, is_found && !is_right));
+            }
+            verdicts
+        };
+        let found: Vec<(bool, bool)> = (0..count).into_par_iter().flat_map_iter(one).collect();
+        let [of, off] = [found.iter().filter(|f| f.0).count(), found.iter().filter(|f| f.1).count()];
+        println!("{measured:?}, {poses} poses, misfit {ratio} × noise: {of} of {}, {off} wrong", found.len());
+        (all, right, wrong) = (all + found.len(), right + of, wrong + off);
+    }
+    println!("{right} of {all} right, {wrong} wrong");
+    assert!(100 * right >= 85 * all, "{right} of {all}");
+    assert!(wrong == 0, "{wrong} of {all}");
 }
 
 /// Orientations that are off by 46 to 174 deg, and a position that is off by 30 mm: each is excluded by the misfit of its own quantity, and named

@@ -72,6 +72,14 @@ readings-contradict = die meisten Messwerte passen, die Messwerte von { $poses }
 
 wrong-coordinate = { $axis } von { $target } an Pose { $pose } (Zyklus { $cycle }) ist { FIXED($measured_mm, 3) } mm, und { FIXED($changed_mm, 3) } mm passt
 
+change-of-reference = einer Bewegung von Basis oder Messsystem
+
+change-of-target = einer Bewegung der Zielmarke `{ $target }` auf ihrem Träger
+
+change-of-zero = einem anderen Nullpunkt des Gelenks `{ $joint }`
+
+change-or-another = { $message }; die Messwerte passen ebenso zu { $others }
+
 named-poses = { $count ->
         [one] Pose { $poses }
        *[other] { $count } Posen ({ $poses })
@@ -158,6 +166,9 @@ nominal-robot-not-at-joints = der nominale Roboter kann diese Gelenkwerte nicht 
 
 placement-unexplained = keine Position von Basis und Zielmarken erklärt die Messungen: Residuen betragen { FIXED($left_mm, 1) } mm, die gemessenen Punkte erstrecken sich über { FIXED($spread_mm, 1) } mm
     .hint = Einheiten, Reihenfolge, Vorzeichen und Versatz der Gelenke, festgehaltene Parameter von Basis und Zielmarken und die Nennparameter des Roboters prüfen
+
+joint-zero-shifted = ab Pose { $pose } weicht die Differenz wahrer minus aufgezeichneter Wert des Gelenks `{ $joint }` um { FIXED($change, 4) } { $unit } ± { FIXED($expanded, 4) } { $unit } von den Posen bis { $previous } ab: der geänderte Nullpunkt erklärt { FIXED($share_percent, 0) } % der Residuen
+    .hint = Geber und Justage des Gelenks prüfen: die Posen vor und nach der Änderung getrennt identifizieren oder neu messen
 
 reference-moved = ab Pose { $pose } sind gemessene Positionen um { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) gegenüber den Positionen bis Pose { $previous } verschoben: die Verschiebung erklärt { FIXED($share_percent, 0) } % der Residuen
     .hint = Basis oder Messsystem hat sich bewegt: die beiden Teile getrennt identifizieren oder neu messen

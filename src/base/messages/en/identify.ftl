@@ -143,6 +143,14 @@ readings-contradict = most readings fit, but the readings of { $poses } do not{ 
 
 wrong-coordinate = { $axis } of { $target } at pose { $pose } (cycle { $cycle }) is { FIXED($measured_mm, 3) } mm, and { FIXED($changed_mm, 3) } mm agrees
 
+change-of-reference = a motion of base or measuring system
+
+change-of-target = a motion of target `{ $target }` on its carrier
+
+change-of-zero = another zero of joint `{ $joint }`
+
+change-or-another = { $message }; the measurements agree as well with { $others }
+
 named-poses = { $count ->
         [one] pose { $poses }
        *[other] { $count } poses ({ $poses })
@@ -331,6 +339,15 @@ nominal-robot-not-at-joints = the nominal robot has no pose at these joint value
 # Example: `hold = ["base_rz", "base_ry"]`, but the base is rotated
 placement-unexplained = no position of base and targets agrees with the measurements: residuals are { FIXED($left_mm, 1) } mm, the measured points span { FIXED($spread_mm, 1) } mm
     .hint = check units, order, signs and offsets of the joints, held parameters of base and targets, and the nominal parameters of the robot
+
+# Means: From one pose on, the true value of one joint differs from the logged value by a constant.
+# Matters: The joint lost its zero during the measurement: a new mastering, an empty battery of an
+# encoder, a belt that slipped. Identified parameters absorb the change.
+# Do: Check encoder and mastering of the joint. Identify the poses before and after the change
+# separately, or measure again.
+# Example: joint 3 was mastered again after pose 40
+joint-zero-shifted = from pose { $pose } on, true minus logged values of joint `{ $joint }` differ by { FIXED($change, 4) } { $unit } ± { FIXED($expanded, 4) } { $unit } from the poses up to { $previous }: the change of the zero explains { FIXED($share_percent, 0) } % of the residuals
+    .hint = check encoder and mastering of the joint: identify the poses before and after the change separately, or measure again
 
 # Means: From one pose on, all measured positions have the same shift.
 # Matters: The base or the measuring system moved during the measurement. Identified parameters

@@ -72,6 +72,14 @@ readings-contradict = la plupart des lectures concordent, mais non celles de { $
 
 wrong-coordinate = { $axis } de { $target } à la pose { $pose } (cycle { $cycle }) vaut { FIXED($measured_mm, 3) } mm, et { FIXED($changed_mm, 3) } mm concorde
 
+change-of-reference = un mouvement de la base ou du système de mesure
+
+change-of-target = un mouvement de la cible `{ $target }` sur son support
+
+change-of-zero = un autre zéro de l’articulation `{ $joint }`
+
+change-or-another = { $message } ; les mesures s’accordent aussi bien avec { $others }
+
 named-poses = { $count ->
         [one] la pose { $poses }
        *[other] { $count } poses ({ $poses })
@@ -158,6 +166,9 @@ nominal-robot-not-at-joints = le robot nominal n’a pas de pose à ces valeurs 
 
 placement-unexplained = aucune position de la base et des cibles n’explique les mesures : les résidus sont de { FIXED($left_mm, 1) } mm, l’étendue des points mesurés est de { FIXED($spread_mm, 1) } mm
     .hint = vérifier les unités, l’ordre, les signes et les décalages des articulations, les paramètres fixés de la base et des cibles, et les paramètres nominaux du robot
+
+joint-zero-shifted = à partir de la pose { $pose }, la valeur vraie moins la valeur enregistrée de l’articulation `{ $joint }` diffère de { FIXED($change, 4) } { $unit } ± { FIXED($expanded, 4) } { $unit } de celle des poses jusqu’à { $previous } : le changement du zéro explique { FIXED($share_percent, 0) } % des résidus
+    .hint = contrôler le codeur et le calage de l’articulation : identifier séparément les poses avant et après le changement, ou mesurer de nouveau
 
 reference-moved = à partir de la pose { $pose }, les positions mesurées sont décalées de { FIXED($shift_mm, 3) } mm ± { FIXED($expanded_mm, 3) } mm ({ $vector_mm } mm) par rapport aux positions mesurées jusqu’à la pose { $previous } : ce décalage explique { FIXED($share_percent, 0) } % des résidus
     .hint = la base ou le système de mesure a bougé : identifier les deux parties séparément ou mesurer de nouveau
