@@ -73,8 +73,8 @@ pub(super) fn left_out(results: &Results, words: &Words) -> String {
     if missing.is_empty() { String::new() } else { tr!(words, "budget-left-out", sources = missing.join("; ")) }
 }
 
-/// Number of uncertainties that rest mostly on the tolerance of a nominal value, and the factor of
-/// the default tolerances among them; empty without such an uncertainty.
+/// Parameters whose uncertainty rests mostly on the tolerance of the nominal value, and the factor
+/// of the default tolerances among them; empty without such a parameter.
 pub(super) fn by_tolerances(parameters: &ParametersDocument, words: &Words) -> String {
     let by_tolerance: Vec<&ParameterEntry> = parameters
         .identified()
@@ -85,7 +85,8 @@ pub(super) fn by_tolerances(parameters: &ParametersDocument, words: &Words) -> S
     let count = by_tolerance.len();
     let default = by_tolerance.iter().filter(|p| is_default(p)).count();
     let Some(nominal) = nominal(parameters).filter(|_| count > 0) else { return String::new() };
-    let sentence = tr!(words, "uncertainty-by-tolerances", count, default);
+    let names = by_tolerance.iter().map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ");
+    let sentence = tr!(words, "uncertainty-by-tolerances", count, names, default);
     match default {
         0 => sentence,
         _ => {

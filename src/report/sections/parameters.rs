@@ -271,7 +271,7 @@ mod tests {
     /// Two of eleven identified values have no smaller contribution than their tolerance, one of
     /// them a default.
     #[test]
-    fn uncertainties_by_tolerances_are_counted() {
+    fn uncertainties_by_tolerances_are_named() {
         let (words, mut document) = (Words::default(), Documents::demo().parameters);
         assert!(information(&document, &words).is_empty());
         let by_nominal = |k: usize, u: f64| if k < 2 { 3.0 * u } else { 0.0 };
@@ -286,7 +286,7 @@ mod tests {
         });
         let blocks = serde_json::to_string(&information(&document, &words)).unwrap();
         let sentences = [
-            tr!(words, "uncertainty-by-tolerances", count = 2, default = 1),
+            tr!(words, "uncertainty-by-tolerances", count = 2, names = "beta, gamma", default = 1),
             tr!(words, "uncertainty-by-default-tolerances", factor = "0.044"),
         ];
         assert!(blocks.contains(&sentences.join(" ")), "{blocks}");
