@@ -42,8 +42,8 @@ pub struct KinematicsCommand {
     /// Identified parameters; nominal by default.
     #[arg(long, value_name = "FILE")]
     parameters: Option<PathBuf>,
-    /// Controller file of the run of these parameters, whose values are used: the display of the
-    /// controller after loading.
+    /// Controller file of the run of these parameters, or a copy of it, whose values are used: the
+    /// display of the controller after loading.
     #[arg(long, value_name = "FILE", requires = "parameters")]
     loaded: Option<PathBuf>,
     /// One solution per pose: the nearest to the joints of its row, or of the previous row.

@@ -11,7 +11,7 @@ use etalon_campaign::Campaign;
 use etalon_documents::to_json;
 use etalon_documents::{
     AccuracyDocument, CampaignSummary, CellDocument, ControllerFiles, ControllersDocument, FieldDocument,
-    ManifestDocument, ParametersDocument, PointError,
+    ManifestDocument, ParametersDocument, PointError, WrittenFile,
 };
 use etalon_formats::parquet;
 use serde::de::DeserializeOwned;
@@ -132,21 +132,29 @@ impl Documents {
         named.then(|| checked(&self.path(PARAMETERS), &self.bytes(PARAMETERS)?)).transpose()
     }
 
-    /// Identified parameters with the values of a controller file of the run; a path counts by its
-    /// file name.
+    /// Identified parameters with the values of a controller file of the run.
     ///
     /// # Errors
     /// Fails if the run wrote no such file.
     pub fn parameters_in_file(&self, identified: &ParametersDocument, file: &Path) -> Result<ParametersDocument> {
         let campaign: CampaignSummary = self.json("campaign.json")?;
-        let name = file.file_name().unwrap_or_default();
-        let Some(written) = campaign.controller_files.iter().find(|written| name == written.file.as_str()) else {
-            return Err(error!("file-not-of-run", file = file.display().to_string()).into());
-        };
+        let written = self.controller_file(&campaign, file)?;
         let controllers: Option<ControllersDocument> = self.optional("controllers.json")?;
         let of_format = |values: &ControllerFiles| values.formats.contains(&written.format);
         let values = controllers.and_then(|document| document.files.into_iter().find(of_format));
         Ok(values.map_or_else(|| identified.clone(), |values| values.applied_to(identified)))
+    }
+
+    /// Controller file of the run with the contents of `file`, whatever its name. A name without a
+    /// file in reach is the name in the output folder.
+    fn controller_file<'c>(&self, campaign: &'c CampaignSummary, file: &Path) -> Result<&'c WrittenFile> {
+        let sha256 = file.exists().then(|| files::read(file)).transpose()?.map(|bytes| files::sha256(&bytes));
+        let is_meant = |written: &&WrittenFile| match &sha256 {
+            Some(sha256) => self.manifest.files.get(&written.file) == Some(sha256),
+            None => file.as_os_str() == written.file.as_str(),
+        };
+        let written = campaign.controller_files.iter().find(is_meant);
+        Ok(written.ok_or_else(|| error!("file-not-of-run", file = file.display().to_string()))?)
     }
 
     /// Errors of the measured points of a run with this accuracy.

@@ -105,10 +105,17 @@ fn the_display_after_loading_is_that_of_the_file() {
         .sqrt();
     let tolerance_mm = tolerance_mm.unwrap();
     assert!(apart < tolerance_mm && tolerance_mm < 0.1, "{apart} {tolerance_mm}");
-    let other = ["--parameters", "out/parameters.json", "--loaded", "other.ini"];
-    let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
-    let refused = text_of(&etalon(&scratch.path(), &[&direct[..], &other].concat()));
-    assert!(refused.says("error[file-not-of-run] file=other.ini"), "{refused}");
+    // the contents of a file decide which file of the run it is, not its name
+    std::fs::copy(scratch.path().join("out/zeros.ini"), scratch.path().join("sent by mail.txt")).unwrap();
+    let copied = ["--parameters", "out/parameters.json", "--loaded", "sent by mail.txt"];
+    assert!(display_at(&joint_values, &copied).iter().zip(after.xyz_mm).all(|(a, b)| (a - b).abs() < 1e-9));
+    std::fs::write(scratch.path().join("zeros.ini"), "theta_2=0\n").unwrap();
+    for other in ["zeros.ini", "other.ini"] {
+        let loaded = ["--parameters", "out/parameters.json", "--loaded", other];
+        let direct = ["kinematics", "direct", "joints.csv", "--robot", "robot.toml"];
+        let refused = text_of(&etalon(&scratch.path(), &[&direct[..], &loaded].concat()));
+        assert!(refused.says(&format!("error[file-not-of-run] file={other}")), "{other}: {refused}");
+    }
 }
 
 /// A display knows joint values alone: the announced poses are without load, torques, temperature and direction of approach.
