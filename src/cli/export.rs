@@ -12,8 +12,8 @@ use etalon_base::{error, phrase, warning};
 use etalon_campaign::{Campaign, RobotFile, read_robot};
 use etalon_controllers::{Description, ExportInput, Exporter, Statement, TemplateFormat};
 use etalon_documents::{
-    AccuracyDocument, CampaignSummary, ControllersDocument, ParametersDocument, PointError, WrittenController,
-    WrittenDocument, to_json,
+    AccuracyDocument, CampaignSummary, ControllersDocument, Loading, ParametersDocument, PointError, VerdictDocument,
+    WrittenController, WrittenDocument, to_json,
 };
 use etalon_robots::Robot;
 use std::path::{Path, PathBuf};
@@ -86,8 +86,9 @@ impl ExportCommand {
         }
         let given = ExportInput { controller_hash: hash, ..exported.input(self.force) };
         given.check()?;
+        let withheld = exported.loading.as_ref().and_then(Loading::reason);
         let of_format = |e: &&dyn Exporter| {
-            let statement = given.statement(*e)?;
+            let statement = given.statement(*e)?.withheld(withheld.clone());
             let file = (e.file_name().to_owned(), e.write_stated(&given, &statement)?);
             let near = statement.warning(&[e.name()]);
             let Statement { left_out, errors, .. } = statement;
@@ -102,9 +103,11 @@ impl ExportCommand {
             Some(run) => run.write(files)?,
             None => beside_no_run(&to, &files)?,
         };
+        out.remark(withheld.map(|reason| warning!("nothing-to-load-by-run", reason)).as_slice());
         out.remark(&controllers.iter().flat_map(|file| &file.messages).cloned().collect::<Vec<_>>());
+        let loading = exported.loading.as_ref().map(|loading| loading.answer);
         let data = match self.json {
-            true => to_json(&WrittenDocument { controllers, ..WrittenDocument::new(written) })?,
+            true => to_json(&WrittenDocument { controllers, loading, ..WrittenDocument::new(written) })?,
             false => lines(&written).into_bytes(),
         };
         Ok(out.print_after_writing(data, Verdict::Met))
@@ -169,6 +172,8 @@ pub(super) struct Exported {
     accuracy: Option<AccuracyDocument>,
     errors: Option<Vec<PointError>>,
     controllers: Option<ControllersDocument>,
+    /// Answer of the run of these parameters.
+    loading: Option<Loading>,
 }
 
 impl Exported {
@@ -186,6 +191,8 @@ impl Exported {
             if parameters.ends_with("parameters.json") {
                 exported.accuracy = run.optional("accuracy.json")?;
                 exported.controllers = run.optional("controllers.json")?;
+                let verdict: Option<VerdictDocument> = run.optional("verdict.json")?;
+                exported.loading = verdict.and_then(|verdict| verdict.loading);
                 let accuracy = exported.accuracy.as_ref().filter(|_| with_errors);
                 exported.errors = accuracy.map(|accuracy| run.errors(accuracy)).transpose()?;
             }
@@ -222,7 +229,7 @@ impl Exported {
         if let Some(robot) = &robot {
             check_geometry(robot.as_ref(), &parameters)?;
         }
-        Ok(Self { parameters, file, robot, summary, accuracy: None, errors: None, controllers: None })
+        Ok(Self { parameters, file, robot, summary, accuracy: None, errors: None, controllers: None, loading: None })
     }
 
     pub fn input(&self, force: bool) -> ExportInput<'_> {

@@ -7,7 +7,7 @@ use crate::tasks::{self, Ran};
 use etalon_base::message::printable;
 use etalon_base::{phrase, warning};
 use etalon_campaign::Campaign;
-use etalon_documents::{Results, to_json};
+use etalon_documents::{Loading, Results, to_json};
 use std::path::PathBuf;
 
 /// Run a campaign from its exports to the report.
@@ -54,8 +54,9 @@ impl Run {
             out.say(phrase!("no-controller-files").text(language.code()));
         }
         let next = identified.as_ref().map(|_| {
-            let campaign = shell_word(&self.campaign);
-            phrase!("next-recommend", command = format!("`etalon recommend {campaign}`")).text(language.code())
+            let command = format!("`etalon recommend {}`", shell_word(&self.campaign));
+            let withheld = usize::from(verdict.loading.as_ref().and_then(Loading::reason).is_some());
+            phrase!("next-recommend", command, withheld).text(language.code())
         });
         let data = match (self.json, identified, &tested.poses, &tested.streams) {
             (false, ..) => {

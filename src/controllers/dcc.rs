@@ -188,6 +188,8 @@ impl<'a> Stated<'a> {
         ];
         all.extend(stated.into_iter().filter_map(|(name, what)| Some(statement(name, what.as_ref()?))));
         all.extend(self.given.warning().map(|warning| statement("Failed checks", &warning)));
+        let withheld = self.given.file.and_then(|(file, _)| file.not_to_be_loaded());
+        all.extend(withheld.map(|reason| statement("Controller files", &reason)));
         all.extend(
             self.given
                 .summary

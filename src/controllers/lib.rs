@@ -319,11 +319,16 @@ impl<'a> ExportInput<'a> {
         Some(synthetic_notice(why))
     }
 
-    /// Warning of formats without header lines: failed checks, otherwise a file that is not clearly
-    /// better than nominal.
+    /// Warning of formats without header lines: failed checks, otherwise a file that is not to be
+    /// loaded, or not clearly better than nominal.
     fn caution(&self) -> Option<String> {
-        let near = || self.file.and_then(|(statement, _)| statement.near_nominal()).map(|near| near.to_string());
-        self.warning().or_else(near)
+        let of_statement = || {
+            let (statement, _) = self.file?;
+            let near = statement.near_nominal().map(|near| near.to_string());
+            let all: Vec<String> = statement.not_to_be_loaded().into_iter().chain(near).collect();
+            (!all.is_empty()).then(|| all.join("; "))
+        };
+        self.warning().or_else(of_statement)
     }
 
     /// Rejects parameters that must not reach a controller.
@@ -381,6 +386,7 @@ impl<'a> ExportInput<'a> {
     pub fn header(&self, units: &str) -> Result<Vec<String>> {
         let mut lines = vec![format!("Written by etalon {}", self.parameters.provenance.version)];
         lines.extend(self.warning());
+        lines.extend(self.file.and_then(|(statement, _)| statement.not_to_be_loaded()));
         lines.extend(self.synthetic());
         lines.extend(self.summary.map(|summary| format!("campaign: {}", summary.name)));
         lines.push(format!("robot: {}", self.robot_name()));

@@ -20,6 +20,8 @@ pub struct Statement {
     pub errors: Option<ControllerErrors>,
     /// Parameters that the file contains instead of the identified ones.
     pub parameters: Option<ParametersDocument>,
+    /// Reason for loading no file of the run, if it loads none.
+    withheld: Option<Phrase>,
     /// Frame in which the file describes the robot.
     frame: &'static str,
     /// `true` if `parameters` were identified again, `false` if they were conditioned by the
@@ -28,6 +30,11 @@ pub struct Statement {
 }
 
 impl Statement {
+    /// Adds the reason for loading no file of the run.
+    pub fn withheld(self, withheld: Option<Phrase>) -> Self {
+        Self { withheld, ..self }
+    }
+
     /// Reason for not writing the file: the robot is less accurate with it than with nominal
     /// parameters.
     pub fn refusal(&self, format: &str) -> Option<Message> {
@@ -77,6 +84,11 @@ impl Statement {
             nominal_max_mm = nominal.max_mm,
             decimals = decimals(errors),
         ))
+    }
+
+    /// Header line of a file that is written although the run loads no file.
+    pub(crate) fn not_to_be_loaded(&self) -> Option<String> {
+        self.withheld.as_ref().map(|reason| format!("NOT TO BE LOADED: {reason}"))
     }
 
     /// Header lines.
@@ -142,7 +154,8 @@ impl ExportInput<'_> {
         }
         let (left_out, frame) = (self.left_out(exporter), exporter.about().frame);
         if let Some((parameters, errors)) = self.identified_again(exporter, &left_out) {
-            return Ok(Statement { left_out, errors, parameters: Some(parameters), frame, again: true });
+            let parameters = Some(parameters);
+            return Ok(Statement { left_out, errors, parameters, frame, again: true, withheld: None });
         }
         let names: Vec<&str> = left_out.iter().map(String::as_str).collect();
         if names.is_empty() {
@@ -154,7 +167,8 @@ impl ExportInput<'_> {
             .parameters
             .conditioned(&names)
             .ok_or_else(|| error!("covariance-missing", format = exporter.name(), parameters = left_out))?;
-        Ok(Statement { left_out, errors: None, parameters: Some(conditioned), frame, again: false })
+        let parameters = Some(conditioned);
+        Ok(Statement { left_out, parameters, frame, ..Statement::default() })
     }
 
     /// Parameters that the run identified again without `left_out`, as the format writes them, and

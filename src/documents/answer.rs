@@ -1,7 +1,7 @@
 //! Answers of commands that write no document of a campaign: `--json` of check, formats, report,
 //! export, simulate, init.
 
-use super::{ControllerErrors, Source, Uncontrolled};
+use super::{ControllerErrors, LoadAnswer, Source, Uncontrolled};
 use crate::worded::worded;
 use etalon_base::catalogue::{Arguments, Entry, Phrase};
 use etalon_base::message::{Message, Severity};
@@ -322,6 +322,9 @@ pub struct WrittenDocument {
     /// them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub controllers: Vec<WrittenController>,
+    /// Answer of the run to the question of what a controller should load; absent without a run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loading: Option<LoadAnswer>,
 }
 
 /// One controller file.
@@ -343,6 +346,6 @@ pub struct WrittenController {
 impl WrittenDocument {
     /// Creates the document of written files.
     pub fn new(files: Vec<String>) -> Self {
-        Self { schema: "etalon/written/1".to_owned(), files, controllers: Vec::new() }
+        Self { schema: "etalon/written/1".to_owned(), files, controllers: Vec::new(), loading: None }
     }
 }

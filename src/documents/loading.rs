@@ -156,6 +156,17 @@ impl Loading {
 }
 
 impl Loading {
+    /// Reason for loading nothing, without an instruction; `None` if the answer is to load.
+    pub fn reason(&self) -> Option<Phrase> {
+        let answer = match self.answer {
+            LoadAnswer::Load => return None,
+            LoadAnswer::KeepNominal => "keep_nominal",
+            LoadAnswer::IdentifyFurther => "identify_further",
+            LoadAnswer::Resolve => "resolve",
+        };
+        Some(phrase!("nothing-to-load", answer))
+    }
+
     /// Instruction to load nothing, with its reason; `None` if the answer is to load.
     pub fn withheld(&self) -> Option<Phrase> {
         let effects = || self.effects.iter().map(|effect| effect.phrase()).collect::<Vec<_>>();

@@ -19,8 +19,8 @@ use etalon_base::message::{Problems, Result};
 use etalon_campaign::Campaign;
 use etalon_controllers::{Description, ExportInput, Exporter};
 use etalon_documents::{
-    CampaignSummary, ControllersDocument, FieldDocument, IdentifiedDocuments, Results, VerdictDocument, WrittenFile,
-    to_json,
+    CampaignSummary, ControllersDocument, FieldDocument, IdentifiedDocuments, Loading, Results, VerdictDocument,
+    WrittenFile, to_json,
 };
 use etalon_report::Renderer;
 use etalon_robots::{Effect, Parameter, Quantity, Robot, Role};
@@ -245,10 +245,12 @@ fn controller_files(
         parameters_sha256: Some(&sha256),
         ..export_input(campaign, robot.as_ref(), found, &results.campaign)
     };
+    let withheld = results.verdict.loading.as_ref().and_then(Loading::reason);
     let mut all = Vec::new();
     for (name, exporter) in formats.all() {
         // rejected files are among the messages
         let Ok(statement) = input.statement(exporter) else { continue };
+        let statement = statement.withheld(withheld.clone());
         if statement.refusal(name).is_none() {
             input.check()?;
             all.push((exporter.file_name().to_owned(), exporter.write_stated(&input, &statement)?));

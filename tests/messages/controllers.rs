@@ -12,6 +12,7 @@ const VERIFY: &str = "verify @/out/observations.csv --robot @/robot.toml --param
 
 const CASES: &[Case] = &[
     ("controller-format-unknown name=jsn", ARM, &[], "export @/out/parameters.json --format jsn"),
+    ("nothing-to-load-by-run", "field-arm+out", &[], "export @/out/parameters.json --to @/files"),
     ("controller-format-unknown name=rapid", ARM, &[], "export @/out/parameters.json --format rapid"),
     ("linuxcnc-joint-offsets", ARM, &[], "export @/out/parameters.json --robot @/robot.toml --format linuxcnc"),
     (

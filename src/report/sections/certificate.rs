@@ -14,7 +14,7 @@ use crate::{coverage, number};
 use etalon_base::message::{Message, Rank, one_line};
 use etalon_base::{files, phrase};
 use etalon_documents::{
-    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, LoadAnswer, ParameterEntry, Results, Source,
+    AccuracyDocument, AccuracySet, ErrorQuantity, ErrorStatistics, Figure, Loading, ParameterEntry, Results, Source,
     SourceKind, WrittenFile,
 };
 
@@ -195,19 +195,31 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
 fn loaded_section(results: &Results, words: &Words) -> Option<Section> {
     // output folders of earlier versions do not contain the answer
     let Some(loading) = &results.verdict.loading else { return files_section(results, words) };
-    let answer = match loading.answer {
-        LoadAnswer::Load => {
-            let is_loaded =
-                |f: &WrittenFile| loading.file.iter().chain(&loading.alternatives).any(|name| *name == f.file);
-            return checksums(results, is_loaded, words);
-        }
-        LoadAnswer::KeepNominal => "keep_nominal",
-        LoadAnswer::IdentifyFurther => "identify_further",
-        LoadAnswer::Resolve => "resolve",
+    let Some(withheld) = withheld(loading, words) else {
+        let is_loaded = |f: &WrittenFile| loading.file.iter().chain(&loading.alternatives).any(|name| *name == f.file);
+        return checksums(results, is_loaded, words);
     };
     let mut section = Section::new("loaded-files", tr!(words, "checksums-of-files"));
-    section.push(Block::strong(tr!(words, "certificate-no-file", answer)));
+    section.push(Block::strong(withheld));
     section.whole()
+}
+
+/// Statement that no file is to be loaded, with the reason; `None` if the answer is to load.
+fn withheld(loading: &Loading, words: &Words) -> Option<String> {
+    Some(tr!(words, "certificate-no-file", reason = loading.reason()?))
+}
+
+/// Sentences of the verdict; an instruction to load nothing becomes a statement, because next steps
+/// are opinions (ISO/IEC 17025:2017, 7.8.7).
+fn verdict_sentences(results: &Results, sentences: Vec<String>, words: &Words) -> Vec<String> {
+    let loading = results.verdict.loading.as_ref();
+    let instruction = loading.and_then(Loading::withheld).map(|answer| sentence(&words.tr(&answer)));
+    let state = |said: String| match loading.filter(|_| instruction.as_ref() == Some(&said)) {
+        Some(loading) => withheld(loading, words).unwrap_or(said),
+        None => said,
+    };
+    let computed = results.identified.is_some().then(|| computed(results, words));
+    sentences.into_iter().map(state).chain(computed).collect()
 }
 
 /// All controller files with their checksums.
@@ -343,7 +355,7 @@ mod tests {
         assert!(section(&documents).contains(&sha256));
         documents.accuracy.limits[0].acceptance = etalon_documents::Acceptance::Fail;
         let withheld = section(&documents);
-        let reason = tr!(words, "certificate-no-file", answer = "resolve");
+        let reason = tr!(words, "certificate-no-file", reason = phrase!("nothing-to-load", answer = "resolve"));
         assert!(!withheld.contains(&sha256) && withheld.contains(&reason), "{withheld}");
     }
 

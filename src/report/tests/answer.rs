@@ -245,6 +245,9 @@ fn a_verdict_that_loads_nothing_says_so_in_every_rendering() {
     for text in [&page, &renderer.terminal(), &certificate] {
         assert!(text.contains(&sentence(&tr!(words, "recommend-resolve"))), "{text}");
     }
+    // a certificate states facts: no instruction
+    let fact = tr!(words, "certificate-no-file", reason = phrase!("nothing-to-load", answer = "resolve"));
+    assert!(certificate.contains(&fact) && !certificate.contains(&instruction), "{certificate}");
 }
 
 #[test]

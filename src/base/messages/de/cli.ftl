@@ -236,6 +236,9 @@ excluded-rows = ausgeschlossen: { $count ->
 controller-error-not-measured = Format `{ $format }` enthält { $parameters } nicht: seine Datei setzt die Nennwerte dieser Parameter voraus, und ihre Abweichung wurde nicht gemessen
     .hint = die Kampagne mit "{ $format }" in `controllers` ausführen und aus ihrem Ausgabeordner exportieren; empfohlene Parameter: `etalon export KAMPAGNE --parameters recommended`
 
+nothing-to-load-by-run = nach der Antwort des Laufs nicht zu laden: { $reason }
+    .hint = die nächsten Schritte des Berichts ausführen und die Kampagne erneut ausführen; `etalon recommend` erklärt die Antwort
+
 from-needs-robot = --from braucht einen Roboter
     .hint = ihn angeben: --robot ur5e, --robot robot.toml für die eigene Roboterdatei oder --urdf DATEI
 
@@ -409,7 +412,10 @@ targets-compensated = { $count ->
 batch-counts = { $done } fertig, { $not_met } mit nicht eingehaltenen Grenzwerten, { $failed } fehlgeschlagen, { $skipped } übersprungen
 run-skipped = übersprungen: { $campaign } benötigt Daten unter ${ $name }; die Variable ist nicht gesetzt
 no-controller-files = keine Steuerungsdatei wird geschrieben: das Ergebnis ist nicht plausibel
-next-recommend = { $command } zeigt den Beitrag jedes Parameters; Steuerungsdateien sind im Ausgabeordner
+next-recommend = { $command } zeigt den Beitrag jedes Parameters; Steuerungsdateien sind im Ausgabeordner{ $withheld ->
+        [0] {""}
+       *[other] , als nicht zu laden gekennzeichnet
+    }
 unmodelled-said = simulierte Abweichungen, die kein Parameter beschreibt: { $error }
 unmodelled-backlash = Umkehrspiel { $joints }
 unmodelled-interpolation = Interpolation des Gebers { $joints }

@@ -208,11 +208,7 @@ certificate-controller-before = Die Steuerung hatte die Werte von `{ $file }` (S
 certificate-controller-unknown = Die Werte in der Steuerung sind nicht angegeben und können von den Nennwerten abweichen.
 certificate-held = Die Werte gelten gemeinsam. U setzt voraus, dass die festgehaltenen Werte exakt sind. Ein einzelner Wert ist kein Maß eines Teils des Roboters.
 certificate-interval = U: erweiterte Messunsicherheit des Werts, Erweiterungsfaktor k = 2. Letzte Spalte: Abweichung des Roboters ohne das Rauschen der Messwerte, Überdeckungswahrscheinlichkeit mindestens 95 %.
-certificate-no-file = Dieser Kalibrierschein nennt keine Datei zum Laden: { $answer ->
-        [keep_nominal] Die identifizierten Parameter sind nicht deutlich besser als die Nennparameter
-        [identify_further] Zuerst müssen weitere Effekte identifiziert werden
-       *[resolve] Nach der Bewertung darf keine Datei geladen werden
-    }.
+certificate-no-file = Dieser Kalibrierschein nennt keine Datei zum Laden: { $reason }.
 certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
@@ -941,6 +937,11 @@ not-known = unbekannt
 not-met = nicht eingehalten
 not-run = nicht gerechnet
 not-stated = nicht angegeben
+nothing-to-load = { $answer ->
+        [keep_nominal] die identifizierten Parameter sind nicht deutlich besser als die Nennparameter
+        [identify_further] zuerst müssen weitere Effekte identifiziert werden
+       *[resolve] nach der Bewertung darf keine Datei geladen werden
+    }
 not-stated-items = Nicht angegeben, neben den vor der Unterschrift zu ergänzenden Feldern: { $items }.
 notes = Bemerkungen
 nothing-held = Kein Parameter ist festgehalten: Der Abstand jeder Spalte von der linearen Hülle der anderen übersteigt die Rangschwelle { $cut }.

@@ -540,6 +540,14 @@ excluded-rows = excluded: { $count ->
 controller-error-not-measured = format `{ $format }` cannot hold { $parameters }: the other values are computed with nominal values of these, and the error of the file was not measured
     .hint = run the campaign with "{ $format }" among its `controllers`, and export from its output folder; recommended parameters: `etalon export CAMPAIGN --parameters recommended`
 
+# Means: The run of these parameters answered that a controller should load nothing. The files are
+# written, and their headers say so.
+# Matters: The robot may become less accurate with the files, or the errors with them are unknown.
+# Do: Follow the next steps of the report, run the campaign again, and export then.
+# Example: `etalon export samples/field-arm/out/parameters.json`
+nothing-to-load-by-run = not to be loaded, by the answer of the run: { $reason }
+    .hint = follow the next steps of the report and run the campaign again; `etalon recommend` explains the answer
+
 # Means: `--from` is given without a robot.
 # Matters: The joints and targets of the files belong to a robot.
 # Do: Add `--robot` or `--urdf`.
@@ -854,7 +862,10 @@ targets-compensated = { $count ->
 batch-counts = { $done } done, { $not_met } with limits not met, { $failed } failed, { $skipped } skipped
 run-skipped = skipped: { $campaign } needs files in the folder ${ $name }, which is not set
 no-controller-files = no controller file is written: the result is implausible
-next-recommend = { $command } shows what each parameter contributes; controller files are in the output folder
+next-recommend = { $command } shows what each parameter contributes; controller files are in the output folder{ $withheld ->
+        [0] {""}
+       *[other] , marked as not to be loaded
+    }
 unmodelled-said = simulated errors that no parameter of the model describes: { $error }
 unmodelled-backlash = backlash { $joints }
 unmodelled-interpolation = encoder interpolation { $joints }

@@ -199,11 +199,7 @@ certificate-controller-before = The controller had the values of `{ $file }` (SH
 certificate-controller-unknown = The values in the controller are not given, and may differ from the nominal ones.
 certificate-held = The values apply as one set. U assumes that the held values are exact. A single value is not the dimension of a part of the robot.
 certificate-interval = U: expanded uncertainty of the value, coverage factor k = 2. Last column: error of the robot without the noise of the readings, coverage probability at least 95 %.
-certificate-no-file = This certificate lists no file to load: { $answer ->
-        [keep_nominal] the identified parameters are not clearly better than the nominal ones
-        [identify_further] further effects must be identified first
-       *[resolve] the verdict allows no file to be loaded
-    }.
+certificate-no-file = This certificate lists no file to load: { $reason }.
 certificate-parameters = Parameters, identified and held
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
@@ -905,6 +901,11 @@ not-known = unknown
 not-met = not met
 not-run = not run
 not-stated = not stated
+nothing-to-load = { $answer ->
+        [keep_nominal] the identified parameters are not clearly better than the nominal ones
+        [identify_further] further effects must be identified first
+       *[resolve] the verdict allows no file to be loaded
+    }
 not-stated-items = Not stated, besides the fields to complete before signing: { $items }.
 notes = notes
 nothing-held = No parameter is held: the distance of each column from the span of the others exceeds the rank cut of { $cut }.

@@ -236,6 +236,9 @@ excluded-rows = { $count ->
 controller-error-not-measured = le format `{ $format }` ne contient pas { $parameters } : le fichier suppose leurs valeurs nominales, et son erreur n’a pas été mesurée
     .hint = exécuter la campagne avec "{ $format }" dans `controllers`, et exporter depuis son dossier de sortie ; paramètres recommandés : `etalon export CAMPAIGN --parameters recommended`
 
+nothing-to-load-by-run = à ne pas charger, d’après l’exécution : { $reason }
+    .hint = suivre les prochaines étapes du rapport et relancer la campagne ; `etalon recommend` explique la réponse
+
 from-needs-robot = --from exige le robot
     .hint = l’indiquer : --robot ur5e, --robot robot.toml pour votre propre fichier, ou --urdf FICHIER
 
@@ -409,7 +412,10 @@ targets-compensated = { $count ->
 batch-counts = { $done } terminées, { $not_met } avec des limites non respectées, { $failed } échouées, { $skipped } ignorées
 run-skipped = ignorée : { $campaign } nécessite des données sous ${ $name }, qui n’est pas défini
 no-controller-files = aucun fichier pour le contrôleur n’est écrit : le résultat n’est pas plausible
-next-recommend = { $command } montre la contribution de chaque paramètre ; les fichiers pour le contrôleur sont dans le dossier de sortie
+next-recommend = { $command } montre la contribution de chaque paramètre ; les fichiers pour le contrôleur sont dans le dossier de sortie{ $withheld ->
+        [0] {""}
+       *[other] , marqués « à ne pas charger »
+    }
 unmodelled-said = erreurs simulées qu’aucun paramètre ne décrit : { $error }
 unmodelled-backlash = jeu { $joints }
 unmodelled-interpolation = interpolation du codeur { $joints }

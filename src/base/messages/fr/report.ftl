@@ -211,11 +211,7 @@ certificate-controller-before = Le contrôleur avait les valeurs de `{ $file }` 
 certificate-controller-unknown = Les valeurs dans le contrôleur ne sont pas indiquées et peuvent différer des valeurs nominales.
 certificate-held = Les valeurs s’appliquent ensemble. U suppose que les valeurs fixées sont exactes. Une valeur seule n’est pas la cote d’une pièce du robot.
 certificate-interval = U : incertitude élargie de la valeur, facteur d’élargissement k = 2. Dernière colonne : erreur du robot sans le bruit des lectures, probabilité de couverture d’au moins 95 %.
-certificate-no-file = Ce certificat ne cite aucun fichier à charger : { $answer ->
-        [keep_nominal] les paramètres identifiés ne sont pas nettement meilleurs que les paramètres nominaux
-        [identify_further] d’autres effets doivent d’abord être identifiés
-       *[resolve] le verdict ne permet de charger aucun fichier
-    }.
+certificate-no-file = Ce certificat ne cite aucun fichier à charger : { $reason }.
 certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
@@ -944,6 +940,11 @@ not-known = inconnu
 not-met = non respectée
 not-run = non calculée
 not-stated = non indiqué
+nothing-to-load = { $answer ->
+        [keep_nominal] les paramètres identifiés ne sont pas nettement meilleurs que les paramètres nominaux
+        [identify_further] d’autres effets doivent d’abord être identifiés
+       *[resolve] le verdict ne permet de charger aucun fichier
+    }
 not-stated-items = Non indiqué, outre les champs à compléter avant signature : { $items }.
 notes = remarques
 nothing-held = Aucun paramètre n’est fixé : la distance de chaque colonne à l’espace engendré par les autres dépasse le seuil de rang { $cut }.
