@@ -25,6 +25,30 @@ pub struct Changes {
     pub validation: Option<String>,
 }
 
+/// Text without the line of a key, whose value is in `value`, and without a section that has no
+/// other line; `None` if the line contains other keys. If the line was added to a text, the result
+/// is the earlier text.
+pub(crate) fn without_line(text: &str, value: Range<usize>) -> Option<String> {
+    let lines: Vec<&str> = text.split_inclusive('\n').collect();
+    let mut from = text.get(..value.start)?.matches('\n').count();
+    let mut to = from + 1;
+    let (key, _) = lines.get(from)?.split_once('=')?;
+    if text.get(value)?.contains('\n') || key.contains(['{', ',']) {
+        return None;
+    }
+    let is_blank = |line: &str| line.trim().is_empty();
+    let is_head = |line: &str| line.trim_start().starts_with('[');
+    let next = lines[to..].iter().find(|line| !is_blank(line));
+    if from > 0 && is_head(lines[from - 1]) && next.is_none_or(|next| is_head(next)) {
+        from -= 1;
+        to += lines[to..].iter().take_while(|line| is_blank(line)).count();
+        if next.is_none() {
+            from -= lines[..from].iter().rev().take_while(|line| is_blank(line)).count();
+        }
+    }
+    Some([&lines[..from], &lines[to..]].concat().concat())
+}
+
 /// Keys that changes concern, with their places in the text.
 #[derive(Default, Deserialize)]
 struct Keys {
@@ -252,6 +276,27 @@ mod tests {
         let text =
             Changes { free: vec!["a3".to_owned()], ..Changes::default() }.apply(&again.apply(&text).unwrap()).unwrap();
         assert!(text.contains("hold = []") && text.contains("position_max_mm = 0.5"), "{text}");
+    }
+
+    #[test]
+    fn a_text_without_an_added_line_is_as_before() {
+        const LINE: &str = "controller_backup = \"a.cfg\" # saved\n";
+        let without = |text: &str| {
+            let place = text.find("\"a.cfg\"").unwrap();
+            without_line(text, place..place + 7)
+        };
+        for (before, after) in [
+            (
+                "name = \"a\"\n\n[conditions]\nplace = \"b\"\n",
+                format!("name = \"a\"\n\n[conditions]\n{LINE}place = \"b\"\n"),
+            ),
+            ("name = \"a\"\n\n[limits]\n", format!("name = \"a\"\n\n[conditions]\n{LINE}\n[limits]\n")),
+            ("name = \"a\"\n", format!("name = \"a\"\n\n[conditions]\n{LINE}")),
+        ] {
+            assert_eq!(without(&after).as_deref(), Some(before));
+        }
+        let inline = format!("conditions = {{ place = \"b\", {} }}\n", LINE.trim_end_matches(" # saved\n"));
+        assert_eq!(without(&inline), None);
     }
 
     #[test]

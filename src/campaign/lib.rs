@@ -176,6 +176,12 @@ impl Campaign {
         Some(paths::resolve(&self.folder, file).map_err(|message| message.at(place()).into()))
     }
 
+    /// SHA-256 of `campaign.toml` without its line `controller_backup`; `None` without this line.
+    pub fn sha256_without_backup(&self) -> Option<String> {
+        let key = toml_file::find(&self.text, &["conditions", "controller_backup"])?;
+        Some(files::sha256(edit::without_line(&self.text, key)?.as_bytes()))
+    }
+
     /// Path of a source file.
     pub fn source(&self, source: &Source) -> Result<PathBuf> {
         match source.kind {

@@ -279,8 +279,10 @@ impl ParametersDocument {
 }
 
 impl ImportDocument {
-    /// SHA-256 of every input, by file name.
+    /// SHA-256 of every input of the results, by file name.
     pub fn inputs(&self) -> BTreeMap<String, String> {
-        self.sources.iter().map(|s| (s.file.clone(), s.sha256.clone())).collect()
+        let sha256 = |s: &Source| s.sha256_without_backup.as_ref().unwrap_or(&s.sha256).clone();
+        let inputs = self.sources.iter().filter(|s| s.kind != SourceKind::Backup);
+        inputs.map(|s| (s.file.clone(), sha256(s))).collect()
     }
 }

@@ -53,6 +53,10 @@ pub struct Source {
     pub file: String,
     /// SHA-256 of the file, as `sha256sum` prints it.
     pub sha256: String,
+    /// SHA-256 of the campaign without its line `controller_backup`; absent without this line.
+    /// Results refer to this hash, because the way back does not change them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256_without_backup: Option<String>,
     /// Size of the file.
     pub bytes: usize,
     /// `export`, `log`, `campaign` or `robot`.

@@ -128,6 +128,7 @@ fn source(file: &str, bytes: &[u8], kind: SourceKind, read_as: Phrase) -> Source
     Source {
         file: file.to_owned(),
         sha256: stamp.sha256,
+        sha256_without_backup: None,
         bytes: stamp.size,
         kind,
         dialect: read_as.into(),

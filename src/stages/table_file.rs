@@ -273,6 +273,7 @@ impl CampaignTables<'_> {
         self.sources.push(Source {
             file: file.get_ref().clone(),
             sha256: stamp.sha256,
+            sha256_without_backup: None,
             bytes: stamp.size,
             kind,
             dialect: holds.into(),

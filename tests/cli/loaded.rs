@@ -58,6 +58,9 @@ fn a_file_of_zeros_is_judged_by_its_own_errors() {
 fn the_display_after_loading_is_that_of_the_file() {
     let scratch = arm();
     scratch.replace("campaign.toml", "position_max_mm = 0.4", "position_max_mm = 5.0");
+    ends(&scratch, "run", 0, &[]);
+    let written = || ["controller.json", "zeros.ini"].map(|file| scratch.path().join("out").join(file));
+    let first = written().map(|file| std::fs::read(file).unwrap());
     scratch.replace(
         "campaign.toml",
         "[instrument]",
@@ -67,6 +70,8 @@ fn the_display_after_loading_is_that_of_the_file() {
     assert!(missing.contains("before.ini"), "{missing}");
     std::fs::write(scratch.path().join("before.ini"), "theta_2=0\n").unwrap();
     ends(&scratch, "run", 0, &[]);
+    // a file that is loaded already keeps its hash when the way back is named
+    assert_eq!(written().map(|file| std::fs::read(file).unwrap()), first);
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
     // sha256sum
     assert!(html.contains("before.ini, SHA-256 4ea600a1"), "the hash of the backup");

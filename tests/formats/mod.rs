@@ -152,6 +152,7 @@ fn source() -> Source {
     Source {
         file: String::new(),
         sha256: String::new(),
+        sha256_without_backup: None,
         bytes: 0,
         kind: SourceKind::Log,
         dialect: "".into(),

@@ -69,5 +69,8 @@ pub(crate) fn section_from_provenance(
         .sheet(phrase!("rows"), "", |r| r.2.map(|s| s.rows_read))
         .sheet(phrase!("head-refused"), "", |r| r.2.map(|s| s.refused.len()));
     section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("sheet-inputs"))));
+    if let Some(campaign) = sources.iter().find(|source| source.sha256_without_backup.is_some()) {
+        section.push(Block::note(tr!(words, "hash-without-backup", file = campaign.file)));
+    }
     section
 }

@@ -28,6 +28,9 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         (tr!(words, "way-back-loaded"), loaded(file).into()),
     ];
     section.push(Block::facts(facts.into_iter().chain(moved).collect()));
+    if backup_source(results).is_some() {
+        section.push(Block::text(tr!(words, "way-back-unread")));
+    }
     match &file.check {
         Some(check) => at_pose(&mut section, check, file, words),
         None => section.push(Block::text(tr!(words, "way-back-without-display"))),
@@ -39,10 +42,19 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section.whole()
 }
 
+/// Links at base and ends of the chain.
+fn links(results: &Results) -> Option<&RobotLinks> {
+    results.identified.as_ref()?.parameters.links.as_ref()
+}
+
+/// File of the controller before loading, whose values are not read.
+fn backup_source(results: &Results) -> Option<&Source> {
+    results.import.sources.iter().find(|source| source.kind == SourceKind::Backup)
+}
+
 /// File of the controller before loading, with its checksum.
 fn backup(results: &Results, words: &Words) -> String {
-    let of_controller = |source: &&Source| source.kind == SourceKind::Backup;
-    match results.import.sources.iter().find(of_controller) {
+    match backup_source(results) {
         Some(source) => tr!(words, "file-with-hash", file = source.file, sha256 = source.sha256),
         None => tr!(words, "way-back-not-stated"),
     }

@@ -195,6 +195,7 @@ fn import() -> ImportDocument {
     let source = |file: &str, kind, dialect: &str, refused: Vec<Refused>| Source {
         file: file.to_owned(),
         sha256: etalon_base::files::sha256(file.as_bytes()),
+        sha256_without_backup: None,
         bytes: 48_211,
         kind,
         dialect: dialect.into(),

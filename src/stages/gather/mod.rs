@@ -74,7 +74,8 @@ fn remarks(campaign: &Campaign, points: &[Point]) -> Vec<Message> {
 /// with an unreadable coordinate are kept without it.
 pub fn recover(campaign: &Campaign) -> (Gathered, Problems) {
     let mut problems = Problems::default();
-    let mut sources = vec![statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0])];
+    let stated = statement(SourceKind::Campaign, campaign.file_name(), &campaign.stamps[0]);
+    let mut sources = vec![Source { sha256_without_backup: campaign.sha256_without_backup(), ..stated }];
     if campaign.file.states_robot() {
         sources.push(statement(SourceKind::Robot, campaign.file.robot.get_ref(), &campaign.stamps[1]));
     }
@@ -264,6 +265,7 @@ fn statement(kind: SourceKind, file: &str, stamp: &Stamp) -> Source {
     Source {
         file: file.to_owned(),
         sha256: stamp.sha256.clone(),
+        sha256_without_backup: None,
         bytes: stamp.size,
         kind,
         dialect: match kind {
