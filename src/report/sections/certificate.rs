@@ -264,7 +264,7 @@ fn characteristics_section(results: &Results, words: &Words) -> Option<Section> 
 /// Warnings that a reader of the results should know.
 fn warnings(results: &Results, words: &Words) -> Section {
     let known: Vec<&Message> = results.messages().filter(|m| m.rank != Rank::Routine).collect();
-    messages::section_beside_routine(&known, results.messages().count() - known.len(), words)
+    messages::facts(&known, results.messages().count() - known.len(), words)
 }
 
 #[cfg(test)]
@@ -272,6 +272,7 @@ mod tests {
     use super::*;
     use crate::tests::demo::Documents;
     use crate::tests::demo_iso9283;
+    use etalon_base::warning;
 
     fn certificate_contents(documents: &Documents) -> Contents {
         let (words, results) = (Words::default(), documents.results());
@@ -451,13 +452,20 @@ mod tests {
         documents.campaign.conditions.motion.velocities_percent = Some(vec![100.0]);
         let mut warning = Message::warning("the beam was broken".to_owned());
         warning.rank = Rank::Decide;
-        documents.import.messages = vec![warning];
+        let few = warning!("few-cycles", least = 30, count = 1, poses = 3).hint(phrase!("measure-cycles"));
+        documents.import.messages = vec![warning.hint("measure again"), few.to_decide()];
         let whole = certificate_contents(&documents);
         let section = |id: &str| {
             let found = whole.sections.iter().find(|s| s.id == id);
             serde_json::to_string(found.unwrap_or_else(|| panic!("no section {id}"))).unwrap()
         };
-        assert!(section("messages").contains("the beam was broken"));
+        // a warning says what it affects, and gives no advice
+        let warnings = section("messages");
+        for (text, is_printed) in
+            [("the beam was broken", true), ("measure", false), ("intervals of AP and RP are wider", true)]
+        {
+            assert_eq!(warnings.contains(text), is_printed, "{text}: {warnings}");
+        }
         let tested = section("characteristics");
         for text in ["Load: 2.5 kg.", "Velocity: 100 %.", "AP", "RP", "AP c", "RP c"] {
             assert!(tested.contains(text), "{text}: {tested}");

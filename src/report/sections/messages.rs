@@ -2,7 +2,7 @@
 
 use crate::model::{Block, Columns, Section, Table, Text};
 use crate::words::{Words, tr};
-use etalon_base::catalogue::Phrase;
+use etalon_base::catalogue::{Entry, Phrase, entries};
 use etalon_base::message::{Message, Problems, Rank, Severity, one_line};
 use etalon_base::phrase;
 use etalon_documents::Results;
@@ -38,7 +38,7 @@ pub(super) fn section_beside_routine(messages: &[&Message], routine_elsewhere: u
             count => tr!(words, "no-messages-but-routine", count),
         }));
     }
-    let grouped = Problems(messages.iter().map(|m| (*m).clone()).collect()).grouped();
+    let grouped = grouped(messages);
     for (rank, title) in [(Rank::Decide, tr!(words, "decide-now")), (Rank::Know, tr!(words, "should-know"))] {
         let mut of_rank = grouped.0.iter().filter(|m| m.rank == rank).peekable();
         if of_rank.peek().is_some() {
@@ -49,6 +49,24 @@ pub(super) fn section_beside_routine(messages: &[&Message], routine_elsewhere: u
     section.push(routine(&grouped.0, words));
     section.push(Block::Table(table(messages, words)));
     section
+}
+
+/// Returns the section of these messages without remedies, where so many routine remarks are
+/// elsewhere: a certificate contains no opinions (ISO/IEC 17025:2017, 7.8.7).
+pub(super) fn facts(messages: &[&Message], routine_elsewhere: usize, words: &Words) -> Section {
+    let mut section = section_beside_routine(&[], routine_elsewhere, words);
+    if messages.is_empty() {
+        return section;
+    }
+    section.blocks.clear();
+    let known = entries();
+    grouped(messages).0.iter().for_each(|m| section.push(fact(m, &known, words)));
+    section
+}
+
+/// Messages with similar rows merged.
+fn grouped(messages: &[&Message]) -> Problems {
+    Problems(messages.iter().map(|m| (*m).clone()).collect()).grouped()
 }
 
 /// Routine messages, folded.
@@ -81,27 +99,50 @@ fn severity_name(message: &Message) -> Phrase {
     if message.severity == Severity::Error { phrase!("severity-error") } else { phrase!("severity-warning") }
 }
 
+/// A message with its place, what was expected there, and the remedy.
 fn notice(m: &Message, words: &Words) -> Block {
-    let severity = tr!(words, "with-colon", label = words.tr(&severity_name(m)));
-    let texts = m.texts(words.code());
+    let lines = statement(m, words).into_iter().chain(remedy(m, words)).collect();
+    Block::Notice { class: class(m), id: m.id.to_string(), lines }
+}
+
+/// A message with its consequence, and without remedy.
+fn fact(m: &Message, known: &[Entry], words: &Words) -> Block {
+    let entry = known.iter().find(|entry| entry.is_message() && entry.id == m.id);
+    let consequence = entry.map(|entry| Text::english(&entry.reason)).filter(|text| !text.plain().is_empty());
+    let lines = statement(m, words).into_iter().chain(consequence).collect();
+    Block::Notice { class: class(m), id: m.id.to_string(), lines }
+}
+
+/// Text of a message, marked if the catalogue has only the English one.
+fn text(m: &Message, text: &str) -> Text {
     let english = m.texts("en");
-    let text = |text: &str| match [Some(&english.what), english.expected.as_ref(), english.hint.as_ref()]
-        .contains(&Some(&text.to_owned()))
-    {
+    let all = [Some(english.what), english.expected, english.hint];
+    match all.iter().flatten().any(|english| english == text) {
         true => Text::english(text),
         false => Text::from(text.to_owned()),
-    };
-    let mut lines = vec![Text::from(severity + " ").and(text(&texts.what))];
-    if !m.id.is_empty() {
-        lines[0] = std::mem::take(&mut lines[0]).and(" ").and(Text::code(&m.id));
     }
-    lines.extend(m.place.as_ref().map(|p| {
+}
+
+/// Severity, sentence and place of a message.
+fn statement(m: &Message, words: &Words) -> Vec<Text> {
+    let severity = tr!(words, "with-colon", label = words.tr(&severity_name(m)));
+    let mut first = Text::from(severity + " ").and(text(m, &m.texts(words.code()).what));
+    if !m.id.is_empty() {
+        first = first.and(" ").and(Text::code(&m.id));
+    }
+    let place = m.place.as_ref().map(|p| {
         let line = p.line.map(|line| format!(", {}", tr!(words, "line-number", line))).unwrap_or_default();
         let text = p.text.as_ref().map(|text| Text::from(": ").and(Text::code(&one_line(text))));
         Text::name(&p.file).and(line).and(text.unwrap_or_default())
-    }));
-    let remark = |label: String, said: &String| Text::from(label + " ").and(text(said));
-    lines.extend(texts.expected.as_ref().map(|text| remark(tr!(words, "expected-label"), text)));
-    lines.extend(texts.hint.as_ref().map(|text| remark(tr!(words, "hint-label"), text)));
-    Block::Notice { class: class(m), id: m.id.to_string(), lines }
+    });
+    std::iter::once(first).chain(place).collect()
+}
+
+/// Expectation and remedy of a message.
+fn remedy(m: &Message, words: &Words) -> Vec<Text> {
+    let texts = m.texts(words.code());
+    let remark = |label: String, said: &String| Text::from(label + " ").and(text(m, said));
+    let expected = texts.expected.as_ref().map(|text| remark(tr!(words, "expected-label"), text));
+    let hint = texts.hint.as_ref().map(|text| remark(tr!(words, "hint-label"), text));
+    expected.into_iter().chain(hint).collect()
 }

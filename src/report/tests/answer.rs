@@ -7,7 +7,7 @@ use crate::model::sentence;
 use crate::sections::certificate;
 use crate::*;
 use etalon_base::message::AnsweredBy;
-use etalon_base::warning;
+use etalon_base::{phrase, warning};
 use etalon_documents::{
     Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
     DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict,
