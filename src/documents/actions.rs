@@ -522,8 +522,10 @@ impl Evidence<'_> {
         let name = loading.and_then(|loading| loading.file.as_ref());
         let file = name.and_then(|name| self.campaign.controller_files.iter().find(|file| file.file == *name));
         let check = file.and_then(|file| file.check.as_ref());
+        let links = self.judged.parameters.and_then(|parameters| parameters.links.as_ref());
+        let is_displayed = !links.is_some_and(|links| links.base_moves);
         let what = match check {
-            Some(check) if file.is_some_and(|file| file.is_for_controllers) => {
+            Some(check) if is_displayed && file.is_some_and(|file| file.is_for_controllers) => {
                 phrase!("action-verify-at-pose", pose = check.pose)
             }
             Some(check) => phrase!("action-verify-software-at-pose", pose = check.pose),

@@ -63,6 +63,9 @@ pub enum LoadAnswer {
 pub struct LoadingCheck {
     /// Measured pose at which the file changes the displayed position most.
     pub pose: PoseName,
+    /// Link whose pose is compared, for a robot with several branches.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub link: Option<String>,
     /// Joints, named as columns: `q1_deg`; the assembly mode of a five-bar.
     pub joints: Vec<String>,
     /// Joint values (mm or deg) before loading.

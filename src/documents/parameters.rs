@@ -29,6 +29,10 @@ pub struct ParametersDocument {
     /// Explanation of synthetic data, as the campaign gives it; absent for measured data.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub synthetic: Option<String>,
+    /// Links at base and ends of the kinematic chain; absent for a robot without a URDF, and in
+    /// documents of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub links: Option<RobotLinks>,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
     /// Positions of the flange by the nominal geometry, which are compared with a robot file that
@@ -70,6 +74,19 @@ pub struct ParametersDocument {
     pub messages: Vec<Message>,
     /// Origin of the numbers.
     pub provenance: Provenance,
+}
+
+/// Links of a URDF between which the parameters describe a kinematic chain.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RobotLinks {
+    /// Link of the base frame.
+    pub base: String,
+    /// Link at the end of the chain, or of each branch.
+    pub ends: Vec<String>,
+    /// `true` if joints move the link of the base frame: a hand of a robot with two arms, for
+    /// example.
+    pub base_moves: bool,
 }
 
 impl ParametersDocument {

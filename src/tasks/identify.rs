@@ -118,6 +118,7 @@ pub fn identify(inputs: &Inputs, options: &IdentifyOptions) -> anyhow::Result<Id
     let bound = open_set_up(robot, &sets.calibration, settings, found, options.bound.stated()?);
     let findings = Findings { bound, plausibility, observations: messages, ..Findings::default() };
     let mut document = parameters_document(robot, settings, before, found, &inputs.sha256_by_name()?);
+    document.links = inputs.robot.links(robot);
     document.messages = warning_messages(&findings.ordered(&found.warnings));
     document.untested = untested_mistakes(&untested);
     state_positions(&mut document, robot, &sets.calibration, [before, &found.values]);

@@ -7,6 +7,7 @@ use etalon_base::error;
 use etalon_base::files::{self, Stamp};
 use etalon_base::message::{Message, Place, Problems, Result, nearest};
 use etalon_base::pose::{Pose, Vector};
+use etalon_documents::RobotLinks;
 use etalon_robots::{
     At, Definition, FaultKind, Faults, JointRef, Key, MODELS, Model, Parameter, Quantity, Robot, Role, Shape, Value,
     Values,
@@ -365,6 +366,18 @@ impl RobotFile {
             unread: UnreadKeys::default(),
             beside: None,
         }
+    }
+
+    /// Links at base and ends of the kinematic chain; `None` for a robot without a URDF.
+    pub fn links(&self, robot: &dyn Robot) -> Option<RobotLinks> {
+        let (_, values) = self.description.as_ref()?;
+        let text = |values: &Values, key: &str| match values.get(key) {
+            Some(Value::Text(link)) => Some(link.clone()),
+            _ => None,
+        };
+        let tool = text(values, "tool_link").into_iter();
+        let ends = tool.chain(robot.branches().iter().cloned()).collect();
+        Some(RobotLinks { base: text(values, "base_link")?, ends, base_moves: !robot.joints_of_base().is_empty() })
     }
 
     /// Targets on each branch of the robot; empty for a robot of one chain.

@@ -181,6 +181,7 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
         section.table(title, "", Table::new(words, group, columns).without_empty_columns());
     }
     section.push(Block::note(tr!(words, "certificate-coverage")));
+    section.push(Block::note(parameters::links(document, words)));
     section.blocks.extend(parameters::information(document, words));
     section.push(Block::note(budget::left_out(results, words)));
     if document.parameters.iter().any(|p| p.standard_uncertainty.is_none()) {

@@ -9,7 +9,7 @@ use crate::plots::{correlation, intervals, sketch};
 use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
-use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Results, Role};
+use etalon_documents::{ParameterEntry, ParameterStatus, ParametersDocument, Results, RobotLinks, Role};
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     Some(section_from_document(&results.identified.as_ref()?.parameters, words))
@@ -20,6 +20,7 @@ pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words
     let mut section = Section::new("parameters", tr!(words, "parameters-title"));
     let note = tr!(words, "parameters-note");
     section.push(Block::note(note));
+    section.push(Block::note(links(document, words)));
     let groups = groups(&document.parameters, words);
     for (title, of) in &groups {
         section.table(title, "", table(of, words));
@@ -43,6 +44,14 @@ pub(crate) fn section_from_document(document: &ParametersDocument, words: &Words
     }
     section.push(super::messages::routine(&document.messages, words));
     section
+}
+
+/// Sentence on the links of the chain that the parameters describe; empty for a robot without a
+/// URDF.
+pub(super) fn links(document: &ParametersDocument, words: &Words) -> String {
+    let Some(RobotLinks { base, ends, base_moves }) = &document.links else { return String::new() };
+    let count = usize::from(*base_moves);
+    tr!(words, "chain-of-links", base, ends = ends.join(", "), count)
 }
 
 /// Sentence on parameters that are effective rather than physical; empty if the model fits.

@@ -3,7 +3,7 @@
 use crate::model::{Block, Columns, Section, Table, Text, fixed};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{DisplayedPose, LoadingCheck, Results, Source, SourceKind, WrittenFile};
+use etalon_documents::{DisplayedPose, LoadingCheck, Results, RobotLinks, Source, SourceKind, WrittenFile};
 
 /// Decimals of positions (mm).
 const DECIMALS: usize = 3;
@@ -32,7 +32,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         section.push(Block::text(tr!(words, "way-back-unread")));
     }
     match &file.check {
-        Some(check) => at_pose(&mut section, check, file, words),
+        Some(check) => at_pose(&mut section, Shown { check, file, links: links(results) }, words),
         None => section.push(Block::text(tr!(words, "way-back-without-display"))),
     }
     section.push(Block::text(tr!(words, "way-back-verify")));
@@ -65,16 +65,41 @@ fn loaded(file: &WrittenFile) -> String {
     file.sha256.iter().fold(file.file.clone(), |name, sha256| format!("{name}, SHA-256 {sha256}"))
 }
 
+/// Pose before and after loading a file, with the links between which it is.
+#[derive(Clone, Copy)]
+struct Shown<'a> {
+    check: &'a LoadingCheck,
+    file: &'a WrittenFile,
+    links: Option<&'a RobotLinks>,
+}
+
+impl Shown<'_> {
+    /// `true` if a controller displays the pose: the file is for one, and its base stands still.
+    fn is_on_display(self) -> bool {
+        self.file.is_for_controllers && !self.links.is_some_and(|links| links.base_moves)
+    }
+
+    /// Sentences on the links of base frame and flange, and on a base that moves.
+    fn frames(self, words: &Words) -> Vec<String> {
+        let Some(RobotLinks { base, ends, base_moves }) = self.links else { return Vec::new() };
+        let link = self.check.link.as_ref().or(ends.first());
+        let named = link.map(|link| tr!(words, "way-back-links", base, link));
+        named.into_iter().chain(base_moves.then(|| tr!(words, "way-back-base-moves", base))).collect()
+    }
+}
+
 /// Adds the pose on the display before and after loading.
-fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, words: &Words) {
+fn at_pose(section: &mut Section, shown: Shown, words: &Words) {
+    let Shown { check, file, links } = shown;
     let decimals = LoadingCheck::JOINT_DECIMALS;
     let joint = |(name, value): (&String, &f64)| format!("{name} = {}", words.decimal(format!("{value:.decimals$}")));
     let listed = |values: &[f64]| check.joints.iter().zip(values).map(joint).collect::<Vec<_>>().join("; ");
     let joints = listed(&check.joint_values);
-    section.push(Block::text(match file.is_for_controllers {
+    section.push(Block::text(match shown.is_on_display() {
         true => tr!(words, "way-back-test", pose = check.pose, joints),
         false => tr!(words, "way-back-test-software", pose = check.pose, joints),
     }));
+    shown.frames(words).into_iter().for_each(|text| section.push(Block::text(text)));
     let rows = [
         Row { name: tr!(words, "way-back-before"), pose: check.before },
         Row { name: tr!(words, "way-back-after"), pose: check.after },
@@ -93,7 +118,8 @@ fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, word
         let joints = listed(&check.mastered_joint_values);
         section.push(Block::text(tr!(words, "way-back-mastered", joints)));
     }
-    if !file.is_for_controllers {
+    // programs of poses are corrected for one chain on a base that stands still
+    if !file.is_for_controllers && check.link.is_none() && !links.is_some_and(|links| links.base_moves) {
         section.push(Block::text(tr!(words, "way-back-compensated")));
     }
     if let Some(mm) = check.tolerance_mm {
@@ -104,5 +130,7 @@ fn at_pose(section: &mut Section, check: &LoadingCheck, file: &WrittenFile, word
         }));
     }
     section.push(Block::text(tr!(words, "way-back-restore")));
-    section.push(Block::text(tr!(words, "way-back-other-poses", file = file.file)));
+    if check.link.is_none() {
+        section.push(Block::text(tr!(words, "way-back-other-poses", file = file.file)));
+    }
 }

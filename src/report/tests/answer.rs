@@ -11,8 +11,8 @@ use etalon_base::{phrase, warning};
 use etalon_documents::{
     Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
     DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict,
-    LoadAnswer, LoadingCheck, PoseSet, Reason, RobustParameter, RobustPose, RobustSummary, Source, SourceKind,
-    Statistics, VerdictDocument, WrittenFile,
+    LoadAnswer, LoadingCheck, PoseSet, Reason, RobotLinks, RobustParameter, RobustPose, RobustSummary, Source,
+    SourceKind, Statistics, VerdictDocument, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -418,6 +418,7 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
     results.import.sources.push(backup);
     results.campaign.controller_files[0].check = Some(LoadingCheck {
         pose: 7.into(),
+        link: None,
         joints: vec!["q1_deg".to_owned()],
         joint_values: vec![12.5],
         before: DisplayedPose { xyz_mm: [1.0, 2.0, 3.0], quaternion: [1.0, 0.0, 0.0, 0.0] },
@@ -445,6 +446,15 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
     let mut coarse = results.clone();
     coarse.campaign.controller_files[0].check.as_mut().unwrap().tolerance_mm = Some(0.2);
     holds(&coarse, &["0.20 mm", "0.25 mm"]);
+    // no controller displays a pose in a base that joints move
+    let mut moving = results.clone();
+    let links = RobotLinks { base: "left".to_owned(), ends: vec!["right".to_owned()], base_moves: true };
+    moving.identified.as_mut().unwrap().parameters.links = Some(links);
+    let moving = moving.judged();
+    let verify = moving.verdict.actions.iter().find(|step| step.action == ActionKind::Verify).unwrap();
+    assert_eq!(verify.what.phrase().unwrap().id, "action-verify-software-at-pose");
+    let named = tr!(Words::default(), "way-back-links", base = "left", link = "right");
+    holds(&moving, &[named.split('`').next().unwrap(), "\"left\"", "\"right\""]);
     // a file for software has its own test, and corrected programs theirs
     let mut software = results;
     software.campaign.controller_files[0].is_for_controllers = false;

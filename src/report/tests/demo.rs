@@ -302,6 +302,7 @@ fn parameters() -> ParametersDocument {
         robot: "prexyt".to_owned(),
         valid_until: None,
         synthetic: None,
+        links: None,
         parameters,
         reference_poses: Vec::new(),
         sketches: vec![],

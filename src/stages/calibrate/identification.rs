@@ -264,6 +264,7 @@ fn documents(
     parameters.messages = warning_messages(warnings);
     state_positions(&mut parameters, robot, &sets.calibration, [before, &found.values]);
     parameters.valid_until = campaign.file.valid_until();
+    parameters.links = campaign.robot.links(robot);
     parameters.synthetic = campaign.file.synthetic.clone();
     locations.mark(robot, found, &mut parameters);
     parameters.robust = controls.robust.map(|robust| robust_summary(robot, &robust));

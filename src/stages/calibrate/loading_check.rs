@@ -5,38 +5,77 @@ use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{DisplayedPose, LoadingCheck, PoseSet};
 use etalon_formats::table::ASSEMBLY;
-use etalon_robots::{Kinematics, Robot, Role};
+use etalon_robots::{Kinematics, Parameter, Robot, Role};
+
+/// Pose of a link by values of the parameters and of the joints.
+type Display<'a> = Box<dyn Fn(&[f64], &[f64]) -> Option<Pose> + 'a>;
+
+/// A link with its pose; the only chain of a robot has no name.
+struct Displayed<'a> {
+    link: Option<String>,
+    pose: Display<'a>,
+}
 
 /// Displays at the measured pose where these values change the position most; `None` for a robot
 /// without kinematics of a whole pose. A display knows joint values alone: no load, no torque, no
 /// temperature, no direction of approach, and no tilt of the base.
 pub fn loading_check(robot: &dyn Robot, solution: &IdentifiedSolution, values: &[f64]) -> Option<LoadingCheck> {
-    let (arm, nominal) = (robot.kinematics()?, robot.nominal());
-    let displays = |joints: &[f64]| Some([arm.tool_pose(&nominal, joints)?, arm.tool_pose(values, joints)?]);
+    let (all, nominal) = (displays(robot), robot.nominal());
     let change = |[before, after]: &[Pose; 2]| norm(minus(after.translation_mm, before.translation_mm));
-    let count = arm.joints().len() + usize::from(arm.has_assembly_modes());
+    let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
     let known = measured(solution).map(|(pose, state)| (pose, &state[..count.min(state.len())]));
-    let poses = known.filter_map(|(pose, joints)| Some((pose, joints, displays(joints)?)));
-    let (pose, joints, [before, after]) = poses.max_by(|a, b| change(&a.2).total_cmp(&change(&b.2)))?;
-    let tolerance_mm = rounding_mm(arm, values, joints);
-    let mastered_joint_values = match mastered(arm, [&nominal[..], values], joints) {
-        Some(shifted) => named(arm, &shifted).map(|(_, value)| value).collect(),
-        None => Vec::new(),
+    let poses = known.flat_map(|(pose, joints)| all.iter().map(move |display| (pose, joints, display)));
+    let shown = poses.filter_map(|(pose, joints, display)| {
+        Some((pose, joints, display, [(display.pose)(&nominal, joints)?, (display.pose)(values, joints)?]))
+    });
+    let (pose, joints, display, [before, after]) = shown.max_by(|a, b| change(&a.3).total_cmp(&change(&b.3)))?;
+    let tolerance_mm = rounding_mm(robot, &|joints| (display.pose)(values, joints), joints);
+    let mastered = robot.kinematics().and_then(|arm| mastered(arm, [&nominal[..], values], joints));
+    let mastered = mastered.map_or_else(Vec::new, |shifted| named(robot, &shifted).map(|(_, value)| value).collect());
+    let (joints, joint_values) = named(robot, joints).unzip();
+    let (before, after, link) = (displayed(&before), displayed(&after), display.link.clone());
+    Some(LoadingCheck {
+        pose,
+        link,
+        joints,
+        joint_values,
+        before,
+        after,
+        mastered_joint_values: mastered,
+        tolerance_mm,
+    })
+}
+
+/// Poses of a robot in its base frame: of its flange, tool link or platform, or of the link at the
+/// end of each branch.
+fn displays(robot: &dyn Robot) -> Vec<Displayed<'_>> {
+    if let Some(arm) = robot.kinematics() {
+        return vec![Displayed { link: None, pose: Box::new(|values, joints| arm.tool_pose(values, joints)) }];
+    }
+    let Some(arm) = robot.free_base() else { return Vec::new() };
+    let of_branch = |(branch, link): (usize, &String)| {
+        let target = (0..robot.targets().len()).find(|&target| robot.target_branch(target) == branch)?;
+        let pose = move |values: &[f64], joints: &[f64]| Some(arm.flange(&without_base(robot, values), joints, target));
+        Some(Displayed { link: Some(link.clone()), pose: Box::new(pose) })
     };
-    let (joints, joint_values) = named(arm, joints).unzip();
-    let (before, after) = (displayed(&before), displayed(&after));
-    Some(LoadingCheck { pose, joints, joint_values, before, after, mastered_joint_values, tolerance_mm })
+    robot.branches().iter().enumerate().filter_map(of_branch).collect()
+}
+
+/// Values of the parameters with the base frame as the world.
+fn without_base(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
+    let of_base = |p: &Parameter, value: f64| if p.role == Role::Base { 0.0 } else { value };
+    robot.parameters().iter().zip(values).map(|(p, &value)| of_base(p, value)).collect()
 }
 
 /// Largest change (mm) of the displayed position that rounding causes: of the announced joint
 /// values, and of the display.
-fn rounding_mm(arm: &dyn Kinematics, values: &[f64], joints: &[f64]) -> Option<f64> {
+fn rounding_mm(robot: &dyn Robot, pose: &dyn Fn(&[f64]) -> Option<Pose>, joints: &[f64]) -> Option<f64> {
     let half = |decimals: usize| 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX));
-    let at = arm.tool_pose(values, joints)?.translation_mm;
-    let by_joint = arm.joints().iter().enumerate().filter_map(|(k, joint)| {
+    let at = pose(joints)?.translation_mm;
+    let by_joint = robot.joints().iter().enumerate().filter_map(|(k, joint)| {
         let mut moved = joints.to_vec();
         moved[k] += joint.quantity.inward(half(LoadingCheck::JOINT_DECIMALS));
-        Some(norm(minus(arm.tool_pose(values, &moved)?.translation_mm, at)))
+        Some(norm(minus(pose(&moved)?.translation_mm, at)))
     });
     Some(by_joint.sum::<f64>() + 3f64.sqrt() * half(LoadingCheck::DISPLAY_DECIMALS))
 }
@@ -62,9 +101,9 @@ fn measured(solution: &IdentifiedSolution) -> impl Iterator<Item = (PoseName, &[
 }
 
 /// Columns of the joints and of the assembly mode, with their values (mm or deg).
-fn named(arm: &dyn Kinematics, values: &[f64]) -> impl Iterator<Item = (String, f64)> {
-    let joints = arm.joints();
-    let mode = values.get(joints.len()).filter(|_| arm.has_assembly_modes()).map(|mode| (ASSEMBLY.to_owned(), *mode));
+fn named(robot: &dyn Robot, values: &[f64]) -> impl Iterator<Item = (String, f64)> {
+    let joints = robot.joints();
+    let mode = values.get(joints.len()).filter(|_| robot.has_assembly_modes()).map(|mode| (ASSEMBLY.to_owned(), *mode));
     joints.iter().zip(values).map(|(joint, q)| (joint.column(), joint.quantity.outward(*q))).chain(mode)
 }
 

@@ -88,6 +88,7 @@ pub(crate) fn identified(
     let mut parameters = ParametersDocument {
         valid_until: None,
         synthetic: None,
+        links: None,
         schema: "etalon/parameters/2".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),

@@ -246,7 +246,7 @@ action-agree-rule = mit dem Kunden eine Entscheidungsregel vereinbaren: { $limit
 action-agree-rule-reason = der Grenzwert liegt innerhalb von U = { $present }; eine Entscheidung braucht { $required }, etwa { $times }-mal so viele Messungen. `decision_rule = "simple-acceptance"` in [limits] vergleicht den Wert selbst
 action-compensate = rechnet die Steuerung mit Nenngeometrie, keine Datei laden: ihre Programme mit `etalon compensate` und `--field { $file }` korrigieren; das Residuenfeld ergänzt Abweichungen, die kein Parameter beschreibt
 action-compensate-reason = quadratischer Mittelwert der Abweichung an { $count } zurückgehaltenen Posen: { $without } → { $with }
-action-verify = das Laden prüfen: einige Posen messen und `etalon verify` ausführen. Gelten die Parameter nicht, die vorherige Datei der Steuerung wiederherstellen
+action-verify = die geladene Datei prüfen: einige Posen damit anfahren, messen und ihre Abweichungen mit der erwarteten vergleichen. Sind sie größer, die vorherige Datei der Steuerung wiederherstellen
 action-verify-moved = das Laden verschiebt geteachte Positionen an den gemessenen Posen um bis zu { $change } (Flansch im Basiskoordinatensystem, Pose { $pose }): Freiräume prüfen und Werkstücke neu einlernen. { $count ->
         [0] Die gesicherte Datei als `controller_backup` in [conditions] nennen: der Bericht gibt dann ihren SHA-256 an
        *[other] Die vorherige Datei ist `{ $file }`; derselbe Abschnitt nennt ihren SHA-256

@@ -213,6 +213,10 @@ certificate-parameters = Parameter, identifiziert und festgehalten
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Dieses Dokument darf nur vollständig vervielfältigt werden.
 certificate-without-uncertainty = Werte ohne U oder Intervall dienen der Information: ihre Unsicherheit wurde nicht ermittelt.
+chain-of-links = Die Parameter beschreiben die Kette vom Glied `{ $base }`, dem Basiskoordinatensystem, bis { $ends }.{ $count ->
+        [0] {""}
+       *[other] {" "}Gelenke bewegen das Glied `{ $base }`: es ist nicht die Basis einer Steuerung.
+    }
 change = Änderung
 change-by-u = Änderung / u
 change-over-u = Änderung / u
@@ -1662,6 +1666,8 @@ way-back-after = nach dem Laden
 way-back-before = vor dem Laden
 way-back-display = angezeigte Pose
 way-back-file = Datei vor dem Laden
+way-back-base-moves = Gelenke bewegen das Glied `{ $base }`; deshalb zeigt keine Steuerung diese Posen an. Software, die die Kette berechnet, liefert sie, zum Beispiel `etalon kinematics direct`.
+way-back-links = Basiskoordinatensystem: Glied `{ $base }`. Flansch: Glied `{ $link }`.
 way-back-loaded = zu ladende Datei
 way-back-moved = größte Änderung einer geteachten Position
 way-back-moved-by = { $change } mm im Basiskoordinatensystem, an Pose { $pose }
@@ -1674,7 +1680,7 @@ way-back-unread = Die Werte dieser Datei werden nicht gelesen: „vorher“ ist 
 way-back-change-too-small = Die Rundung der Gelenkwerte und der Anzeige erklärt Unterschiede bis { $tolerance } mm; die Datei ändert diese Pose um { $change } mm. Stattdessen durch eine Messung prüfen.
 way-back-compensated = Werden stattdessen Programme mit `etalon compensate` korrigiert, keine Datei laden. Ein Ziel in der zweiten Zeile wird dann als erste Zeile befohlen, und die Anzeige muss die obigen Gelenkwerte zeigen.
 way-back-tolerance = Toleranz des Vergleichs: { $tolerance } mm. Die Rundung der Gelenkwerte und der Anzeige erklärt keinen größeren Unterschied.
-way-back-without-display = Das Modell hat keine Pose eines Flansches, die eine Anzeige zeigt: die Datei durch eine Messung prüfen. Rückweg: die gesicherte Datei wieder laden.
+way-back-without-display = Das Modell hat keine Pose eines Flansches, die eine Anzeige zeigt. Die Datei durch eine Messung prüfen: einige Posen damit anfahren und messen. Rückweg: die gesicherte Datei wieder laden.
 way-back-verify = Später einige Posen messen und die neuen Dateien in eine Kopie der Kampagne legen. Dann `etalon verify COPY --robot robot.toml --parameters out/parameters.json` ausführen.
 way-back-verify-mastered = Enthalten die Gelenkwerte der Steuerung die geladenen Nullpunkte (Justage), `--mastered { $file }` hinzufügen.
 weaker-trends = Weitere signifikante Trends

@@ -390,7 +390,7 @@ action-agree-rule = agree with the customer on a decision rule for the { $limit 
 action-agree-rule-reason = the limit lies within U = { $present }; a decision needs { $required }, that is about { $times } times as many readings. `decision_rule = "simple-acceptance"` in [limits] compares the value itself
 action-compensate = if the controller computes with nominal geometry, load no file: correct its programs with `etalon compensate` and `--field { $file }`. The field contains errors that no parameter describes
 action-compensate-reason = root-mean-square error at { $count } held-out poses: { $without } → { $with }
-action-verify = test the loaded file: measure a few poses, and run `etalon verify`. If the parameters do not apply, restore the previous file of the controller
+action-verify = test the loaded file: command a few poses with it, measure them, and compare their errors with the expected error. If they are larger, restore the previous file of the controller
 action-verify-moved = loading moves taught positions by up to { $change } at the measured poses (flange in the base frame, pose { $pose }): check clearances, and teach work objects again. { $count ->
         [0] Name the saved file as `controller_backup` in [conditions]: the report then gives its SHA-256
        *[other] The previous file is `{ $file }`; the same section gives its SHA-256

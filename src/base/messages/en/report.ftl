@@ -204,6 +204,10 @@ certificate-parameters = Parameters, identified and held
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = This document shall be reproduced only in full.
 certificate-without-uncertainty = Values without U or interval are for information: their uncertainty was not evaluated.
+chain-of-links = The parameters describe the chain from link `{ $base }`, the base frame, to { $ends }.{ $count ->
+        [0] {""}
+       *[other] {" "}Joints move link `{ $base }`: it is not the base of a controller.
+    }
 change = change
 change-by-u = change/u
 change-over-u = change over u
@@ -1596,6 +1600,8 @@ way-back-after = after loading
 way-back-before = before loading
 way-back-display = pose on the display
 way-back-file = file before loading
+way-back-base-moves = Joints move link `{ $base }`, so no controller displays these poses. Software that computes the chain gives them, for example `etalon kinematics direct`.
+way-back-links = Base frame: link `{ $base }`. Flange: link `{ $link }`.
 way-back-loaded = file to load
 way-back-moved = largest change of a taught position
 way-back-moved-by = { $change } mm in the base frame, at pose { $pose }
@@ -1608,7 +1614,7 @@ way-back-unread = The values of this file are not read: “before” is the robo
 way-back-change-too-small = Rounding of the joint values and of the display explains differences up to { $tolerance } mm; the file changes this pose by { $change } mm. Test it by a measurement instead.
 way-back-compensated = If you correct programs with `etalon compensate` instead, load no file. A target at the second row is then commanded as the first row, and the display must show the joint values above.
 way-back-tolerance = Tolerance of the comparison: { $tolerance } mm. Rounding of the joint values and of the display explains no larger difference.
-way-back-without-display = The model has no pose of a flange that a display shows: test the file by a measurement. Way back: load the saved file again.
+way-back-without-display = The model has no pose of a flange that a display shows. Test the file by a measurement: command a few poses with it, and measure them. Way back: load the saved file again.
 way-back-verify = Later, measure a few poses, and put the new files into a copy of the campaign. Then run `etalon verify COPY --robot robot.toml --parameters out/parameters.json`.
 way-back-verify-mastered = If the joint values of the controller contain the loaded zeros (mastering), add `--mastered { $file }`.
 weaker-trends = Further significant trends

@@ -240,7 +240,7 @@ action-agree-rule = convenir avec le client d’une règle de décision : { $li
 action-agree-rule-reason = la limite est à l’intérieur de U = { $present } ; une décision exige { $required }, soit environ { $times } fois plus de lectures. `decision_rule = "simple-acceptance"` dans [limits] compare la valeur elle-même
 action-compensate = si le contrôleur calcule avec la géométrie nominale, ne charger aucun fichier : corriger ses programmes avec `etalon compensate` et `--field { $file }`, qui ajoute les erreurs qu’aucun paramètre ne décrit
 action-compensate-reason = moyenne quadratique de l’erreur aux { $count } poses réservées : { $without } → { $with }
-action-verify = vérifier le chargement : mesurer quelques poses et lancer `etalon verify`. Si les paramètres ne conviennent pas, rétablir le fichier précédent du contrôleur
+action-verify = vérifier le fichier chargé : commander quelques poses avec lui, les mesurer et comparer leurs erreurs à l’erreur attendue. Si elles sont plus grandes, rétablir le fichier précédent du contrôleur
 action-verify-moved = le chargement déplace les positions apprises de { $change } au plus aux poses mesurées (bride dans le référentiel de la base, pose { $pose }) : vérifier les dégagements et réapprendre les pièces. { $count ->
         [0] Nommer le fichier sauvegardé `controller_backup` dans [conditions] : le rapport donne alors son SHA-256
        *[other] Le fichier précédent est `{ $file }` ; la même section donne son SHA-256

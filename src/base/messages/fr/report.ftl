@@ -216,6 +216,10 @@ certificate-parameters = Paramètres identifiés et fixés
 certificate-parameters-hash = parameters.json, SHA-256
 certificate-reproduction = Ce document ne doit être reproduit que dans son intégralité.
 certificate-without-uncertainty = Les valeurs sans U ni intervalle sont données à titre d’information : leur incertitude n’a pas été évaluée.
+chain-of-links = Les paramètres décrivent la chaîne du segment `{ $base }`, référentiel de la base, à { $ends }.{ $count ->
+        [0] {""}
+       *[other] {" "}Des articulations déplacent le segment `{ $base }` : ce n’est pas la base d’un contrôleur.
+    }
 change = écart
 change-by-u = écart / u
 change-over-u = écart / u
@@ -1668,6 +1672,8 @@ way-back-after = après chargement
 way-back-before = avant chargement
 way-back-display = pose affichée
 way-back-file = fichier avant chargement
+way-back-base-moves = Des articulations déplacent le segment `{ $base }` : aucun contrôleur n’affiche ces poses. Un logiciel qui calcule la chaîne les donne, par exemple `etalon kinematics direct`.
+way-back-links = Référentiel de la base : segment `{ $base }`. Bride : segment `{ $link }`.
 way-back-loaded = fichier à charger
 way-back-moved = plus grand changement d’une position apprise
 way-back-moved-by = { $change } mm dans le référentiel de la base, à la pose { $pose }
@@ -1680,7 +1686,7 @@ way-back-unread = Les valeurs de ce fichier ne sont pas lues : « avant » d�
 way-back-change-too-small = L’arrondi des valeurs articulaires et de l’affichage explique des écarts jusqu’à { $tolerance } mm ; le fichier modifie cette pose de { $change } mm. Vérifier plutôt par une mesure.
 way-back-compensated = Si l’on corrige plutôt les programmes par `etalon compensate`, ne charger aucun fichier. Une cible à la seconde ligne est alors commandée comme la première ligne, et l’affichage doit montrer les valeurs articulaires ci-dessus.
 way-back-tolerance = Tolérance de la comparaison : { $tolerance } mm. L’arrondi des valeurs articulaires et de l’affichage n’explique pas d’écart plus grand.
-way-back-without-display = Le modèle n’a pas de pose d’une bride que montre un affichage : vérifier le fichier par une mesure. Retour : recharger le fichier sauvegardé.
+way-back-without-display = Le modèle n’a pas de pose d’une bride que montre un affichage. Vérifier le fichier par une mesure : commander quelques poses avec lui et les mesurer. Retour : recharger le fichier sauvegardé.
 way-back-verify = Plus tard, mesurer quelques poses et placer les nouveaux fichiers dans une copie de la campagne. Lancer ensuite `etalon verify COPY --robot robot.toml --parameters out/parameters.json`.
 way-back-verify-mastered = Si les valeurs articulaires du contrôleur contiennent les zéros chargés (calage), ajouter `--mastered { $file }`.
 weaker-trends = Autres tendances significatives
