@@ -792,6 +792,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "nominal": ("", None),
         "repeats": ("RepeatStatistics", None),
         "standard_uncertainty": ("", None),
+        "uncertainty_by_angles": ("", None),
         "unit": ("", ""),
         "value": ("", None),
     },
@@ -1164,6 +1165,13 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "quaternion": ("", []),
         "xyz_mm": ("", []),
     },
+    "KnownValue": {
+        "name": ("", ""),
+        "quantity": ("", ""),
+        "residual_mm": ("", None),
+        "standard_uncertainty_mm": ("", None),
+        "stated_mm": ("", None),
+    },
     "LeadResult": {
         "actual_lead_mm": ("", None),
         "actuator": ("", None),
@@ -1215,6 +1223,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "before": ("DisplayedPose", None),
         "joint_values": ("", []),
         "joints": ("", []),
+        "link": ("", None),
         "mastered_joint_values": ("", []),
         "pose": ("", None),
         "tolerance_mm": ("", None),
@@ -1362,6 +1371,8 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "budget": ("BudgetSource", []),
         "covariance": ("", []),
         "covariance_without": ("", []),
+        "known": ("KnownValue", []),
+        "links": ("RobotLinks", None),
         "messages": ("Message", []),
         "observability": ("ObservabilitySummary", None),
         "parameters": ("ParameterEntry", []),
@@ -1607,6 +1618,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "chi_square_rejected": ("", False),
         "common_standard_uncertainty_mm": ("", None),
         "conditions": ("QuantityResiduals", []),
+        "coordinates": ("QuantityResiduals", None),
         "count": ("", None),
         "degrees_of_freedom": ("", None),
         "determined_parameters": ("", None),
@@ -1630,6 +1642,11 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "explained_mm": ("", None),
         "f": ("", None),
         "p_value": ("", None),
+    },
+    "RobotLinks": {
+        "base": ("", ""),
+        "base_moves": ("", False),
+        "ends": ("", []),
     },
     "RobustParameter": {
         "difference": ("", None),
@@ -1750,6 +1767,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "refused": ("Refused", []),
         "rows_read": ("", None),
         "sha256": ("", ""),
+        "sha256_without_backup": ("", None),
         "standstills": ("StandingInterval", []),
     },
     "Spread": {
@@ -1984,6 +2002,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     "WrittenDocument": {
         "controllers": ("WrittenController", []),
         "files": ("", []),
+        "loading": ("", None),
         "schema": ("", ""),
     },
     "WrittenFile": {

@@ -1205,7 +1205,12 @@ class GeometricQuantity(Record):
     repeats: RepeatStatistics | None
     """Scatter of repeats, if there are any."""
     standard_uncertainty: float
-    """Standard uncertainty of `value` (k = 1), including frames."""
+    """Standard uncertainty of `value` (k = 1), including frames and `uncertainty_by_angles`."""
+    uncertainty_by_angles: float | None
+    """Part of the standard uncertainty by `beta`, `gamma` and `epsilon_theta`, which are taken as zero: their
+    identified values, or stated tolerances. Absent if these are unknown (the part is then missing), and for
+    quantities that do not depend on them.
+    """
     unit: str
     """`mm` or `1`."""
     value: float
@@ -1822,6 +1827,19 @@ class KinematicsEntry(Record):
     xyz_mm: NDArray[np.float64]
     """Position (mm)."""
 
+class KnownValue(Record):
+    """Known length or position that counts like a measured value."""
+    name: str
+    """Two points, the parameter, or the surface."""
+    quantity: str
+    """`distance`, `coordinate` or `surface`."""
+    residual_mm: float
+    """Identified minus stated value (mm)."""
+    standard_uncertainty_mm: float
+    """Standard uncertainty (mm)."""
+    stated_mm: float | None
+    """Stated value (mm); absent for a fixed point that a station measured, or that is on a surface."""
+
 class LeadResult(Record):
     """Lead of an actuator."""
     actual_lead_mm: float
@@ -1928,6 +1946,8 @@ class LoadingCheck(Record):
     """Joint values (mm or deg) before loading."""
     joints: list[str]
     """Joints, named as columns: `q1_deg`; the assembly mode of a five-bar."""
+    link: str | None
+    """Link whose pose is compared, for a robot with several branches."""
     mastered_joint_values: NDArray[np.float64]
     """Joint values (mm or deg) on the display after loading the file as mastering values, without motion. Empty if
     the file changes more than joint zeros.
@@ -2401,7 +2421,7 @@ class QuantityResiduals(Record):
     count: int
     """Number of residuals."""
     quantity: str
-    """`position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`."""
+    """`position`, `orientation`, `distance`, `surface`, `contact`, `coordinate` or `joint`."""
     rms: float
     """Root mean square of the residuals."""
     standard_uncertainty: float
@@ -2573,7 +2593,11 @@ class ResidualSummary(Record):
     uncertainty of the contact is given separately.
     """
     conditions: Records[QuantityResiduals]
-    """Residuals of each quantity other than positions of targets."""
+    """Residuals of each quantity other than coordinates of targets."""
+    coordinates: QuantityResiduals | None
+    """Residuals of the coordinates of targets with their stated uncertainty; absent without coordinates or a stated
+    uncertainty, and in documents of earlier versions.
+    """
     count: int
     """Number of residuals: of measured values, one for each coordinate, distance or angle."""
     degrees_of_freedom: int
@@ -2643,6 +2667,15 @@ class ResidualTrend(Record):
     """F statistic."""
     p_value: float
     """Probability of such a trend if the model is right, corrected for the number of tests (Holm 1979)."""
+
+class RobotLinks(Record):
+    """Links of a URDF between which the parameters describe a kinematic chain."""
+    base: str
+    """Link of the base frame."""
+    base_moves: bool
+    """`true` if joints move the link of the base frame: a hand of a robot with two arms, for example."""
+    ends: list[str]
+    """Link at the end of the chain, or of each branch."""
 
 class RobustParameter(Record):
     """A parameter in the least-squares fit and in the robust fit."""
@@ -2859,6 +2892,10 @@ class Source(Record):
     """Number of data rows."""
     sha256: str
     """SHA-256 of the file, as `sha256sum` prints it."""
+    sha256_without_backup: str | None
+    """SHA-256 of the campaign without its line `controller_backup`; absent without this line. Results refer to this
+    hash, because the way back does not change them.
+    """
     standstills: Records[StandingInterval]
     """Standstills of a log that was recorded during motion; each yields one row of joint values."""
 
@@ -3812,6 +3849,14 @@ class ParametersDocument(Document):
     """Identified parameters of points (targets, sockets, planes) that `covariance` omits because there are 24 points
     or more. Each has its standard uncertainty.
     """
+    known: Records[KnownValue]
+    """Known lengths and positions of fixed points and rigid parts, with their residuals. Absent in documents of
+    earlier versions.
+    """
+    links: RobotLinks | None
+    """Links at base and ends of the kinematic chain; absent for a robot without a URDF, and in documents of earlier
+    versions.
+    """
     messages: Records[Message]
     """Messages for the reader: held parameters with the reasons, warnings with remedies."""
     observability: ObservabilitySummary | None
@@ -4130,5 +4175,7 @@ class WrittenDocument(Document):
     """Position errors with the controller files that `etalon export` wrote, if the run measured them."""
     files: list[str]
     """Files in the order of writing."""
+    loading: str | None
+    """Answer of the run to the question of what a controller should load; absent without a run."""
     schema: str
     """Schema and version: `etalon/written/1`."""

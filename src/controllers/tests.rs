@@ -42,6 +42,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         robot: "prexyt".to_owned(),
         valid_until: None,
         synthetic: None,
+        links: None,
         parameters,
         reference_poses: Vec::new(),
         sketches: vec![],
@@ -62,6 +63,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
             conditions: Vec::new(),
             between_series: None,
         },
+        known: Vec::new(),
         reliability: None,
         robust: None,
         observability: Some(ObservabilitySummary {

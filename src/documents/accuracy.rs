@@ -474,6 +474,8 @@ pub enum ErrorQuantity {
     Contact,
     /// Error of one coordinate that was measured singly.
     Coordinate,
+    /// Value of a joint, from a second encoder or a home switch. Only in residuals.
+    Joint,
 }
 
 impl ErrorQuantity {
@@ -489,6 +491,7 @@ impl ErrorQuantity {
             Self::Surface => phrase!("surface"),
             Self::Contact => phrase!("contact"),
             Self::Coordinate => phrase!("coordinate"),
+            Self::Joint => phrase!("joint-value"),
         }
     }
 

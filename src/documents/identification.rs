@@ -4,9 +4,11 @@ use crate::*;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{Message, Severity};
 use etalon_base::phrase;
+use etalon_base::pose::{Vector, minus, norm};
 use etalon_identify::{
-    Condition, ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Kind, Observability, Origin,
-    Prior, RANK_TOLERANCE, SetUpError, Settings, SingularValue, Status, Subject, Untested, Warning,
+    Condition, ConditionResiduals, Contradicted, Extrapolation, Group, Identification, Kind, Known, KnownResidual,
+    Observability, Origin, Prior, RANK_TOLERANCE, ReadingKind, RigidPart, SetUpError, Settings, SingularValue, Status,
+    Subject, Untested, Warning,
 };
 use etalon_robots::{Quantity, Robot};
 use std::collections::{BTreeMap, BTreeSet};
@@ -31,14 +33,74 @@ fn confounded(parameters: usize, groups: &[Group]) -> Vec<BTreeSet<usize>> {
 
 /// Residuals of a quantity in the unit of the document.
 pub fn quantity_residuals(found: &ConditionResiduals) -> QuantityResiduals {
-    let quantity = if found.kind.is_some() { Quantity::Length } else { Quantity::Angle };
+    let quantity = if found.kind.is_angle() { Quantity::Angle } else { Quantity::Length };
     QuantityResiduals {
-        quantity: found.kind.map_or(ErrorQuantity::Orientation, Into::into),
+        quantity: match found.kind {
+            ReadingKind::Error(kind) => kind.into(),
+            ReadingKind::Orientation => ErrorQuantity::Orientation,
+            ReadingKind::JointAngle | ReadingKind::JointLength => ErrorQuantity::Joint,
+        },
         unit: quantity.unit().to_owned(),
         count: found.count,
         rms: quantity.outward(found.rms),
         standard_uncertainty: quantity.outward(found.standard_uncertainty),
     }
+}
+
+/// Known lengths and positions, with their residuals at all parameters.
+fn known_values(robot: &dyn Robot, settings: &Settings, values: &[f64]) -> Vec<KnownValue> {
+    let parameter = |i: &usize| robot.parameters()[*i].name.as_str();
+    // first parameter of a point or of a surface
+    let element = |i: &usize| {
+        let (name, suffix) = parameter(i).rsplit_once('_').unwrap_or((parameter(i), ""));
+        let is_axis = ["x", "y", "z"].contains(&suffix);
+        if is_axis { name.trim_end_matches("_slope").to_owned() } else { parameter(i).to_owned() }
+    };
+    let of_known = |known: &Known| {
+        let quantity = match known {
+            Known::Place { .. } | Known::Seen { .. } => ErrorQuantity::Coordinate,
+            Known::Distance { .. } | Known::Length { .. } => ErrorQuantity::Distance,
+            Known::On { .. } => ErrorQuantity::Surface,
+        };
+        let value = move |row: KnownResidual| KnownValue {
+            name: match (&row.parameters[..], quantity) {
+                ([one], ErrorQuantity::Coordinate | ErrorQuantity::Distance) => parameter(one).to_owned(),
+                (elements, _) => elements.iter().map(element).collect::<Vec<_>>().join(" – "),
+            },
+            quantity,
+            stated_mm: row.stated_mm,
+            standard_uncertainty_mm: row.standard_uncertainty_mm,
+            residual_mm: row.residual_mm,
+        };
+        known.stated(values).into_iter().map(value)
+    };
+    let of_parts = settings.rigid.iter().flat_map(|part| part_distances(robot, part, values));
+    settings.known.iter().flat_map(of_known).chain(of_parts).collect()
+}
+
+/// Distances of the targets of a rigid part by its stated shape.
+fn part_distances(robot: &dyn Robot, part: &RigidPart, values: &[f64]) -> Vec<KnownValue> {
+    let mut joints = vec![0.0; robot.joints().len()];
+    joints.extend(robot.has_assembly_modes().then_some(1.0));
+    let place = |(name, stated_mm): (&String, &Vector)| {
+        let target = robot.targets().iter().position(|target| target == name)?;
+        Some((name.clone(), *stated_mm, robot.position(values, &joints, target)))
+    };
+    let places: Vec<(String, Vector, Vector)> =
+        part.targets.iter().zip(&part.places_mm).filter_map(place).filter(|at| norm(at.2).is_finite()).collect();
+    let pairs = (0..places.len()).flat_map(|i| (i + 1..places.len()).map(move |k| (i, k)));
+    let value = |(i, k): (usize, usize)| {
+        let (from, to) = (&places[i], &places[k]);
+        let stated_mm = norm(minus(to.1, from.1));
+        KnownValue {
+            name: format!("{} – {}", from.0, to.0),
+            quantity: ErrorQuantity::Distance,
+            stated_mm: Some(stated_mm),
+            standard_uncertainty_mm: 2f64.sqrt() * part.standard_uncertainty_mm,
+            residual_mm: norm(minus(to.2, from.2)) - stated_mm,
+        }
+    };
+    pairs.map(value).collect()
 }
 
 /// Growth of the errors beyond the measured values of a joint, in the units of its column.
@@ -122,6 +184,7 @@ pub fn parameters_document(
         robot: robot.model().to_owned(),
         valid_until: None,
         synthetic: None,
+        links: None,
         parameters: parameters.collect(),
         reference_poses: ReferencePose::all(robot),
         sketches: robot.sketches(),
@@ -134,6 +197,7 @@ pub fn parameters_document(
             rms: found.residuals.rms,
             position: PositionResiduals {
                 position_rms_mm: positions_alone.then(|| (robot.dimension() as f64).sqrt() * found.residuals.rms),
+                coordinates: found.residuals.coordinates.as_ref().map(quantity_residuals),
                 extrapolation: found.residuals.extrapolations.iter().map(|e| joint_extrapolation(robot, e)).collect(),
                 ..PositionResiduals::default()
             },
@@ -146,6 +210,7 @@ pub fn parameters_document(
             conditions: found.residuals.conditions.iter().map(quantity_residuals).collect(),
             between_series: found.residuals.between_series.map(|b| SeriesScatter { series: b.series, share: b.share }),
         },
+        known: known_values(robot, settings, &found.values),
         reliability: None,
         robust: None,
         observability: found.identifiability.observability.as_ref().map(|o| observability_summary(robot, o)),

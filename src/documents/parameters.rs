@@ -53,6 +53,10 @@ pub struct ParametersDocument {
     pub budget: Vec<BudgetSource>,
     /// Goodness of fit.
     pub residuals: ResidualSummary,
+    /// Known lengths and positions of fixed points and rigid parts, with their residuals. Absent in
+    /// documents of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub known: Vec<KnownValue>,
     /// Reliability of readings, and influence of poses. Absent if readings have covariances of
     /// their own or common errors, if readings are poses instead of positions, or if there are many
     /// unknown points.
@@ -334,13 +338,32 @@ pub struct ResidualSummary {
     /// Without a given uncertainty of the instrument, to the uncertainties from independent
     /// residuals.
     pub uncertainties_enlarged_by: f64,
-    /// Residuals of each quantity other than positions of targets.
+    /// Residuals of each quantity other than coordinates of targets.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub conditions: Vec<QuantityResiduals>,
     /// Scatter of the parameters between the series of the campaign (`series` in campaign.toml),
     /// beyond the scatter between regions of the workspace. Absent for one series.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between_series: Option<SeriesScatter>,
+}
+
+/// Known length or position that counts like a measured value.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct KnownValue {
+    /// Two points, the parameter, or the surface.
+    pub name: String,
+    /// `distance`, `coordinate` or `surface`.
+    #[schemars(with = "String")]
+    pub quantity: ErrorQuantity,
+    /// Stated value (mm); absent for a fixed point that a station measured, or that is on a
+    /// surface.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stated_mm: Option<f64>,
+    /// Standard uncertainty (mm).
+    pub standard_uncertainty_mm: f64,
+    /// Identified minus stated value (mm).
+    pub residual_mm: f64,
 }
 
 /// Position residuals of targets.
@@ -354,6 +377,10 @@ pub struct PositionResiduals {
     /// with only base and targets fitted. Absent like `position_rms_mm`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub position_rms_before_mm: Option<f64>,
+    /// Residuals of the coordinates of targets with their stated uncertainty; absent without
+    /// coordinates or a stated uncertainty, and in documents of earlier versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coordinates: Option<QuantityResiduals>,
     /// Root mean square (mm) of a coordinate's residual from the mean over the targets of its pose,
     /// n − 1 for n targets. Absent where no pose shows several targets.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -430,7 +457,7 @@ pub struct JointExtrapolation {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct QuantityResiduals {
-    /// `position`, `orientation`, `distance`, `surface`, `contact` or `coordinate`.
+    /// `position`, `orientation`, `distance`, `surface`, `contact`, `coordinate` or `joint`.
     #[schemars(with = "String")]
     pub quantity: ErrorQuantity,
     /// Unit of the residuals: `mm` or `deg`.

@@ -29,7 +29,7 @@ pub use judgement::chi_square::exceeds as chi_square_exceeds;
 pub use judgement::chi_square::{REJECT as CHI_SQUARE_SIGNIFICANCE, probability as chi_square_probability};
 pub use judgement::diagnosis::{GROSS, LEAST_RESIDUAL, OUTLIER, Reading, ReadingSource, RobustFit};
 pub use judgement::excitation::{Unmoved, left_to_tolerances, unmoved};
-pub use judgement::figures::{ConditionResiduals, ErrorKind, FigureUncertainty, JudgedErrors};
+pub use judgement::figures::{ConditionResiduals, ErrorKind, FigureUncertainty, JudgedErrors, ReadingKind};
 pub use judgement::loads::{LoadContradiction, LoadSlip, load_slips};
 pub use judgement::logs::{LogComparison, compare_logs};
 pub use judgement::misfit::Misfit;
@@ -54,8 +54,8 @@ pub use model::fixture::Fixture;
 pub use model::frame_error::FrameError;
 use model::kinds::tied_to_world;
 pub use model::kinds::{
-    Between, Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, On, Orientation, Seen, Separation,
-    Surface, mounted_misfit_rad, mounted_misfits_rad,
+    Between, Condition, Contact, Coordinate, Distance, JointValue, Kind, Known, KnownResidual, On, Orientation, Seen,
+    Separation, Surface, mounted_misfit_rad, mounted_misfits_rad,
 };
 pub use model::observation::{
     AssumedModes, Contradiction, Distances, Measured, Observation, ObservationError, directions,
@@ -275,6 +275,9 @@ pub struct ResidualStatistics {
     /// Sum of squares of residuals over their uncertainties; `None` if no uncertainty is given or
     /// no degrees of freedom are left.
     pub chi_square: Option<f64>,
+    /// Residuals of the coordinates of targets; `None` without coordinates or without a stated
+    /// uncertainty, and for residuals of a pose.
+    pub coordinates: Option<ConditionResiduals>,
     /// Residuals of each quantity other than positions of targets.
     pub conditions: Vec<ConditionResiduals>,
     /// Scatter of repeats compared with the rest; `None` if no pose was repeated.

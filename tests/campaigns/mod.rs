@@ -18,6 +18,7 @@ mod own_formats;
 mod payload;
 mod platform_controllers;
 mod pose_names;
+mod readings;
 mod repeatability;
 mod robot_geometry;
 mod texts;

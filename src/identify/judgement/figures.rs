@@ -58,11 +58,48 @@ impl Kind {
     }
 }
 
-/// Residuals of the observations of one quantity, other than positions of targets.
+/// Quantity of an observed value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ReadingKind {
+    /// Orientation of a body.
+    Orientation,
+    /// Quantity of an error.
+    Error(ErrorKind),
+    /// Value of a revolute joint.
+    JointAngle,
+    /// Value of a prismatic joint.
+    JointLength,
+}
+
+impl ReadingKind {
+    /// `true` for values of joints, which have no error at a pose.
+    pub fn is_joint(self) -> bool {
+        matches!(self, Self::JointAngle | Self::JointLength)
+    }
+
+    /// `true` if the values are angles.
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::JointAngle | Self::Orientation)
+    }
+}
+
+impl Kind {
+    /// Quantity of the observed value.
+    fn reading_kind(&self) -> ReadingKind {
+        match (self.error_kind(), self) {
+            (Some(kind), _) => ReadingKind::Error(kind),
+            (None, Self::Joint(joint)) if joint.is_angle => ReadingKind::JointAngle,
+            (None, Self::Joint(_)) => ReadingKind::JointLength,
+            (None, _) => ReadingKind::Orientation,
+        }
+    }
+}
+
+/// Residuals of the observations of one quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConditionResiduals {
-    /// Quantity; `None` for orientations.
-    pub kind: Option<ErrorKind>,
+    /// Quantity.
+    pub kind: ReadingKind,
     /// Number of residuals.
     pub count: usize,
     /// Root mean square of the residuals (mm or rad).
@@ -72,18 +109,17 @@ pub struct ConditionResiduals {
 }
 
 impl ConditionResiduals {
-    /// Residuals of each quantity at `values`. Observed joint values have none: they are inputs of
-    /// the model.
+    /// Residuals of each quantity at `values`.
     pub fn all(robot: &dyn Robot, values: &[f64], conditions: &[Condition]) -> Vec<Self> {
-        let mut all: BTreeMap<Option<ErrorKind>, [f64; 3]> = BTreeMap::new();
-        for c in conditions.iter().filter(|c| !matches!(c.kind, Kind::Joint(_))) {
+        let mut all: BTreeMap<ReadingKind, [f64; 3]> = BTreeMap::new();
+        for c in conditions {
             let rows = c.kind.rows() as f64;
             let squares: f64 = c.error(robot, values).iter().map(|e| e * e).sum();
-            let sums = all.entry(c.kind.error_kind()).or_default();
+            let sums = all.entry(c.kind.reading_kind()).or_default();
             let more = [rows, squares, rows * c.standard_uncertainty.powi(2)];
             sums.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
         }
-        let of_sums = |(kind, [count, squares, variances]): (Option<ErrorKind>, [f64; 3])| Self {
+        let of_sums = |(kind, [count, squares, variances]): (ReadingKind, [f64; 3])| Self {
             kind,
             count: count as usize,
             rms: (squares / count).sqrt(),

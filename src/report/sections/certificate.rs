@@ -7,7 +7,8 @@ use super::{
     repeatability,
 };
 use crate::model::{
-    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, numbers, significant, term, with_uncertainty,
+    Block, Cell, Columns, Contents, Layout, Section, Table, Text, Verdict, numbers, sentence, significant, term,
+    with_uncertainty,
 };
 use crate::words::{Words, isolated, names, tr};
 use crate::{coverage, number};
@@ -58,10 +59,7 @@ pub(crate) fn contents(results: &Results, whole: Contents, words: &Words) -> Con
         Section { annex: false, ..super::with_measurement_point(section, results, words) }
     });
     sections.splice(place..place, printed);
-    let mut sentences = whole.verdict.sentences;
-    if results.identified.is_some() {
-        sentences.push(computed(results, words));
-    }
+    let sentences = verdict_sentences(results, whole.verdict.sentences, words);
     // the subtitle of a report calls it a report
     let subject = match (&results.identified, conditions::robot_name(results)) {
         (Some(_), Some(name)) => tr!(words, "robot-of-name", name = isolated(&one_line(&name))),
@@ -125,6 +123,7 @@ fn errors_section(results: &Results, words: &Words) -> Option<Section> {
     section.push(Block::note(tr!(words, "certificate-without-uncertainty")));
     section.push(Block::heading(tr!(words, "residuals-title")));
     section.push(Block::facts(fit::residuals_and_expected(&identified.parameters.residuals, words)));
+    fit::insert_readings(&mut section, &identified.parameters, words);
     Some(section)
 }
 

@@ -1,13 +1,17 @@
 //! Goodness of fit, observability by the poses, and termination of the solver.
 
-use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, significant as digits};
+use crate::model::{
+    Block, Cell, Columns, Figure, Section, Table, Text, number_cell, numbers, significant as digits, term,
+    with_uncertainty,
+};
 use crate::number::{self, derived, significant};
 use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
+use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
 use etalon_documents::{
-    ObservabilitySummary, ParametersDocument, ResidualKind, ResidualSummary, Results, SeriesScatter,
-    SingularValueEntry, UncertaintyFrom,
+    KnownValue, ObservabilitySummary, ParametersDocument, QuantityResiduals, ResidualKind, ResidualSummary, Results,
+    SeriesScatter, SingularValueEntry, UncertaintyFrom,
 };
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
@@ -22,6 +26,7 @@ pub(crate) fn section_from_document(document: &ParametersDocument, pictures: Vec
     let mut section = Section::new("fit", tr!(words, "fit-and-observability"));
     section.push(Block::heading(tr!(words, "residuals-title")));
     section.push(Block::facts(residuals(&document.residuals, words)));
+    insert_readings(&mut section, document, words);
     section.figures(pictures);
     if let Some(o) = &document.observability {
         section.push(Block::heading(tr!(words, "observability")));
@@ -93,16 +98,53 @@ fn degrees_of_freedom(r: &ResidualSummary, words: &Words) -> String {
     }
 }
 
-/// Standard uncertainty of a reading of each quantity.
-fn reading_uncertainties(r: &ResidualSummary, words: &Words) -> Option<String> {
-    let positions = r.test.stated_standard_uncertainty_mm.filter(|_| measures_coordinates(r));
-    let coordinate = positions.map(|u| tr!(words, "coordinate-uncertainty", uncertainty = derived(u)));
-    let others = r.conditions.iter().map(|c| {
-        let (quantity, uncertainty) = (words.tr(&c.quantity.phrase()), derived(c.standard_uncertainty));
-        tr!(words, "quantity-uncertainty", quantity, uncertainty, unit = c.unit.as_str())
-    });
-    let all: Vec<String> = coordinate.into_iter().chain(others).collect();
-    (!all.is_empty()).then(|| all.join("; "))
+/// Adds the residuals of each quantity to a section, and known lengths and positions.
+pub(super) fn insert_readings(section: &mut Section, document: &ParametersDocument, words: &Words) {
+    section.push(Block::Table(readings(&document.residuals, words)));
+    section.table(tr!(words, "known-values-title"), tr!(words, "known-values-note"), known(&document.known, words));
+}
+
+/// Residuals of each quantity with their stated uncertainties; empty if all readings are
+/// coordinates.
+fn readings(r: &ResidualSummary, words: &Words) -> Table {
+    let coordinates = r.position.coordinates.iter().map(|c| (phrase!("coordinates-of-targets"), c));
+    let all: Vec<(Phrase, &QuantityResiduals)> =
+        coordinates.chain(r.conditions.iter().map(|c| (c.quantity.phrase(), c))).collect();
+    let unit = |c: &QuantityResiduals| number::display_unit(&c.unit, c.standard_uncertainty.max(c.rms));
+    let shown = move |c: &QuantityResiduals, value: f64| significant(unit(c).factor * value, 3);
+    let columns = Columns::<(Phrase, &QuantityResiduals)>::new()
+        .both(phrase!("quantity"), "", |(quantity, _)| term(words, quantity.clone()))
+        .both(phrase!("head-values"), "", |(_, c)| c.count)
+        .page(phrase!("unit"), "", move |(_, c)| unit(c).unit)
+        .sheet(phrase!("unit"), "", |(_, c)| c.unit.as_str())
+        .page(phrase!("head-stated-u"), "", move |(_, c)| numbers(shown(c, c.standard_uncertainty)))
+        .sheet(phrase!("head-stated-u"), "", |(_, c)| c.standard_uncertainty)
+        .page(phrase!("residuals-rms"), "", move |(_, c)| numbers(shown(c, c.rms)))
+        .sheet(phrase!("residuals-rms"), "", |(_, c)| c.rms)
+        .both(phrase!("head-residual-over-u"), "", |(_, c)| digits(c.rms / c.standard_uncertainty, 3));
+    match r.conditions.is_empty() {
+        true => Table::default(),
+        false => Table::new(words, &all, columns).on(phrase!("sheet-readings")),
+    }
+}
+
+/// Known lengths and positions with their residuals.
+fn known(all: &[KnownValue], words: &Words) -> Table {
+    let columns = Columns::<KnownValue>::new()
+        .both(phrase!("name"), "", |k| Text::name(&k.name))
+        .both(phrase!("quantity"), "", |k| term(words, k.quantity.phrase()))
+        .both(phrase!("head-stated-value"), "mm", |k| with_uncertainty(k.stated_mm, Some(k.standard_uncertainty_mm)))
+        .both("U (k = 2)", "mm", |k| micrometres(2.0 * k.standard_uncertainty_mm))
+        .in_unit("µm")
+        .both(phrase!("head-identified-minus-stated"), "mm", |k| micrometres(k.residual_mm))
+        .in_unit("µm")
+        .both(phrase!("head-residual-over-u"), "", |k| digits(k.residual_mm.abs() / k.standard_uncertainty_mm, 3));
+    Table::new(words, all, columns).without_empty_columns().on(phrase!("sheet-known-values"))
+}
+
+/// Length (mm), shown in µm with three significant digits.
+fn micrometres(mm: f64) -> Cell {
+    number_cell(mm, |mm| significant(1e3 * mm, 3))
 }
 
 /// `true` if some residuals are coordinates of targets.
@@ -183,7 +225,8 @@ fn residuals(r: &ResidualSummary, words: &Words) -> Vec<(String, Cell)> {
         r.test.common_standard_uncertainty_mm.map(derived),
     ) {
         (Some(own), Some(common)) => Some(tr!(words, "coordinate-uncertainty-in-common", uncertainty = own, common)),
-        (Some(_), None) if !r.conditions.is_empty() => reading_uncertainties(r, words),
+        // in the table of readings
+        (Some(_), None) if !r.conditions.is_empty() => None,
         (Some(own), None) if readings => Some(tr!(words, "reading-uncertainty", uncertainty = own)),
         (own, _) => own.map(|own| tr!(words, "coordinate-uncertainty", uncertainty = own)),
     };

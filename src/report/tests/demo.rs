@@ -310,6 +310,7 @@ fn parameters() -> ParametersDocument {
         covariance_without: vec![],
         budget,
         residuals: residuals(),
+        known: Vec::new(),
         reliability: None,
         robust: Some(robust()),
         observability: Some(observability()),

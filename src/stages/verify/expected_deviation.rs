@@ -99,7 +99,9 @@ impl ExpectedDeviation {
                 expected_rms: found.standard_uncertainty.hypot(model),
             }
         };
-        ConditionResiduals::all(robot, values, conditions).into_iter().map(one).collect()
+        let all = ConditionResiduals::all(robot, values, conditions).into_iter();
+        // values of joints are inputs of the model, and are compared before
+        all.filter(|found| !found.kind.is_joint()).map(one).collect()
     }
 
     /// Model error of a quantity (mm or rad).
@@ -156,7 +158,7 @@ fn model_share(residuals: &ResidualSummary) -> f64 {
 fn model_errors(residuals: &ResidualSummary) -> Vec<(ErrorQuantity, f64)> {
     let rows = residuals.count as f64 / residuals.degrees_of_freedom.max(1) as f64;
     let of_quantity = |found: &QuantityResiduals| {
-        let unit = physical_quantity(found.quantity);
+        let unit = if found.unit == "deg" { Quantity::Angle } else { Quantity::Length };
         let excess = found.rms.powi(2) * rows - found.standard_uncertainty.powi(2);
         let model = if model_share(residuals) > 0.0 { excess.max(0.0).sqrt() } else { 0.0 };
         (found.quantity, unit.inward(model))

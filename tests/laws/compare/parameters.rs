@@ -98,6 +98,7 @@ pub(crate) fn identified(
         covariance_without: Vec::new(),
         budget: vec![],
         residuals: residuals(100 - n),
+        known: Vec::new(),
         reliability: None,
         robust: None,
         observability: None,

@@ -6,7 +6,7 @@ use crate::judgement::beyond::{Extrapolation, extrapolations};
 use crate::judgement::budget::{self, Budget, Observed, Systematic};
 use crate::judgement::chi_square::{exceeds, falls_short};
 use crate::judgement::clusters::ByCluster;
-use crate::judgement::figures::ConditionResiduals;
+use crate::judgement::figures::{ConditionResiduals, ErrorKind, ReadingKind};
 use crate::judgement::regional::{BetweenSeries, Regional};
 use crate::model::elimination::{Remaining, carried, root};
 use crate::model::frame_error::FrameError;
@@ -18,8 +18,8 @@ use crate::solution::estimation::Estimation;
 use crate::solution::observability::{Observability, WeakGroup, held_singular_values, observe, weak_message};
 use crate::solution::solver::Identifiable;
 use crate::{
-    Group, Identifiability, Identification, ParameterUncertainty, ResidualKind, ResidualStatistics, Settings, Status,
-    Subject, Warning,
+    Group, Identifiability, Identification, Observation, ParameterUncertainty, ResidualKind, ResidualStatistics,
+    Settings, Status, Subject, Warning,
 };
 use etalon_base::message::Message;
 use etalon_base::pose_name::PoseName;
@@ -117,6 +117,7 @@ pub(crate) fn with_uncertainty(
             degrees_of_freedom: dof,
             effective_degrees: dof as f64 * square_degrees(problem, solution),
             chi_square,
+            coordinates: coordinates(problem, &lengths, observations, settings),
             conditions: ConditionResiduals::all(robot, &values, &settings.conditions),
             replicates,
             between_series,
@@ -220,6 +221,28 @@ fn lengths(problem: &Residuals, solution: &Solution) -> Vec<f64> {
     let mut plain = vec![0.0; problem.measured_count()];
     problem.plain_residuals(&solution.x, &mut plain);
     plain.iter().zip(problem.sizes()).filter_map(|(r, size)| Some(r * size?)).collect()
+}
+
+/// Residuals of the coordinates of targets, which are the first `lengths`, and their stated
+/// uncertainty; `None` without coordinates or a stated uncertainty, and for residuals of a pose.
+fn coordinates(
+    problem: &Residuals,
+    lengths: &[f64],
+    observations: &[Observation],
+    settings: &Settings,
+) -> Option<ConditionResiduals> {
+    let (count, dimension) = (problem.coordinate_count(), problem.robot.dimension());
+    settings.standard_uncertainty_mm.filter(|_| count > 0 && settings.kind == ResidualKind::Targets)?;
+    let own = observations.iter().flat_map(|o| o.uncertainties_mm(dimension)).map(|(_, u)| u * u);
+    let (weighted, variances) = own.fold((0, 0.0), |(count, sum), square| (count + 1, sum + square));
+    let readings = count / dimension;
+    let others = readings.saturating_sub(weighted) as f64 * settings.coordinate_uncertainty_mm().powi(2);
+    Some(ConditionResiduals {
+        kind: ReadingKind::Error(ErrorKind::Position),
+        count,
+        rms: rms(lengths[..count].iter().copied()) * problem.unit,
+        standard_uncertainty: ((variances + others) / readings as f64).sqrt(),
+    })
 }
 
 /// Effective degrees of freedom of the square of a residual, at most 1: of the sum s of the n

@@ -60,7 +60,49 @@ pub enum Known {
     },
 }
 
+/// Stated value (mm) of fixed points with its residual.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnownResidual {
+    /// Parameters that the value concerns: of two points, the first coordinates.
+    pub parameters: Vec<usize>,
+    /// Stated value; `None` if a station measured the point, or if it touches a surface.
+    pub stated_mm: Option<f64>,
+    /// Standard uncertainty.
+    pub standard_uncertainty_mm: f64,
+    /// Identified minus stated value.
+    pub residual_mm: f64,
+}
+
 impl Known {
+    /// Standard uncertainty (mm) of each row.
+    fn standard_uncertainty_mm(&self) -> f64 {
+        match *self {
+            Self::Place { standard_uncertainty_mm, .. }
+            | Self::Seen { standard_uncertainty_mm, .. }
+            | Self::Distance { standard_uncertainty_mm, .. }
+            | Self::On { standard_uncertainty_mm, .. }
+            | Self::Length { standard_uncertainty_mm, .. } => standard_uncertainty_mm,
+        }
+    }
+
+    /// Stated values with their residuals at all parameters, a row each.
+    pub fn stated(&self, values: &[f64]) -> Vec<KnownResidual> {
+        let (standard_uncertainty_mm, mut left) = (self.standard_uncertainty_mm(), vec![0.0; self.rows()]);
+        self.residuals(values, &mut left);
+        let row = |(row, left): (usize, f64)| {
+            let (parameters, stated_mm) = match *self {
+                Self::Place { point, place_mm, .. } => (vec![point + row], Some(place_mm[row])),
+                Self::Seen { point, .. } => (vec![point + row], None),
+                Self::Distance { from, to, distance_mm, .. } => (vec![from, to], Some(distance_mm)),
+                Self::On { unknowns, .. } => (vec![unknowns[0]], None),
+                Self::Length { parameter, length_mm, .. } => (vec![parameter], Some(length_mm)),
+            };
+            let residual_mm = left * standard_uncertainty_mm;
+            KnownResidual { parameters, stated_mm, standard_uncertainty_mm, residual_mm }
+        };
+        left.into_iter().enumerate().map(row).collect()
+    }
+
     /// First coordinates of the points.
     pub(crate) fn points(&self) -> Vec<usize> {
         match *self {

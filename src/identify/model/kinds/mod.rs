@@ -21,7 +21,7 @@ pub use contact::Contact;
 pub use coordinate::Coordinate;
 pub use distance::Distance;
 pub use joint::JointValue;
-pub use known::Known;
+pub use known::{Known, KnownResidual};
 pub use orientation::{Orientation, mounted_misfit_rad, mounted_misfits_rad};
 pub use seen::Seen;
 pub use surface::{On, Surface};
