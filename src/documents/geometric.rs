@@ -57,8 +57,13 @@ pub struct GeometricQuantity {
     pub nominal: f64,
     /// Measured value; the mean of repeats.
     pub value: f64,
-    /// Standard uncertainty of `value` (k = 1), including frames.
+    /// Standard uncertainty of `value` (k = 1), including frames and `uncertainty_by_angles`.
     pub standard_uncertainty: f64,
+    /// Part of the standard uncertainty by `beta`, `gamma` and `epsilon_theta`, which are taken as
+    /// zero: their identified values, or stated tolerances. Absent if these are unknown (the part
+    /// is then missing), and for quantities that do not depend on them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty_by_angles: Option<f64>,
     /// Scatter of repeats, if there are any.
     pub repeats: Option<RepeatStatistics>,
     /// Value from the identification of the same campaign, if available.

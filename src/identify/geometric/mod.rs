@@ -4,7 +4,7 @@
 //! measured for it, in the order of the thesis; every result carries its derivatives by all
 //! measured coordinates, so that what shares points or frames is correlated. On a robot with all
 //! thirteen errors of chapter 3, O, C and the axis of revolute joint 3 are still found where they
-//! are, but γ, β and ε_θ are taken as zero: what this costs is for the report to show.
+//! are, but γ, β and ε_θ are taken as zero, which shifts s, d and d3 ([`angle_shifts`]).
 
 mod frames;
 mod lengths;
@@ -20,6 +20,7 @@ pub use workspace::{Polygon, Workspace, area_mm2};
 
 use etalon_base::message::{Problems, Result};
 use etalon_base::{error, phrase};
+use etalon_robots::RailTable;
 
 /// All measurements for the geometric calibration.
 #[derive(Clone, Debug, Default)]
@@ -77,6 +78,42 @@ pub struct Steps {
     /// Every coordinate with the standard uncertainty that was used.
     pub readings: Readings,
 }
+
+/// Names of the quantities that depend on angles taken as zero, in the order of [`angle_shifts`].
+pub const BY_ANGLES: [&str; 3] = ["s", "d", "d3"];
+
+/// Shifts (mm) of [`BY_ANGLES`] by each angle β, γ and ε_θ of this size (rad), which geometry takes
+/// as zero; `mid_travel_mm` is the travel of actuators 2 and 3 at these measurements.
+///
+/// The axis of revolute joint 3 and C are found where they are (eq. 3.8 and 3.11 at ρ1 = 0), and d3
+/// follows from the slope of the guide (eq. 2.11).
+pub fn angle_shifts(
+    robot: &dyn RailTable,
+    parameters: &[f64],
+    mid_travel_mm: f64,
+    angles_rad: [f64; 3],
+) -> [[f64; 3]; 3] {
+    let found = |p: &[f64]| {
+        let joints = [0.0, mid_travel_mm, mid_travel_mm];
+        let (pose, [_, pivot]) = (robot.pose(p, &joints), robot.pivots(p, &joints));
+        let [s, _] = robot.in_base(p, pivot);
+        [s, pose.x_mm, s * pose.theta_rad.tan() - mid_travel_mm * (p[DELTA3] - p[DELTA2])]
+    };
+    let straight = found(&parameters.iter().enumerate().map(|(i, p)| if i < 3 { 0.0 } else { *p }).collect::<Vec<_>>());
+    [0, 1, 2].map(|angle| {
+        let leaning: Vec<f64> = parameters
+            .iter()
+            .enumerate()
+            .map(|(i, p)| if i >= 3 { *p } else { angles_rad[i] * f64::from(u8::from(i == angle)) })
+            .collect();
+        let there = found(&leaning);
+        std::array::from_fn(|k| there[k] - straight[k])
+    })
+}
+
+/// Indices of the leads of actuators 2 and 3 in the parameters of a PreXYT.
+const DELTA2: usize = 11;
+const DELTA3: usize = 12;
 
 /// Evaluates each measured step, with an instrument of this standard uncertainty of one coordinate
 /// (mm).

@@ -23,6 +23,12 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     section.push(Block::note(Text::worded(&document.definition, words)));
     section.push(Block::Table(quantities(document, words)));
     section.push(Block::note(tr!(words, "geometric-u-note")));
+    if let Some(d) = document.quantities.iter().find(|q| q.name == "d") {
+        section.push(Block::note(match d.uncertainty_by_angles {
+            Some(_) => tr!(words, "geometric-u-with-angles"),
+            None => tr!(words, "geometric-u-without-angles"),
+        }));
+    }
     for table in &document.tables {
         section.push(Block::heading(&table.title));
         section.push(Block::Table(poses(table, words)));
@@ -117,6 +123,7 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
         .both(phrase!("nominal"), "", move |q| with_uncertainty(q.nominal, u(q)))
         .both(phrase!("geometric"), "", move |q| with_uncertainty(q.value, u(q)))
         .both("u (k = 1)", "", |q| significant(q.standard_uncertainty, 2))
+        .both(phrase!("head-u-by-angles"), "", |q| significant(q.uncertainty_by_angles, 2))
         .both(phrase!("repeats"), "", |q| q.repeats.as_ref().map(|r| r.count))
         .both(phrase!("their-standard-deviation"), "", |q| {
             significant(q.repeats.as_ref().map(|r| r.standard_deviation), 2)
@@ -129,7 +136,7 @@ fn quantities(document: &GeometricDocument, words: &Words) -> Table {
         .page(phrase!("identified-minus-geometric"), "", move |q| {
             q.identified.map(|v| with_uncertainty(v - q.value, u(q)))
         });
-    Table::new(words, &document.quantities, columns).on(phrase!("sheet-geometry-quantities"))
+    Table::new(words, &document.quantities, columns).without_empty_columns().on(phrase!("sheet-geometry-quantities"))
 }
 
 /// Mean errors of the poses in a table, by method.

@@ -15,7 +15,7 @@ use etalon_base::{error, warning};
 use etalon_campaign::{BallDefinition, Campaign, GeometricDefinition, ScaleBarDefinition, Selection};
 use etalon_documents::*;
 use etalon_identify::geometric::{
-    self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, mean_and_sd, scale_bar,
+    self, Readings, Repeated, Scatter, Steps, Uncertain, Workspace, angle_shifts, mean_and_sd, scale_bar,
 };
 use etalon_identify::{Identification, Observation};
 use etalon_math::statistics::rms;
@@ -50,6 +50,7 @@ pub fn calibrate(
     let nominal = with(&|p| value(&p.name).filter(|_| p.role == Role::Base));
     // beta, gamma and epsilon_theta
     let geometric = with(&|p| if p.quantity == robots::Quantity::Angle { Some(0.0) } else { value(&p.name) });
+    let by_angles = ByAngles::new(table, &geometric, definition.mid_travel_mm, identified.map(|i| &i.found));
     let tables = match identified {
         Some(i) => tables(campaign, definition, table, &i.sets, [&nominal, &geometric, &i.found.values])?,
         None => Vec::new(),
@@ -66,8 +67,9 @@ pub fn calibrate(
         quantities: quantities
             .iter()
             .map(|q| quantity(q, &found.readings, robot, identified.map(|i| &i.found)))
+            .map(|q| by_angles.added_to(q))
             .collect(),
-        covariance: covariance(&quantities, &found.readings),
+        covariance: covariance(&quantities, &found.readings, &by_angles),
         messages: steps.iter().filter_map(scatter_message).chain(scale_bars.iter().filter_map(bar_message)).collect(),
         leads: leads(definition, &found),
         steps,
@@ -199,6 +201,7 @@ fn quantity(
             Some(repeated) => repeated.standard_uncertainty(readings),
             None => x.standard_uncertainty(readings.standard_uncertainties_mm()),
         },
+        uncertainty_by_angles: None,
         repeats: repeats.filter(|(count, _)| *count > 1).map(|(count, r)| RepeatStatistics {
             count,
             standard_deviation: r.standard_deviation,
@@ -210,11 +213,64 @@ fn quantity(
     }
 }
 
-fn covariance(quantities: &[Quantity], readings: &Readings) -> Vec<Vec<f64>> {
+/// Sizes (rad) of β, γ and ε_θ, which geometry takes as zero: the identified angle with its
+/// standard uncertainty, as a known error without correction (GUM F.2.4.5), or the standard
+/// uncertainty by a stated tolerance; `None` if neither is known.
+fn angle_sizes(robot: &dyn RailTable, identified: Option<&Identification>) -> [Option<f64>; 3] {
+    ["beta", "gamma", "epsilon_theta"].map(|name| {
+        let i = robot.index(name)?;
+        let p = &robot.parameters()[i];
+        let identified = identified.and_then(|found| Some(found.values[i].hypot(found.standard_uncertainty(i)?)));
+        identified.or_else(|| p.tolerance_is_stated.then(|| p.tolerance / 3f64.sqrt()))
+    })
+}
+
+/// Effect of the angles that geometry takes as zero.
+struct ByAngles {
+    /// Sizes of the angles (rad), as far as they are known.
+    angles: [Option<f64>; 3],
+    /// Shifts (mm) of s, d and d3 by each angle.
+    shifts: [[f64; 3]; 3],
+}
+
+impl ByAngles {
+    /// Effect at mid-travel; none if the campaign gives no travel.
+    fn new(
+        robot: &dyn RailTable,
+        geometric: &[f64],
+        mid_travel_mm: Option<f64>,
+        identified: Option<&Identification>,
+    ) -> Self {
+        let Some(mid_travel_mm) = mid_travel_mm else { return Self { angles: [None; 3], shifts: [[0.0; 3]; 3] } };
+        let angles = angle_sizes(robot, identified);
+        let shifts = angle_shifts(robot, geometric, mid_travel_mm, angles.map(Option::unwrap_or_default));
+        Self { angles, shifts }
+    }
+
+    /// Covariance (mm²) that the angles cause between two quantities.
+    fn covariance(&self, a: &str, b: &str) -> f64 {
+        let index = |name: &str| geometric::BY_ANGLES.iter().position(|other| *other == name);
+        let (Some(a), Some(b)) = (index(a), index(b)) else { return 0.0 };
+        self.shifts.iter().map(|shift| shift[a] * shift[b]).sum()
+    }
+
+    /// Adds the part of the angles to the standard uncertainty of a quantity.
+    fn added_to(&self, q: GeometricQuantity) -> GeometricQuantity {
+        let by_angles = self.covariance(&q.name, &q.name).sqrt();
+        let is_known = self.angles.iter().all(Option::is_some) && geometric::BY_ANGLES.contains(&q.name.as_str());
+        GeometricQuantity {
+            standard_uncertainty: q.standard_uncertainty.hypot(by_angles),
+            uncertainty_by_angles: is_known.then_some(by_angles),
+            ..q
+        }
+    }
+}
+
+fn covariance(quantities: &[Quantity], readings: &Readings, by_angles: &ByAngles) -> Vec<Vec<f64>> {
     let u = readings.standard_uncertainties_mm();
     let entry = |a: &Quantity, b: &Quantity| {
         let excess = a.2.filter(|_| a.0 == b.0).map_or(0.0, |r| r.repeats(readings).excess_variance);
-        a.1.covariance(b.1, u) + excess
+        a.1.covariance(b.1, u) + excess + by_angles.covariance(a.0, b.0)
     };
     quantities.iter().map(|a| quantities.iter().map(|b| entry(a, b)).collect()).collect()
 }

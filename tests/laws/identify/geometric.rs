@@ -171,6 +171,33 @@ fn every_quantity_lies_in_its_95_percent_interval_in_95_percent_of_1000_trials()
     }
 }
 
+/// Angles that geometry takes as zero shift s, d and d3 (eq. 3.8, 3.11, 2.11); only with their part do the intervals hold.
+#[test]
+fn with_unknown_angles_s_d_and_d3_lie_in_their_95_percent_intervals_in_95_percent_of_300_trials() {
+    let (trials, u, angle_rad) = (300, 0.0064, 0.1f64.to_radians());
+    let mut setup = setup(2);
+    setup.shaft.repeats = 1;
+    let robot = Prexyt::default();
+    let (mut inside, mut without) = ([0; 3], [0; 3]);
+    for trial in 0..trials {
+        let (mut truth, mut noise) = (geometric_errors(), Noise::new(35, trial));
+        [BETA, GAMMA, EPSILON].into_iter().for_each(|i| truth[i] = noise.gaussian(angle_rad));
+        let found = determine(&measure(&truth, &setup, u, trial), u).expect("determined");
+        let shifts = angle_shifts(&robot, &geometric_errors(), setup.offsets.rho23_mm, [angle_rad; 3]);
+        let all = results(&found, &truth);
+        for (k, name) in ["s", "d1", "d3"].into_iter().enumerate() {
+            let (_, value, truth, u) = all.iter().find(|r| r.0 == name).expect("a result");
+            let whole = shifts.iter().fold(*u, |u, shift| u.hypot(shift[k]));
+            inside[k] += usize::from((value - truth).abs() <= 1.959_964 * whole);
+            without[k] += usize::from((value - truth).abs() <= 1.959_964 * u);
+        }
+    }
+    println!("inside their 95 % intervals, of {trials}: {inside:?}, without the angles {without:?}");
+    // three standard deviations of a count
+    assert!(inside.iter().all(|count| (273..=297).contains(count)), "{inside:?}");
+    assert!(without[1] < 200, "{without:?}");
+}
+
 /// O alone is quick: more trials, and a narrower band.
 #[test]
 fn the_origin_lies_in_its_95_percent_interval_in_95_percent_of_4000_trials() {

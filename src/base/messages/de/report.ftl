@@ -638,6 +638,8 @@ generated-candidates = erzeugte Kandidaten
 geometric = geometrisch
 geometric-definition = Dissertation, Kapitel 2: Jede Größe ist an eigens dafür gemessene Punkte angepasst, ohne Optimierung des Robotermodells; gamma, beta und epsilon_theta sind auf null gesetzt; d3 ist um die Steigungen der Antriebe 2 und 3 korrigiert. Unsicherheiten: aus den Punkten, fortgepflanzt durch alle Anpassungen und Koordinatensysteme; aus den Residuen, wo deren Streuung die angegebene Unsicherheit des Messgeräts übersteigt. Abweichungen: Mittel aus gemessener minus vorhergesagter Pose, nominal und geometrisch, im geometrisch bestimmten Basiskoordinatensystem
 geometric-u-note = u (k = 1) enthält die Unsicherheit des Basiskoordinatensystems. Sie ist allen Wiederholungen gemeinsam und daher nicht in deren Standardabweichung enthalten.
+geometric-u-without-angles = gamma, beta und epsilon_theta gelten als null. u von s, d und d3 enthält die Verschiebungen durch diese Winkel nicht: sie sind nicht identifiziert und haben nicht alle eine angegebene Toleranz.
+geometric-u-with-angles = gamma, beta und epsilon_theta gelten als null. u von s, d und d3 enthält die Verschiebungen durch ihre identifizierten Werte oder angegebenen Toleranzen (GUM F.2.4.5).
 geometry-alone = Geometrie allein
 geometry-alone-title = Messungen mit Geometrie allein
 geometry-beside-identification = Geometrie allein, im Vergleich mit der Identifikation

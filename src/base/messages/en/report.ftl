@@ -611,6 +611,8 @@ generated-candidates = generated candidates
 geometric = geometric
 geometric-definition = thesis, chapter 2: each quantity is fitted to the points measured for it, without optimising the robot model; gamma, beta and epsilon_theta are set to zero; d3 is corrected for the leads of actuators 2 and 3. Uncertainties: computed from the points and propagated through all fits and frames; computed from the residuals if their scatter exceeds the instrument's given uncertainty. Errors: means of measured minus predicted pose, nominal and geometric, in the geometrically determined base frame
 geometric-u-note = u (k = 1) includes the uncertainty of the base frame. All repeats share it, so their standard deviation excludes it.
+geometric-u-without-angles = gamma, beta and epsilon_theta are taken as zero. u of s, d and d3 does not contain the shifts that these angles cause: they are neither identified, nor do all have a stated tolerance.
+geometric-u-with-angles = gamma, beta and epsilon_theta are taken as zero. u of s, d and d3 contains the shifts that their identified values or stated tolerances cause (GUM F.2.4.5).
 geometry-alone = Geometry alone
 geometry-alone-title = Measurements of the geometric calibration
 geometry-beside-identification = Geometric calibration compared with the identification

@@ -641,6 +641,8 @@ generated-candidates = poses candidates tirées
 geometric = géométrique
 geometric-definition = thèse, chapitre 2 : chaque grandeur est ajustée à des points mesurés à cet effet, sans optimisation du modèle du robot ; gamma, beta et epsilon_theta sont fixés à zéro ; d3 est corrigé des pas des actionneurs 2 et 3. Incertitudes : d’après les points, propagées à travers tous les ajustements et repères ; d’après les résidus là où leur dispersion dépasse l’incertitude indiquée de l’instrument. Erreurs : moyennes de la pose mesurée moins la pose prédite, nominale et géométrique, dans le repère de la base déterminé géométriquement
 geometric-u-note = u (k = 1) comprend l’incertitude du repère de la base. Cette incertitude est commune à toutes les répétitions ; l’écart-type des répétitions ne la contient donc pas.
+geometric-u-without-angles = gamma, beta et epsilon_theta sont pris nuls. u de s, d et d3 ne contient pas les décalages causés par ces angles : ils ne sont pas identifiés et n’ont pas tous une tolérance indiquée.
+geometric-u-with-angles = gamma, beta et epsilon_theta sont pris nuls. u de s, d et d3 contient les décalages que causent leurs valeurs identifiées ou leurs tolérances indiquées (GUM F.2.4.5).
 geometry-alone = Géométrie seule
 geometry-alone-title = Mesures par la géométrie seule
 geometry-beside-identification = Géométrie seule, comparée à l’identification
