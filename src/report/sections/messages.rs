@@ -6,6 +6,7 @@ use etalon_base::catalogue::{Entry, Phrase, entries};
 use etalon_base::message::{Message, Problems, Rank, Severity, one_line};
 use etalon_base::phrase;
 use etalon_documents::Results;
+use std::collections::BTreeMap;
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let elsewhere = |m: &&Message| {
@@ -59,10 +60,13 @@ pub(super) fn facts(messages: &[&Message], routine_elsewhere: usize, words: &Wor
         return section;
     }
     section.blocks.clear();
-    let known = entries();
+    let known: Explained = entries().into_iter().filter(Entry::is_message).map(|entry| (entry.id, entry)).collect();
     grouped(messages).0.iter().for_each(|m| section.push(fact(m, &known, words)));
     section
 }
+
+/// Explained messages by their ids.
+type Explained = BTreeMap<&'static str, Entry>;
 
 /// Messages with similar rows merged.
 fn grouped(messages: &[&Message]) -> Problems {
@@ -106,8 +110,8 @@ fn notice(m: &Message, words: &Words) -> Block {
 }
 
 /// A message with its consequence, and without remedy.
-fn fact(m: &Message, known: &[Entry], words: &Words) -> Block {
-    let entry = known.iter().find(|entry| entry.is_message() && entry.id == m.id);
+fn fact(m: &Message, known: &Explained, words: &Words) -> Block {
+    let entry = known.get(&*m.id);
     let consequence = entry.map(|entry| Text::english(&entry.reason)).filter(|text| !text.plain().is_empty());
     let lines = statement(m, words).into_iter().chain(consequence).collect();
     Block::Notice { class: class(m), id: m.id.to_string(), lines }
