@@ -327,6 +327,7 @@ fn bundle(language: usize) -> Bundle {
     bundle.set_use_isolating(false);
     bundle.set_formatter(Some(if language == 0 { point } else { comma }));
     let _ = bundle.add_function("FIXED", fixed);
+    let _ = bundle.add_function("LENGTH", move |positional, _| length(positional, LANGUAGES[language]));
     let _ = bundle.add_function("SCIENTIFIC", move |positional, _| scientific(positional, LANGUAGES[language]));
     bundle
 }
@@ -338,6 +339,21 @@ fn fixed<'a>(positional: &[FluentValue<'a>], _named: &FluentArgs) -> FluentValue
             let options =
                 FluentNumberOptions { minimum_fraction_digits: Some(decimals.value as usize), ..value.options.clone() };
             FluentNumber::new(value.value, options).into()
+        }
+        [value, ..] => value.clone(),
+        [] => FluentValue::Error,
+    }
+}
+
+/// `LENGTH($value_mm)`: a length with three significant digits, in µm below 0.1 mm.
+fn length<'a>(positional: &[FluentValue<'a>], language: &str) -> FluentValue<'a> {
+    match positional {
+        [FluentValue::Number(mm)] => {
+            let (value, unit) = if mm.value.abs() < 0.1 { (1e3 * mm.value, "µm") } else { (mm.value, "mm") };
+            let before = if value == 0.0 { 0 } else { value.abs().log10().floor() as i32 };
+            let decimals = (2 - before).clamp(0, 5) as usize;
+            let space = if language == LANGUAGES[0] { ' ' } else { '\u{a0}' };
+            format!("{}{space}{unit}", marked(format!("{value:.decimals$}"), language)).into()
         }
         [value, ..] => value.clone(),
         [] => FluentValue::Error,
@@ -519,6 +535,15 @@ mod tests {
         assert!(length(0.5).to_string().contains("p1.5") && length(0.5).to_string().contains("0.5000"));
         assert!(length(0.5).text("fr").contains("p1.5") && length(0.5).text("fr").contains("0,5000"));
         assert!(length(f64::NAN).to_string().contains("NaN"));
+    }
+
+    #[test]
+    fn a_length_is_in_micrometres_below_a_tenth_of_a_millimetre() {
+        let drift = |change_mm: f64| crate::phrase!("positions-drift", pose = 1, change_mm);
+        for (mm, shown) in [(0.0579, "57.9 µm"), (0.1, "0.100 mm"), (0.00234, "2.34 µm"), (12.5, "12.5 mm")] {
+            assert!(drift(mm).to_string().contains(&format!(" {shown} ")), "{}", drift(mm));
+        }
+        assert!(drift(0.0579).text("de").contains("57,9\u{a0}µm"));
     }
 
     #[test]

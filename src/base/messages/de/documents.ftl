@@ -31,7 +31,7 @@ instrument-too-coarse = die Messunsicherheit übersteigt 25 % der geprüften Ke
     }
     .hint = das obere Ende des Intervalls von RP verwenden oder mit einem besseren Messgerät messen
 
-positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { FIXED($change_mm, 3) } mm: AP und RP enthalten diese Drift
+positions-drift = die Position von Pose { $pose } ändert sich vom ersten bis zum letzten Zyklus um { LENGTH($change_mm) }: AP und RP enthalten diese Drift
     .hint = `drift_set` in [poses] angeben (`--drift-set`) oder den Roboter vor der Prüfung warmfahren
 
 several-approaches = mehrere Anfahrrichtungen { $count ->
@@ -108,8 +108,8 @@ readings-outlying = { $count ->
     }
     .hint = Bezeichnung und Werte prüfen: Zeilen nur bei bekannter Ursache berichtigen oder entfernen und den Grund festhalten; sonst die Prüfung wiederholen
 
-outlying-reading = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm)
-outlying-reading-near = Pose { $pose } in Zyklus { $cycle }, { FIXED($distance_mm, 3) } mm (Median der Abstände { FIXED($median_mm, 3) } mm; näher an Pose { $near })
+outlying-reading = Pose { $pose } in Zyklus { $cycle }, { LENGTH($distance_mm) } (Median der Abstände { LENGTH($median_mm) })
+outlying-reading-near = Pose { $pose } in Zyklus { $cycle }, { LENGTH($distance_mm) } (Median der Abstände { LENGTH($median_mm) }; näher an Pose { $near })
 
 runs-outlying = { $count ->
         [one] 1 Anfahrt liegt

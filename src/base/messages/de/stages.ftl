@@ -69,7 +69,7 @@ point-lies-at-another = Zeile { $row }: `{ $point }` fällt mit `{ $other }` zus
 drift-few-readings = `{ $target }` wurde nur { $count }-mal gemessen: zu selten, um eine Drift zu erkennen
     .expected = mindestens { $least }-mal
 
-reference-drifts = `{ $target }` driftet: von den Zeilen { $first } bis zu den Zeilen { $second } bewegt sie sich um { FIXED($moved_mm, 4) } mm; Grenzwert { $limit_mm } mm
+reference-drifts = `{ $target }` driftet: von den Zeilen { $first } bis zu den Zeilen { $second } bewegt sie sich um { LENGTH($moved_mm) }; Grenzwert { LENGTH($limit_mm) }
     .hint = Temperatur und Aufstellung des Messgeräts prüfen; mit `targets` und `each = "pose"` in [frame.world] folgt das Koordinatensystem den Zielmarken
 
 frames-differ = die Punkte beziehen sich auf das Koordinatensystem `{ $second }`, die Punkte eines anderen Exports auf `{ $first }`
@@ -456,10 +456,10 @@ attained-poses-twice = [poses] und [repeatability] geben beide Istposen an
 limit-without-value = der Grenzwert `{ $limit }` kann nicht beurteilt werden: an Pose { $pose } fehlt dieser Wert
     .hint = jede Pose mindestens zweimal anfahren und als Sollpose angeben
 
-compensation-scatters = die Istpositionen streuen nach der Korrektur durch die Referenzmarken um { FIXED($after_mm, 4) } mm um das Mittel ihrer Pose, vorher um { FIXED($before_mm, 4) } mm
+compensation-scatters = die Istpositionen streuen nach der Korrektur durch die Referenzmarken um { LENGTH($after_mm) } um das Mittel ihrer Pose, vorher um { LENGTH($before_mm) }
     .hint = nach einem falschen Messwert unter den Referenzmarken suchen oder sie weglassen
 
-reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen um { FIXED($rms_mm, 4) } mm (quadratischer Mittelwert) von einer starren Bewegung seit dem ersten Zyklus ab; erweiterte Messunsicherheit { FIXED($expanded_mm, 4) } mm
+reference-targets-misshapen = die Referenzmarken von Zyklus { $cycle } weichen um { LENGTH($rms_mm) } (quadratischer Mittelwert) von einer starren Bewegung seit dem ersten Zyklus ab; erweiterte Messunsicherheit { LENGTH($expanded_mm) }
     .hint = eine Referenzmarke hat sich bewegt oder wurde falsch gemessen: sie neu messen oder weglassen
 
 repeatability-frame = [repeatability] braucht ein einmal gemessenes Weltkoordinatensystem
@@ -495,7 +495,7 @@ visits-missing = nicht gemessen: { $poses }{ $count ->
        *[other] {""}; insgesamt { $count }
     }
 
-homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { FIXED($rp_mm, 4) } mm
+homing-instrument-too-coarse = die Messunsicherheit übersteigt 25 % der Wiederholgenauigkeit der Referenzfahrt, { LENGTH($rp_mm) }
     .hint = den Wert als Obergrenze verwenden oder mit einem besseren Messgerät messen
 
 central-part-too-large = { $option } überschreitet 100 %

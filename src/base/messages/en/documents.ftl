@@ -60,7 +60,7 @@ instrument-too-coarse = the measurement uncertainty exceeds 25 % of the verified
 # Do: Set `drift_set`, the number of cycles of a set, to evaluate the drift (ISO 9283, 7.6), or warm
 # the robot up before the test.
 # Example: thirty cycles from a cold start
-positions-drift = the position of pose { $pose } changes by { FIXED($change_mm, 3) } mm from the first to the last cycle: AP and RP include this drift
+positions-drift = the position of pose { $pose } changes by { LENGTH($change_mm) } from the first to the last cycle: AP and RP include this drift
     .hint = set `drift_set` in [poses] (`--drift-set`), or warm the robot up before the test
 
 # Means: Some poses were approached from several directions.
@@ -183,8 +183,8 @@ readings-outlying = { $count ->
     }
     .hint = check labels and values: correct or remove a row only if the cause is known, and record the reason; otherwise repeat the test
 
-outlying-reading = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm)
-outlying-reading-near = pose { $pose } in cycle { $cycle }, { FIXED($distance_mm, 3) } mm (median distance { FIXED($median_mm, 3) } mm; nearer to pose { $near })
+outlying-reading = pose { $pose } in cycle { $cycle }, { LENGTH($distance_mm) } (median distance { LENGTH($median_mm) })
+outlying-reading-near = pose { $pose } in cycle { $cycle }, { LENGTH($distance_mm) } (median distance { LENGTH($median_mm) }; nearer to pose { $near })
 
 # Means: Some runs are far from all others of their position and direction, and from the runs before
 # and after them.

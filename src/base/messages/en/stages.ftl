@@ -159,7 +159,7 @@ drift-few-readings = `{ $target }` is measured { $count ->
 # Do: Check the temperature and the mounting of the instrument. If [frame.world] has `targets` and
 # `each = "pose"`, the frame follows the targets.
 # Example: an instrument that warms up
-reference-drifts = `{ $target }` drifts: it moves { FIXED($moved_mm, 4) } mm from rows { $first } to rows { $second }; limit { $limit_mm } mm
+reference-drifts = `{ $target }` drifts: it moves { LENGTH($moved_mm) } from rows { $first } to rows { $second }; limit { LENGTH($limit_mm) }
     .hint = check temperature and mounting of the instrument; if [frame.world] has `targets` and `each = "pose"`, the frame follows the targets
 
 # Means: The exports contain points relative to different working frames.
@@ -884,7 +884,7 @@ force-not-a-number = `{ $text }` is not a force
     .expected = newtons, zero or more: the direction gives the sign
 
 # Means: `drift_set` is set, but there are no commanded poses.
-# Matters: Drift is the change of pose accuracy, which needs commanded poses (ISO 9283, 7.2.4).
+# Matters: Drift is the change of pose accuracy, which needs commanded poses (ISO 9283, 7.6).
 # Do: Set `commanded`, or remove `drift_set`.
 # Example: `drift_set = 10` without `commanded`
 drift-without-commanded = `drift_set` needs commanded poses
@@ -909,7 +909,7 @@ limit-without-value = the limit `{ $limit }` cannot be judged: it has no value a
 # makes the positions worse.
 # Do: Look for a wrong reading among the reference targets, or remove the reference targets.
 # Example: a reference target touched during the test
-compensation-scatters = after compensation with the reference targets, attained positions scatter by { FIXED($after_mm, 4) } mm about the mean of their pose, before it by { FIXED($before_mm, 4) } mm
+compensation-scatters = after compensation with the reference targets, attained positions scatter by { LENGTH($after_mm) } about the mean of their pose, before it by { LENGTH($before_mm) }
     .hint = look for a wrong reading among the reference targets, or remove them
 
 # Means: The distances between reference targets changed by more than twice the expanded uncertainty
@@ -917,7 +917,7 @@ compensation-scatters = after compensation with the reference targets, attained 
 # Matters: A target moved or was measured wrongly, and the compensation contains this error.
 # Do: Measure the reference targets again, or exclude the wrong target.
 # Example: one of four reference targets bumped in cycle 12
-reference-targets-misshapen = reference targets of cycle { $cycle } deviate by { FIXED($rms_mm, 4) } mm (root mean square) from a rigid motion since the first cycle; expanded uncertainty { FIXED($expanded_mm, 4) } mm
+reference-targets-misshapen = reference targets of cycle { $cycle } deviate by { LENGTH($rms_mm) } (root mean square) from a rigid motion since the first cycle; expanded uncertainty { LENGTH($expanded_mm) }
     .hint = a target moved or was measured wrongly: measure the targets again, or exclude the wrong target
 
 # Means: [repeatability] needs a world frame that is measured once, but the campaign measures it at
@@ -999,7 +999,7 @@ visits-missing = not measured: { $poses }{ $count ->
 # Matters: The value is an upper bound of the robot's repeatability.
 # Do: Use the value as an upper bound, or measure with a more accurate instrument.
 # Example: a repeatability of 5 µm measured with U = 3 µm
-homing-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the repeatability of homing, { FIXED($rp_mm, 4) } mm
+homing-instrument-too-coarse = the measurement uncertainty exceeds 25 % of the repeatability of homing, { LENGTH($rp_mm) }
     .hint = use the value as an upper bound, or measure with a more accurate instrument
 
 # Means: The central part of a path is larger than 100 %.

@@ -31,7 +31,7 @@ instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la caracté
     }
     .hint = utiliser la borne supérieure de l’intervalle de RP, ou mesurer avec un meilleur instrument
 
-positions-drift = la position de la pose { $pose } change de { FIXED($change_mm, 3) } mm du premier au dernier cycle : AP et RP contiennent cette dérive
+positions-drift = la position de la pose { $pose } change de { LENGTH($change_mm) } du premier au dernier cycle : AP et RP contiennent cette dérive
     .hint = indiquer `drift_set` dans [poses] (`--drift-set`), ou mettre le robot en température avant l’essai
 
 several-approaches = plusieurs directions d’approche { $count ->
@@ -102,8 +102,8 @@ readings-outlying = { $count ->
     }
     .hint = vérifier désignations et valeurs : ne corriger ou retirer une ligne que si la cause est connue, et noter la raison ; sinon répéter l’essai
 
-outlying-reading = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm)
-outlying-reading-near = pose { $pose } du cycle { $cycle }, { FIXED($distance_mm, 3) } mm (distance médiane { FIXED($median_mm, 3) } mm ; plus près de la pose { $near })
+outlying-reading = pose { $pose } du cycle { $cycle }, { LENGTH($distance_mm) } (distance médiane { LENGTH($median_mm) })
+outlying-reading-near = pose { $pose } du cycle { $cycle }, { LENGTH($distance_mm) } (distance médiane { LENGTH($median_mm) } ; plus près de la pose { $near })
 
 runs-outlying = { $count ->
         [one] 1 passage est loin

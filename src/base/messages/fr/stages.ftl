@@ -69,7 +69,7 @@ point-lies-at-another = ligne { $row } : `{ $point }` coïncide avec `{ $other 
 drift-few-readings = `{ $target }` n’est mesurée que { $count } fois : trop peu pour déceler une dérive
     .expected = au moins { $least } fois
 
-reference-drifts = `{ $target }` dérive : entre les lignes { $first } et les lignes { $second }, elle se déplace de { FIXED($moved_mm, 4) } mm ; limite { $limit_mm } mm
+reference-drifts = `{ $target }` dérive : entre les lignes { $first } et les lignes { $second }, elle se déplace de { LENGTH($moved_mm) } ; limite { LENGTH($limit_mm) }
     .hint = vérifier la température et la fixation de l’instrument ; avec `targets` et `each = "pose"` dans [frame.world], le repère suit les cibles
 
 frames-differ = les points se rapportent au repère `{ $second }` ; ceux d’un autre export, au repère `{ $first }`
@@ -460,10 +460,10 @@ attained-poses-twice = [poses] et [repeatability] indiquent toutes deux des pose
 limit-without-value = la limite `{ $limit }` ne peut pas être jugée : elle n’a pas de valeur à la pose { $pose }
     .hint = atteindre chaque pose au moins deux fois, et indiquer sa position commandée
 
-compensation-scatters = la dispersion des positions atteintes autour de la moyenne de leur pose est de { FIXED($after_mm, 4) } mm après correction par les cibles de référence, de { FIXED($before_mm, 4) } mm avant
+compensation-scatters = la dispersion des positions atteintes autour de la moyenne de leur pose est de { LENGTH($after_mm) } après correction par les cibles de référence, de { LENGTH($before_mm) } avant
     .hint = chercher une lecture erronée parmi les cibles de référence, ou les omettre
 
-reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { FIXED($rms_mm, 4) } mm (moyenne quadratique) d’un déplacement rigide depuis le premier cycle ; incertitude élargie { FIXED($expanded_mm, 4) } mm
+reference-targets-misshapen = les cibles de référence du cycle { $cycle } s’écartent de { LENGTH($rms_mm) } (moyenne quadratique) d’un déplacement rigide depuis le premier cycle ; incertitude élargie { LENGTH($expanded_mm) }
     .hint = une cible a bougé ou a été mal mesurée : mesurer de nouveau les cibles, ou exclure la cible erronée
 
 repeatability-frame = [repeatability] exige un repère atelier mesuré une seule fois
@@ -499,7 +499,7 @@ visits-missing = non mesurées : { $poses }{ $count ->
        *[other] {""} ; { $count } en tout
     }
 
-homing-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la répétabilité de la prise d’origine, { FIXED($rp_mm, 4) } mm
+homing-instrument-too-coarse = l’incertitude de mesure dépasse 25 % de la répétabilité de la prise d’origine, { LENGTH($rp_mm) }
     .hint = utiliser la valeur comme majorant, ou mesurer avec un meilleur instrument
 
 central-part-too-large = la valeur de { $option } dépasse 100 %
