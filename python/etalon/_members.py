@@ -1047,6 +1047,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "distance_mm": ("", None),
         "from": ("", None),
         "moves": ("", None),
+        "path_mm": ("", None),
         "posing_expanded_uncertainty_s": ("", None),
         "posing_s": ("", None),
         "to": ("", None),

@@ -1636,11 +1636,15 @@ class Iso9283Pose(Record):
 class Iso9283Posing(Record):
     """Moves from one pose to another (9)."""
     distance_mm: float
-    """Mean attained distance."""
+    """Mean straight distance between the standstills."""
     from_: int | str
     """Pose at the start."""
     moves: int
     """Number of moves."""
+    path_mm: float | None
+    """Mean length of the attained path, in steps longer than the limit band; absent in documents of earlier
+    programs.
+    """
     posing_expanded_uncertainty_s: float | None
     """Expanded uncertainty of this time: scatter of the moves, and sampling interval."""
     posing_s: float

@@ -156,15 +156,19 @@ mirror! {
 
 mirror! {
     /// Moves from one pose to another (9).
-    struct Iso9283Posing of Moves {
+    struct Iso9283Posing of Moves as p {
         /// Pose at the start.
         from: PoseName,
         /// Pose at the end.
         to: PoseName,
         /// Number of moves.
         moves: usize,
-        /// Mean attained distance.
+        /// Mean straight distance between the standstills.
         distance_mm: f64,
+        /// Mean length of the attained path, in steps longer than the limit band; absent in
+        /// documents of earlier programs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        path_mm: Option<f64> = Some(p.path_mm),
         /// Mean posing time.
         posing_s: f64,
         /// Expanded uncertainty of this time: scatter of the moves, and sampling interval.

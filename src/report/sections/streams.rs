@@ -18,9 +18,17 @@ pub(super) fn stabilisation(tested: &Characteristics, words: &Words) -> Option<S
     let note = tr!(words, "definition-stabilisation");
     for (i, named) in tested.streams.as_ref()?.streams.iter().enumerate() {
         section.table(&named.name, note.as_str(), settling(named, words));
+        section.blocks.extend(without_arrival(named, words).map(Block::text));
         section.figures(arrivals(i, named, words));
     }
     section.on_terminal().whole()
+}
+
+/// Sentence on the first standstill of a recording that begins at a pose: it has no arrival.
+fn without_arrival(named: &Iso9283NamedStream, words: &Words) -> Option<String> {
+    named.band_mm?;
+    let first = named.stream.standstills.first().filter(|s| s.stabilisation_s.is_none())?;
+    Some(tr!(words, "recording-begins-at-pose", pose = first.pose?))
 }
 
 /// Section of recordings and their path characteristics (8).
@@ -321,7 +329,8 @@ fn posing_times(named: &Iso9283NamedStream, words: &Words) -> Table {
         .both(phrase!("from-pose"), "", |p| p.from)
         .both(phrase!("to-pose"), "", |p| p.to)
         .both(phrase!("moves"), "", |p| p.moves)
-        .both(phrase!("distance"), "mm", |p| fixed(p.distance_mm, 3))
+        .both(phrase!("straight-distance"), "mm", |p| fixed(p.distance_mm, 3))
+        .both(phrase!("path-length"), "mm", |p| fixed(p.path_mm, 1))
         .both(phrase!("posing-time"), "s", |p| fixed(p.posing_s, 3))
         .both("U (95 %)", "s", |p| significant(p.posing_expanded_uncertainty_s, 2));
     Table::new(words, &named.stream.posing, columns).on(phrase!("sheet-posing"))

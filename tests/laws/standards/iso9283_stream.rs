@@ -177,6 +177,22 @@ fn rigid_motion_changes_no_settling_and_scaling_scales_it() {
     }
 }
 
+/// 300 mm along x, then 100 mm along y, in two seconds, with 4 µm of noise; the robot stands for a second before and after.
+#[test]
+fn a_move_around_a_corner_has_a_path_longer_than_its_distance() {
+    let mut noise = Noise::new(21, 3);
+    let corner = |u: f64| if u <= 300.0 { [u, 0.0, 0.0] } else { [300.0, u - 300.0, 0.0] };
+    let driven = |i: i32| (400.0 * (f64::from(i) / RATE_HZ - 1.0) / 2.0).clamp(0.0, 400.0);
+    let points: Vec<Vector> = (0..2000).map(|i| corner(driven(i)).map(|x| x + noise.gaussian(0.004))).collect();
+    let stream = Stream::new((0..2000).map(|i| f64::from(i) / RATE_HZ).collect(), points, &[]).unwrap();
+    let found = standstills(&stream, &STILL).unwrap();
+    let [from, to] = &found[..] else { panic!("{found:?}") };
+    let way = posing(&stream, from, to, &arrival(&stream, Some(from), to, 0.03).unwrap());
+    assert!((way.distance_mm - 300f64.hypot(100.0)).abs() < 0.01, "{way:?}");
+    // noise lengthens each step of 0.4 mm by its square over the step: 0.04 µm
+    assert!((way.path_mm - 400.0).abs() < 0.1, "{way:?}");
+}
+
 #[test]
 fn unusable_streams_are_refused_and_jumps_left_out() {
     let points = vec![[0.0, 0.0, 0.0]; 4];

@@ -120,8 +120,10 @@ pub struct Moves {
     pub to: PoseName,
     /// Number of moves.
     pub moves: usize,
-    /// Mean attained distance.
+    /// Mean straight distance between the standstills.
     pub distance_mm: f64,
+    /// Mean length of the attained path.
+    pub path_mm: f64,
     /// Mean posing time.
     pub posing_s: f64,
     /// Expanded uncertainty of this time: scatter of the moves, and sampling interval.
@@ -144,6 +146,7 @@ pub fn moves(stream: &Stream, standing: &[Standing]) -> Vec<Moves> {
             to,
             moves: moves.len(),
             distance_mm: mean(|p| p.distance_mm),
+            path_mm: mean(|p| p.path_mm),
             posing_s: mean(|p| p.time_s),
             posing_expanded_uncertainty_s: mean_uncertainty(&times, interval_s(stream)),
         }
