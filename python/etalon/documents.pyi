@@ -1443,11 +1443,19 @@ class Iso9283Item(Record):
     """Poses of a cycle in order, or the path."""
 
 class Iso9283JudgedApproach(Record):
-    """Approach whose AP or RP is judged: the worst decision and, among these, the largest value."""
+    """Approach of a pose whose visits come from several approaches: the judged approach has the worst decision and,
+    among these, the largest value.
+    """
     cycles: int
     """Number of visits."""
+    ellipsoid: Iso9283Ellipsoid | None
+    """Ellipsoid that contains the next position by this approach with a probability of 95 %; null with fewer than
+    five visits (planar robots: four).
+    """
     name: str
     """Value of the column `approach`, or the previous pose of the path."""
+    rp_without_noise_mm: float | None
+    """RP of these visits without the instrument's noise, if visits were read several times."""
     value_mm: float
     """AP or RP of these visits."""
 
@@ -1535,8 +1543,8 @@ class Iso9283Pose(Record):
     ap_a_deg: float | None
     """AP_a."""
     ap_approach: Iso9283JudgedApproach | None
-    """Approach to which interval, verdict and 25 % rule of AP apply, if visits come from several: ISO 9283 defines
-    AP for one approach.
+    """Approach to which interval and verdict of AP apply, if visits come from several: ISO 9283 defines AP for one
+    approach.
     """
     ap_b_deg: float | None
     """AP_b."""
@@ -1550,12 +1558,16 @@ class Iso9283Pose(Record):
     """
     ap_interval_analytic: Iso9283Interval | None
     """95 % interval of AP in closed form, from the sampling alone."""
+    ap_interval_contains_sets: bool
+    """`true` if the interval of AP contains AP of every set of cycles: it is then no coverage interval."""
     ap_mm: float | None
     """AP_p (7.2.1); this and its coordinates are null if no position was commanded."""
     ap_rotation_deg: NDArray[np.float64] | None
     """Rotation from the commanded to the mean orientation about x, y and z of the table, as a rotation vector. It
     replaces AP_a, AP_b and AP_c if two rotations have nearly the same axis and their order is given.
     """
+    ap_smallest_approach: Iso9283JudgedApproach | None
+    """Approach with the smallest AP, to which the 25 % rule applies, if visits come from several."""
     ap_x_mm: float | None
     """AP_x: mean minus commanded position."""
     ap_y_mm: float | None
@@ -1565,8 +1577,8 @@ class Iso9283Pose(Record):
     cycles: int
     """Number of evaluated visits."""
     ellipsoid: Iso9283Ellipsoid | None
-    """Ellipsoid that contains the next position with a probability of 95 %; null with fewer than five visits (planar
-    robots: four).
+    """Ellipsoid of all visits that contains the next position with a probability of 95 %; null with fewer than five
+    visits (planar robots: four).
     """
     enclosing_circle_radius_mm: float | None
     """Radius of the smallest circle that encloses the projections onto the xy plane."""
@@ -1591,8 +1603,8 @@ class Iso9283Pose(Record):
     rp_along_z_mm: float | None
     """RP along z alone."""
     rp_approach: Iso9283JudgedApproach | None
-    """Approach to which interval, verdict and 25 % rule of RP apply, if visits come from several: ISO 9283 defines
-    RP for one approach.
+    """Approach to which interval and verdict of RP apply, if visits come from several: ISO 9283 defines RP for one
+    approach.
     """
     rp_b_deg: float | None
     """RP_b."""
@@ -1614,8 +1626,10 @@ class Iso9283Pose(Record):
     """Three standard deviations of the rotations from the mean orientation about x, y and z of the table, instead of
     RP_a, RP_b and RP_c.
     """
+    rp_smallest_approach: Iso9283JudgedApproach | None
+    """Approach with the smallest RP, to which the 25 % rule applies, if visits come from several."""
     rp_without_noise_mm: float | None
-    """RP without the instrument's noise, if visits were read several times."""
+    """RP of all visits without the instrument's noise, if visits were read several times."""
     rp_x_mm: float | None
     """RP_x: three standard deviations."""
     rp_xy_mm: float | None
@@ -1893,7 +1907,8 @@ class LimitVerdict(Record):
     """Decision by the rule."""
     conformity_probability: float | None
     """Probability that the true value is within the limit, by the value with its uncertainty (JCGM 106:2012, 7.2);
-    the risk of a false acceptance is the complement. Absent if the uncertainty is unknown.
+    the risk of a false acceptance is the complement. Absent if the uncertainty is unknown, and if the interval of
+    the value is no coverage interval because AP drifts.
     """
     decision_rule: str
     """Decision rule."""
@@ -3747,6 +3762,10 @@ class Iso9283Document(Document):
     """Drift of each pose, if sets are given."""
     exchangeability_mm: float | None
     """Largest distance between the barycentres of two robots at any pose, with several robots."""
+    frame: str | None
+    """Frame of the positions, in words; absent in documents of earlier programs."""
+    frame_phrase: Phrase | None
+    """Text of the catalogue that is `frame` in English."""
     homing: Iso9283Pose | None
     """Homings as visits of one pose with number 0, if a campaign has homings."""
     limits: Records[LimitVerdict]

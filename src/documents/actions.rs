@@ -371,10 +371,12 @@ impl Evidence<'_> {
                 let (what, reason) = (phrase!("action-warm-up"), phrase!("action-warm-up-cold"));
                 Some(Action::new(ActionKind::WarmUp, what, reason))
             }
-            Reason::DriftNotSettled { dap_mm, .. } => {
-                let cycles = self.judged.tested.poses.as_ref()?.poses.iter().map(|p| p.cycles).max()?;
-                let reason = phrase!("action-warm-up-drift", change = length(*dap_mm), cycles);
-                Some(Action::new(ActionKind::WarmUp, phrase!("action-warm-up"), reason).gain(Some(*dap_mm)))
+            Reason::DriftNotSettled { .. } => {
+                let drifts = self.judged.tested.poses.as_ref()?.drifts.iter().filter(|d| d.is_unsettled());
+                let largest = drifts.max_by(|a, b| a.dap_mm.total_cmp(&b.dap_mm))?;
+                let (pose, change, sets) = (largest.pose, length(largest.dap_mm), largest.ap_mm.len());
+                let reason = phrase!("action-warm-up-drift", pose, change, sets);
+                Some(Action::new(ActionKind::WarmUp, phrase!("action-warm-up"), reason).gain(Some(largest.dap_mm)))
             }
             Reason::FewCycles { poses, required } => {
                 let what = phrase!("action-add-cycles", count = poses.len(), poses = listed(poses), required);

@@ -181,7 +181,8 @@ pub struct LimitVerdict {
     pub margin: Option<f64>,
     /// Probability that the true value is within the limit, by the value with its uncertainty
     /// (JCGM 106:2012, 7.2); the risk of a false acceptance is the complement. Absent if the
-    /// uncertainty is unknown.
+    /// uncertainty is unknown, and if the interval of the value is no coverage interval because AP
+    /// drifts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub conformity_probability: Option<f64>,
 }
@@ -208,6 +209,17 @@ impl LimitVerdict {
     pub fn within_interval(self, low: f64, high: f64) -> Self {
         let asymmetric = |value: &f64| ((high - value) - (value - low)).abs() > SYMMETRIC * (high - low);
         Self { interval: self.value.filter(asymmetric).map(|_| [low, high]), ..self }
+    }
+
+    /// Removes the probability of conformity if the interval of the value is no coverage interval.
+    pub fn without_coverage(self) -> Self {
+        Self { conformity_probability: None, ..self }
+    }
+
+    /// `true` if an uncertainty is given, but its interval is no coverage interval: no risk follows
+    /// from it.
+    pub fn lacks_coverage(&self) -> bool {
+        self.expanded_uncertainty.is_some() && self.conformity_probability.is_none()
     }
 
     /// Limit of a quantity that was not measured.

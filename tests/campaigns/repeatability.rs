@@ -110,7 +110,14 @@ fn the_sample_repeats_about_as_the_thesis_robot_did() {
     let [first, others @ ..] = &document.poses[..] else { panic!("{:?}", document.poses) };
     let judged = first.rp_approach.as_ref().unwrap();
     assert!(judged.value_mm < 0.010 && first.rp_interval.unwrap().high_mm < 0.012, "{judged:?}");
-    assert!(others.iter().all(|p| p.rp_approach.is_none()));
+    // the play of 44 µm is between the approaches
+    let [of_approach, all] = [judged.ellipsoid, first.ellipsoid].map(|e| e.unwrap().semi_axes_mm[0]);
+    assert!(of_approach < 0.012 && all > 0.044, "{of_approach} {all}");
+    let smallest = first.rp_smallest_approach.as_ref().unwrap();
+    assert!(smallest.value_mm < judged.value_mm && smallest.name != judged.name, "{smallest:?}");
+    close(first.uncertainty_over_rp.unwrap(), 0.0027 * 3f64.sqrt() / smallest.value_mm, 1e-9);
+    assert!(others.iter().all(|p| p.rp_approach.is_none() && p.rp_smallest_approach.is_none()));
+    assert_eq!(document.frame.as_ref().unwrap().english(), "world frame");
     assert_eq!(document.robot.homing.as_ref().unwrap().rp_conformity, None);
     assert!(
         document.messages.iter().any(|m| m.is("instrument-too-coarse", &[("count", &5)])),

@@ -32,6 +32,13 @@ fn a_campaign_of_tables_says_what_the_command_says_of_them() {
     assert!(of_campaign.distances.len() == 10 && of_campaign.distances == of_command.distances);
     assert!(of_campaign.drifts.len() == 5 && of_campaign.drifts == of_command.drifts);
     assert!(of_campaign.reference.len() == 3 && of_campaign.reference == of_command.reference);
+    assert!(of_campaign.limits.len() == 2 && of_campaign.limits == of_command.limits);
+    // AP warms up, so its interval gives no risk; RP has one
+    let risks: Vec<bool> = of_campaign.limits.iter().map(|l| l.risk().is_some()).collect();
+    assert_eq!(risks, [false, true], "{:?}", of_campaign.limits);
+    assert!(of_campaign.poses.iter().all(|p| p.ap_interval_contains_sets));
+    // the pose that drifts most, over the six sets of five cycles
+    assert!(shown.has_phrase("action-warm-up-drift pose=5 sets=6"), "{shown}");
     let loads: Iso9283ComplianceDocument = scratch.document("iso9283-compliance.json");
     assert_eq!(loads, answered(&scratch, &["--compliance", "loads.csv"]));
     assert!(judged(&shown, "largest pose accuracy", "pass"), "{shown}");
@@ -90,9 +97,14 @@ fn the_report_shows_every_characteristic_in_html_pdf_and_workbook() {
         "1998, 10",
         "conforming",
         "Test report according to ISO 9283:1998: AP, RP, ",
+        "frame of the tables at the first measurement of the reference targets",
     ];
     parts.iter().for_each(|part| assert!(html.contains(part), "{part}"));
     assert!(!html.has_phrase("accuracy-not-tested") && !html.contains("id=\"streams\""));
+    // the nests move before cycles 11 and 21
+    for phrase in ["set-up-corrected steps=2", "risk-without-coverage", "visits-from-one-pose visits=30 unknown=1"] {
+        assert!(html.has_phrase(phrase), "{phrase}");
+    }
     if let Some(words) = text_of_pdf(&scratch.path().join("out/report.pdf")) {
         let said = words.split_whitespace().collect::<Vec<_>>().join(" ");
         for part in

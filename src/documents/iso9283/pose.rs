@@ -40,6 +40,9 @@ pub struct Iso9283Document {
     /// in words.
     #[serde(flatten, with = "Iso9283Conventions")]
     pub conventions: Vec<Worded>,
+    /// Frame of the positions.
+    #[serde(flatten, with = "Iso9283Frame")]
+    pub frame: Option<Worded>,
     /// One entry per pose, in the order of the commanded poses.
     pub poses: Vec<Iso9283Pose>,
     /// One entry per pair of poses that were visited in the same cycles.
@@ -90,6 +93,11 @@ worded! {
     list Iso9283Conventions: conventions, convention_phrases
 }
 
+worded! {
+    /// Frame of the positions, in words; absent in documents of earlier programs.
+    option Iso9283Frame: frame, frame_phrase
+}
+
 impl Iso9283Document {
     /// Evaluates all characteristics of attained poses. With several robots, they apply to the
     /// first robot by name, except for exchangeability.
@@ -114,6 +122,7 @@ impl Iso9283Document {
         Ok(Self {
             schema: "etalon/iso9283/1".to_owned(),
             conventions: all(conventions),
+            frame: None,
             distances: all(distances(test)?),
             approaches: all(variations(test)?),
             approach_phrases: approach_phrases(test),
@@ -278,18 +287,22 @@ mirror! {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rp_rotation_deg: Option<Vector> =
             p.rotation.and_then(|r| r.repeatability_rad).map(|v| v.map(f64::to_degrees)),
-        /// Approach to which interval, verdict and 25 % rule of AP apply, if visits come from
-        /// several: ISO 9283 defines AP for one approach.
+        /// Approach to which interval and verdict of AP apply, if visits come from several: ISO 9283
+        /// defines AP for one approach.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ap_approach: Option<Iso9283JudgedApproach> = p.ap.approach.clone().map(Into::into),
-        /// Approach to which interval, verdict and 25 % rule of RP apply, if visits come from
-        /// several: ISO 9283 defines RP for one approach.
+        /// Approach to which interval and verdict of RP apply, if visits come from several: ISO 9283
+        /// defines RP for one approach.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rp_approach: Option<Iso9283JudgedApproach> = p.rp.approach.clone().map(Into::into),
         /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if
         /// given; null with fewer than three visits. If AP drifts significantly, the interval
         /// contains AP of every set of cycles.
         ap_interval: Option<Iso9283Interval> = p.ap.interval.map(Into::into),
+        /// `true` if the interval of AP contains AP of every set of cycles: it is then no coverage
+        /// interval.
+        #[serde(default)]
+        ap_interval_contains_sets: bool = p.ap.contains_sets,
         /// 95 % interval of RP by parametric bootstrap, including the instrument's uncertainty if
         /// given; null with fewer than three visits.
         rp_interval: Option<Iso9283Interval> = p.rp.interval.map(Into::into),
@@ -297,10 +310,10 @@ mirror! {
         ap_interval_analytic: Option<Iso9283Interval> = p.ap.interval_analytic.map(Into::into),
         /// 95 % interval of RP in closed form, from the sampling alone.
         rp_interval_analytic: Option<Iso9283Interval> = p.rp.interval_analytic.map(Into::into),
-        /// Ellipsoid that contains the next position with a probability of 95 %; null with fewer
-        /// than five visits (planar robots: four).
+        /// Ellipsoid of all visits that contains the next position with a probability of 95 %; null
+        /// with fewer than five visits (planar robots: four).
         ellipsoid: Option<Iso9283Ellipsoid> = p.ellipsoid.map(Into::into),
-        /// RP without the instrument's noise, if visits were read several times.
+        /// RP of all visits without the instrument's noise, if visits were read several times.
         #[serde(skip_serializing_if = "Option::is_none")]
         rp_without_noise_mm: Option<f64> = p.noise_free.map(|n| n.rp_mm),
         /// Standard deviation of one reading along each coordinate.
@@ -315,6 +328,14 @@ mirror! {
         /// Expanded uncertainty of the instrument for a position (k = 2), if given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         position_uncertainty_mm: Option<f64> = p.ap.uncertainty.or(p.rp.uncertainty).map(|u| u.expanded_mm),
+        /// Approach with the smallest AP, to which the 25 % rule applies, if visits come from
+        /// several.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ap_smallest_approach: Option<Iso9283JudgedApproach> = p.ap.smallest.clone().map(Into::into),
+        /// Approach with the smallest RP, to which the 25 % rule applies, if visits come from
+        /// several.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rp_smallest_approach: Option<Iso9283JudgedApproach> = p.rp.smallest.clone().map(Into::into),
         /// Expanded uncertainty of the instrument for a position (k = 2) over AP, if given; the
         /// largest ratio of all approaches.
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -329,14 +350,22 @@ mirror! {
 }
 
 mirror! {
-    /// Approach whose AP or RP is judged: the worst decision and, among these, the largest value.
-    struct Iso9283JudgedApproach of JudgedApproach {
+    /// Approach of a pose whose visits come from several approaches: the judged approach has the
+    /// worst decision and, among these, the largest value.
+    struct Iso9283JudgedApproach of JudgedApproach as a {
         /// Value of the column `approach`, or the previous pose of the path.
         name: String,
         /// Number of visits.
         cycles: usize,
         /// AP or RP of these visits.
         value_mm: f64,
+        /// Ellipsoid that contains the next position by this approach with a probability of 95 %;
+        /// null with fewer than five visits (planar robots: four).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        ellipsoid: Option<Iso9283Ellipsoid> = a.ellipsoid.map(Into::into),
+        /// RP of these visits without the instrument's noise, if visits were read several times.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rp_without_noise_mm: Option<f64>,
     }
 }
 
@@ -362,6 +391,12 @@ pub struct PoseCharacteristic {
     pub approach: fn(&Iso9283Pose) -> Option<&Iso9283JudgedApproach>,
     /// 95 % interval.
     pub interval: fn(&Iso9283Pose) -> Option<Iso9283Interval>,
+    /// `true` if the interval is no coverage interval, because the characteristic drifts.
+    pub drifts: fn(&Iso9283Pose) -> bool,
+    /// Approach to which the 25 % rule applies, if visits come from several.
+    pub smallest: fn(&Iso9283Pose) -> Option<&Iso9283JudgedApproach>,
+    /// Expanded uncertainty of a position over the smallest value; `None` if unknown or infinite.
+    pub uncertainty_ratio: fn(&Iso9283Pose) -> Option<f64>,
     /// Conformity with the limit.
     pub conformity: fn(&Iso9283Pose) -> Option<Conformity>,
 }
@@ -374,6 +409,9 @@ impl PoseCharacteristic {
         value: |p| p.ap_approach.as_ref().map(|a| a.value_mm).or(p.ap_mm),
         approach: |p| p.ap_approach.as_ref(),
         interval: |p| p.ap_interval,
+        drifts: |p| p.ap_interval_contains_sets,
+        smallest: |p| p.ap_smallest_approach.as_ref(),
+        uncertainty_ratio: |p| p.uncertainty_over_ap,
         conformity: |p| p.ap_conformity,
     };
     /// Pose repeatability (7.2.2).
@@ -383,6 +421,9 @@ impl PoseCharacteristic {
         value: |p| p.rp_approach.as_ref().map(|a| a.value_mm).or(p.rp_mm),
         approach: |p| p.rp_approach.as_ref(),
         interval: |p| p.rp_interval,
+        drifts: |_| false,
+        smallest: |p| p.rp_smallest_approach.as_ref(),
+        uncertainty_ratio: |p| p.uncertainty_over_rp,
         conformity: |p| p.rp_conformity,
     };
     /// All characteristics in the order of the clauses.

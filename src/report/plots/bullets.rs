@@ -44,8 +44,16 @@ pub(crate) fn limits(all: &[&LimitVerdict], words: &Words) -> Option<Figure> {
     svg.legend(Look::new(Shape::Square, "zone-guard"), &within);
     svg.legend(Look::new(Shape::Square, "zone-fail"), &tr!(words, "bullet-beyond"));
     svg.legend_line("limit", &tr!(words, "limit"));
-    let description =
-        if guarded { tr!(words, "bullet-description") } else { tr!(words, "bullet-description-accepted") };
+    let intervals = positive.iter().filter(|l| l.interval.is_some()).count();
+    let drawn = match intervals {
+        0 => "uncertainty",
+        n if n == positive.len() => "interval",
+        _ => "both",
+    };
+    let description = match guarded {
+        true => tr!(words, "bullet-description", drawn),
+        false => tr!(words, "bullet-description-accepted", drawn),
+    };
     let title = tr!(words, "limits");
     Some(svg.figure("bullets", title, description))
 }
@@ -110,6 +118,7 @@ fn stated(l: &LimitVerdict, words: &Words) -> String {
             let risk = number::percent(100.0 * risk);
             tr!(words, "bullet-value-limit-risk", value = reached, unit, limit = allowed, risk)
         }
+        None if l.lacks_coverage() => tr!(words, "bullet-value-limit-drift", value = reached, unit, limit = allowed),
         None => tr!(words, "bullet-value-limit", value = reached, unit, limit = allowed),
     }
 }
@@ -224,6 +233,27 @@ mod tests {
         let at = |share: f64| SIDE + (NARROW - 2.0 * SIDE) * share / LEAST;
         let drawn = numbers(&svg, "line", "x1");
         assert!(drawn.iter().any(|x| (x - at(0.578)).abs() < 0.1), "{drawn:?}");
+    }
+
+    #[test]
+    fn the_caption_says_what_is_drawn() {
+        let u = LimitVerdict::judge(LimitQuantity::AccuracyMaxMm, 0.4, 0.342, Some(0.026), DecisionRule::Guarded);
+        let ends = u.clone().within_interval(0.305, 0.368);
+        let words = Words::default();
+        for (all, drawn) in [(vec![&u, &u], "uncertainty"), (vec![&ends], "interval"), (vec![&u, &ends], "both")] {
+            let caption = limits(&all, &words).unwrap().caption;
+            assert_eq!(caption, tr!(words, "bullet-description", drawn));
+        }
+    }
+
+    #[test]
+    fn a_limit_without_coverage_has_no_risk() {
+        let l = LimitVerdict::judge(LimitQuantity::AccuracyMaxMm, 0.4, 0.342, Some(0.026), DecisionRule::Guarded);
+        let text = |l: &LimitVerdict| stated(l, &Words::default());
+        assert!(text(&l).contains("risk < 0.1 %"), "{}", text(&l));
+        let l = l.without_coverage();
+        let (value, unit) = ("342 ± 26", "µm");
+        assert_eq!(text(&l), tr!(Words::default(), "bullet-value-limit-drift", value, unit, limit = "400"));
     }
 
     /// Without a guard band the legend names none.

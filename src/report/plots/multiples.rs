@@ -12,6 +12,15 @@ const COLUMNS: usize = 5;
 /// Number of colours of cycles.
 const SHADES: usize = 16;
 
+/// Name of the plane, with the frame of the positions if it is known.
+fn plane(document: &Iso9283Document, words: &Words) -> String {
+    let plane = tr!(words, "plane-named", plane = XY.name());
+    match &document.frame {
+        Some(frame) => format!("{plane} ({})", words.worded(frame)),
+        None => plane,
+    }
+}
+
 /// Small multiples in the xy plane; `None` without scatter.
 pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figure> {
     let mut poses: Vec<&Iso9283Pose> = document.poses.iter().filter(|p| p.rp_mm.is_some()).collect();
@@ -41,7 +50,13 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
         let cycles = range(all.iter().map(|(cycle, _)| *cycle as f64))?;
         svg.cross("grid", middle, radius);
         let rp = p.rp_mm.unwrap_or(0.0);
-        let tip = tr!(words, "rp-circle-tooltip", pose = p.pose, rp = number::fixed(1e3 * rp, 1));
+        let shown = words.fixed(1e3 * rp, 1);
+        // visits from several approaches have no common RP
+        let text = match p.rp_approach {
+            Some(_) => tr!(words, "scatter-of-all-visits", distance = shown),
+            None => format!("RP {shown} µm"),
+        };
+        let tip = tr!(words, "rp-circle-tooltip", pose = p.pose, text);
         svg.mark(Look::new(Shape::Circle, "ring"), middle, scale * rp, &tip);
         for (cycle, v) in all {
             let share = (*cycle as f64 - cycles[0]) / (cycles[1] - cycles[0]).max(1.0);
@@ -52,12 +67,6 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
             svg.mark(Look::new(Shape::Circle, &class), at, 2.6, &tip);
         }
         svg.text("mid name-of", (middle.0, middle.1 - 0.5 * cell - 4.0), &tr!(words, "pose-named", pose = p.pose));
-        let shown = words.fixed(1e3 * rp, 1);
-        // visits from several approaches have no common RP
-        let text = match p.rp_approach {
-            Some(_) => tr!(words, "scatter-of-all-visits", distance = shown),
-            None => format!("RP {shown} µm"),
-        };
         svg.text("mid", (middle.0, middle.1 + 0.5 * cell + 10.0), &text);
     }
     svg.legend(Look::new(Shape::Circle, "map o0"), &tr!(words, "first-cycle"));
@@ -65,7 +74,9 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
     svg.legend(Look::new(Shape::Circle, "ring"), &tr!(words, "rp-circle"));
     let title = tr!(words, "multiples-title");
     let half = number::fixed(1e3 * 1.05 * reach, 0);
-    let description = tr!(words, "multiples-description", half, count = drawn.len(), total = document.poses.len());
+    let (count, total) = (drawn.len(), document.poses.len());
+    let plane = plane(document, words);
+    let description = tr!(words, "multiples-description", plane, half, count, total);
     Some(svg.figure("visits-all", title, description))
 }
 
@@ -73,6 +84,14 @@ pub(crate) fn picture(document: &Iso9283Document, words: &Words) -> Option<Figur
 mod tests {
     use super::*;
     use crate::tests::demo_iso9283;
+
+    #[test]
+    fn a_plane_is_named_with_its_frame() {
+        let (mut document, words) = (demo_iso9283::iso9283(), Words::default());
+        assert_eq!(plane(&document, &words), "xy plane (frame of the table)");
+        document.frame = None;
+        assert_eq!(plane(&document, &words), "xy plane");
+    }
 
     #[test]
     fn every_pose_has_its_circle_and_all_its_visits_on_one_scale() {

@@ -119,11 +119,11 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
     let name = seen.name();
     let title = tr!(words, "visits-of-pose-title", pose, plane = name);
     let description = tr!(words, "visits-by-approach", visits = visits.len());
-    let caption = match known.len() > 1 {
-        true => tr!(words, "visits-by-approach-in-space", visits = visits.len()),
-        false => {
-            tr!(words, "visits-from-one-pose", visits = visits.len())
-        }
+    let unknown = groups.get(&None).map_or(0, Vec::len);
+    let caption = match known.len() {
+        0 => tr!(words, "visits-from-unknown-poses", visits = visits.len()),
+        1 => tr!(words, "visits-from-one-pose", visits = visits.len(), unknown),
+        _ => tr!(words, "visits-by-approach-in-space", visits = visits.len()),
     };
     Some(Figure {
         caption,
@@ -136,4 +136,25 @@ fn picture(of: &Iso9283Pose, visits: &[&Iso9283Visit], seen: Seen, approaches: A
         rows: visits.iter().zip(&places).map(row).take(if seen == XY { usize::MAX } else { 0 }).collect(),
         ..map.figure(&format!("visits-{pose}-{name}"), title, description)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::demo_iso9283::iso9283;
+
+    fn captions(document: &Iso9283Document) -> Vec<String> {
+        pictures(document, &Words::default()).into_iter().map(|figure| figure.caption).collect()
+    }
+
+    /// The visits of the demo come from the other pose, except the first one.
+    #[test]
+    fn visits_without_approach_are_no_visits_by_one_approach() {
+        let (mut document, words) = (iso9283(), Words::default());
+        let all_but = |unknown| tr!(words, "visits-from-one-pose", visits = 30, unknown);
+        let found = captions(&document);
+        assert!(found[0] == all_but(1) && found[found.len() - 1] == all_but(0), "{found:?}");
+        document.visits.iter_mut().for_each(|v| v.approach = None);
+        assert_eq!(captions(&document)[0], tr!(words, "visits-from-unknown-poses", visits = 30));
+    }
 }

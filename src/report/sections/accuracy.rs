@@ -48,6 +48,11 @@ pub(super) fn exchangeability(tested: &Characteristics, words: &Words) -> Option
     section.on_terminal().whole()
 }
 
+/// Expanded uncertainty of a position over AP of the judged visits.
+fn ratio(n: &Named) -> Option<f64> {
+    Some(n.pose.expanded_uncertainty_mm()? / n.ap.value_mm.filter(|mm| *mm > 0.0)?)
+}
+
 /// Accuracy of position of each pose.
 pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
     let columns = Columns::<Named>::new()
@@ -59,7 +64,7 @@ pub(super) fn positions(poses: &[Named], words: &Words) -> Table {
         .page("AP x", "µm", |n| um(n.ap.deviation_mm[0]))
         .page("AP y", "µm", |n| um(n.ap.deviation_mm[1]))
         .page("AP z", "µm", |n| um(n.ap.deviation_mm[2]))
-        .page("U/AP", "", |n| fixed(n.pose.uncertainty_over_ap, 2))
+        .page("U/AP", "", |n| fixed(ratio(n), 2))
         .page(phrase!("verdict"), "", |n| conformity(n.pose.ap_conformity, words))
         .decisive();
     let commanded = poses.iter().filter(|n| n.pose.ap_mm.is_some());

@@ -250,6 +250,7 @@ fn characteristics_section(results: &Results, words: &Words) -> Option<Section> 
     section.table(tr!(words, "accuracy-of-position"), "", accuracy::positions(&poses, words));
     section.blocks.extend(accuracy::drifting(document, words));
     section.table(tr!(words, "repeatability-title"), "", repeatability::intervals(&poses, words));
+    section.blocks.extend(repeatability::unknown_approaches(document, words));
     section.table(tr!(words, "orientation-title"), "", accuracy::orientation(&poses, words));
     section.table("vAP", tr!(words, "definition-vap"), repeatability::variation(document, words));
     repeatability::approach_tables(document, words).into_iter().for_each(|block| section.push(block));
@@ -467,7 +468,15 @@ mod tests {
             assert_eq!(warnings.contains(text), is_printed, "{text}: {warnings}");
         }
         let tested = section("characteristics");
-        for text in ["Load: 2.5 kg.", "Velocity: 100 %.", "AP", "RP", "AP c", "RP c"] {
+        for text in [
+            "Load: 2.5 kg.",
+            "Velocity: 100 % of the rated velocity.",
+            "Frame of the positions: frame of the table.",
+            "AP",
+            "RP",
+            "AP c",
+            "RP c",
+        ] {
             assert!(tested.contains(text), "{text}: {tested}");
         }
         let point = section("checklist");

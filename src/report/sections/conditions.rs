@@ -4,6 +4,7 @@
 use super::checklist;
 use super::fit::measures_coordinates;
 use super::limits::name;
+use super::streams;
 use crate::model::{Block, Cell, Section};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, tr};
@@ -120,6 +121,14 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let shares = given.motion.velocities_percent.as_ref().map(|v| tr!(words, "percent-of-rated", percent = list(v)));
     let speeds = given.motion.velocities_mm_s.as_ref().map(|v| format!("{} mm/s", list(v)));
     let velocities: Vec<String> = shares.into_iter().chain(speeds).collect();
+    let of_test = (!velocities.is_empty()).then(|| velocities.join("; "));
+    let recorded = tested.streams.as_ref().and_then(|streams| streams::velocities(streams, words));
+    // recordings have velocities of their own
+    let of_test = match (&recorded, &tested.poses) {
+        (Some(_), Some(_)) => of_test.map(|velocity| tr!(words, "velocity-of-poses", velocity)),
+        _ => of_test,
+    };
+    let velocities: Vec<String> = of_test.into_iter().chain(recorded).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
     let mut all = vec![
         (tr!(words, "operator"), text(&c.measurements.operator)),
@@ -237,6 +246,20 @@ mod tests {
             assert_eq!(fact(&identity, what).as_deref(), Some("not stated"), "{what}");
         }
         assert_eq!(fact(&identity, "date of the measurements").as_deref(), Some("2011-05-12"));
+    }
+
+    /// The demo has poses, and a path recorded at 100 mm/s.
+    #[test]
+    fn each_velocity_has_the_tests_to_which_it_applies() {
+        let (mut documents, words) = (Documents::demo(), Words::default());
+        documents.campaign.conditions.motion.velocities_mm_s = Some(vec![400.0]);
+        documents.tested = crate::tests::demo_iso9283::tested();
+        let velocities = |documents: &Documents| fact(&facts(&documents.results(), &words), "velocities").unwrap();
+        assert_eq!(velocities(&documents), "400 mm/s");
+        documents.tested.streams = Some(crate::tests::demo_streams::streams());
+        let of_poses = tr!(words, "velocity-of-poses", velocity = "400 mm/s");
+        let of_path = tr!(words, "velocity-of-recording", value = "100", name = crate::words::isolated("square"));
+        assert_eq!(velocities(&documents), format!("{of_poses}; {of_path}"));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! stationary.
 
 use crate::model::{Block, Cell, Columns, Figure, Section, Table, Text, um};
+use crate::number::{self, DisplayUnit};
 use crate::plots::curves::{Curve, Curves};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
@@ -23,6 +24,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     let figures = repeatability.into_iter().collect();
     section.push(Block::Aside { title: tr!(words, "rp-by-set"), blocks: vec![Block::Figures { figures }] });
     if !document.reference.is_empty() {
+        section.blocks.extend(corrected(&document.reference, words).map(Block::text));
         let note = tr!(words, "definition-target-displacement");
         let mut blocks = vec![Block::note(note), Block::Table(reference(&document.reference, words))];
         let figures: Vec<Figure> = moved(&document.reference, words).into_iter().collect();
@@ -30,6 +32,18 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
         section.push(Block::Aside { title: tr!(words, "movement-of-the-set-up"), blocks });
     }
     section.on_terminal().whole()
+}
+
+/// Sentence on the corrected movement of the set-up: its size, its steps and what remains.
+fn corrected(epochs: &[Iso9283Epoch], words: &Words) -> Option<String> {
+    let largest = |value: fn(&Iso9283Epoch) -> f64| epochs.iter().map(value).fold(0.0, f64::max);
+    let length = |mm: f64| {
+        let DisplayUnit { unit, factor } = number::display_unit("mm", mm);
+        format!("{} {unit}", number::significant(mm * factor, 3))
+    };
+    let steps = epochs.len().checked_sub(1).filter(|steps| *steps > 0)?;
+    let (moved, left) = (length(largest(|e| e.moved_mm)), length(largest(|e| e.rms_mm)));
+    Some(tr!(words, "set-up-corrected", moved, steps, left))
 }
 
 fn drifts(drifts: &[Iso9283Drift], words: &Words) -> Table {
@@ -105,4 +119,21 @@ fn moved(epochs: &[Iso9283Epoch], words: &Words) -> Option<Figure> {
         marks: vec![],
     }
     .picture(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::demo_iso9283::whole;
+
+    /// The demo moves by 12 µm before cycle 11 and by 19 µm before cycle 21; a tenth remains.
+    #[test]
+    fn the_corrected_movement_of_the_set_up_has_size_steps_and_remainder() {
+        let (tested, words) = (whole(), Words::default());
+        let text = serde_json::to_string(&section(&tested, &words).unwrap()).unwrap();
+        let expected = tr!(words, "set-up-corrected", moved = "19.0 µm", steps = 2, left = "1.90 µm");
+        assert!(text.contains(&expected), "{text}");
+        // a single measurement corrects nothing
+        assert_eq!(corrected(&tested.poses.unwrap().reference[..1], &words), None);
+    }
 }

@@ -53,6 +53,9 @@ pub(crate) fn section_from_verdicts(all: &[&LimitVerdict], default: bool, words:
         section.push(Block::detail(rule(limit.decision_rule, default, words)));
         let has_interval = all.iter().any(|l| l.interval.is_some());
         section.push(Block::detail(if has_interval { tr!(words, "limits-by-interval") } else { String::new() }));
+        if all.iter().any(|l| l.lacks_coverage()) {
+            section.push(Block::text(tr!(words, "risk-without-coverage")));
+        }
     }
     section.on_terminal().whole()
 }
@@ -136,6 +139,20 @@ mod tests {
         let heads = page["blocks"][0]["header"].as_array().unwrap();
         assert_eq!((heads[0].as_str(), heads[1].as_str(), heads.len()), (Some("limit"), Some("verdict"), 8));
         assert_eq!(page["blocks"][0]["rows"][0][1]["text"][0]["text"], "undecided");
+    }
+
+    #[test]
+    fn an_interval_that_is_no_coverage_interval_gives_no_risk() {
+        let limit = LimitVerdict::judge(LimitQuantity::AccuracyMaxMm, 0.4, 0.342, Some(0.026), DecisionRule::Guarded);
+        let drifting = limit.clone().without_coverage();
+        assert_eq!((limit.risk().is_some(), drifting.risk(), drifting.met), (true, None, true));
+        let words = Words::default();
+        let text = |limit: &LimitVerdict| {
+            serde_json::to_string(&section_from_verdicts(&[limit], false, &Words::default()).unwrap()).unwrap()
+        };
+        let reason = tr!(words, "risk-without-coverage");
+        assert!(!text(&limit).contains(&reason) && text(&limit).contains("< 0.1"), "{}", text(&limit));
+        assert!(text(&drifting).contains(&reason) && !text(&drifting).contains("< 0.1"), "{}", text(&drifting));
     }
 
     #[test]

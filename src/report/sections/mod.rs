@@ -109,15 +109,31 @@ fn with_measurement_point(mut section: Section, results: &Results, words: &Words
         format!("{} {unit}", all.iter().map(f64::to_string).collect::<Vec<_>>().join(", "))
     };
     let load = conditions.motion.load_kg.map(|kg| tr!(words, "load-sentence", load = kg));
-    let percent = conditions.motion.velocities_percent.as_ref().map(|all| listed(all, "%"));
+    let percent = conditions.motion.velocities_percent.as_ref();
+    let percent = percent.map(|all| tr!(words, "percent-of-rated", percent = listed(all, "").trim_end()));
     let velocity = conditions.motion.velocities_mm_s.as_ref().map(|all| listed(all, "mm/s")).or(percent);
     let recorded = results.tested.streams.as_ref().filter(|_| RECORDED.contains(&section.id.as_str()));
     let velocity = recorded.and_then(|document| streams::velocities(document, words)).or(velocity);
+    // a loaded robot stands
+    let velocity = velocity.filter(|_| section.id != "compliance");
     let velocity = velocity.map(|velocity| tr!(words, "velocity-sentence", velocity));
     let point = tr!(words, "figures-of-measurement-point", point);
-    let sentences: Vec<String> = [Some(point), load, velocity].into_iter().flatten().collect();
+    let frame = frame(&section.id, &results.tested, words).map(|frame| tr!(words, "frame-sentence", frame));
+    let sentences: Vec<String> = [Some(point), frame, load, velocity].into_iter().flatten().collect();
     section.begin(Block::note(sentences.join(" ")));
     section
+}
+
+/// Frame of the positions in a section of characteristics; `None` if it is unknown.
+fn frame(section: &str, tested: &Characteristics, words: &Words) -> Option<String> {
+    if RECORDED.contains(&section) {
+        return Some(tr!(words, "frame-of-recording"));
+    }
+    let of_poses = tested.poses.as_ref().and_then(|document| document.frame.as_ref());
+    match section {
+        "compliance" => Some(tr!(words, "frame-of-tables")),
+        _ => of_poses.map(|frame| words.worded(frame)),
+    }
 }
 
 /// Sections of a test to ISO 9283 alone.

@@ -12,8 +12,8 @@ use etalon_base::pose::{Vector, centroid, minus};
 use etalon_base::pose_name::PoseName;
 use etalon_base::worded::Worded;
 use etalon_documents::{
-    Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Interval, Iso9283OutOfPlane, Iso9283Pose,
-    Iso9283Variation, Iso9283Visit, PoseCharacteristic,
+    Characteristics, Conformity, Iso9283Approach, Iso9283Document, Iso9283Ellipsoid, Iso9283Interval,
+    Iso9283OutOfPlane, Iso9283Pose, Iso9283Variation, Iso9283Visit, PoseCharacteristic,
 };
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
@@ -25,6 +25,7 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.figures(multiples::picture(document, words));
     let note = tr!(words, "definition-rp");
     section.table(tr!(words, "uncertainty-of-rp"), note, intervals(&poses, words));
+    section.blocks.extend(unknown_approaches(document, words));
     let rule = quarter_rule(&poses, words);
     if !rule.is_empty() {
         section.push(Block::heading(tr!(words, "instrument-good-enough")));
@@ -36,8 +37,10 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.push(Block::Table(all.without_empty_columns()));
     section.table("vAP", tr!(words, "definition-vap"), variation(document, words));
     section.push(Block::Aside { title: tr!(words, "by-approach"), blocks: approach_tables(document, words) });
-    let figures = vec![Block::Figures { figures: visits::pictures(document, words) }];
-    section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks: figures });
+    let frame = document.frame.iter().map(|frame| tr!(words, "frame-sentence", frame = words.worded(frame)));
+    let figures = Block::Figures { figures: visits::pictures(document, words) };
+    let blocks = frame.map(Block::note).chain([figures]).collect();
+    section.push(Block::Aside { title: tr!(words, "visits-by-plane"), blocks });
     let details = vec![
         Block::note(Text::conventions(&document.conventions, words)),
         Block::Table(spheres(&poses, words).detail()),
@@ -90,9 +93,11 @@ pub(super) struct Named<'a> {
     pub pose: &'a Iso9283Pose,
     pub ap: JudgedVisits,
     pub rp: JudgedVisits,
+    /// 25 % rule of each characteristic.
+    pub rules: Vec<QuarterRule>,
 }
 
-/// Visits to which interval, verdict and 25 % rule of a characteristic apply.
+/// Visits to which interval and verdict of a characteristic apply.
 pub(super) struct JudgedVisits {
     /// Value of the characteristic (mm).
     pub value_mm: Option<f64>,
@@ -102,6 +107,36 @@ pub(super) struct JudgedVisits {
     pub approach: Option<String>,
     /// Mean minus commanded position.
     pub deviation_mm: [Option<f64>; 3],
+    /// RP of these visits without the instrument's noise (mm).
+    rp_without_noise_mm: Option<f64>,
+    /// Ellipsoid of these visits.
+    ellipsoid: Option<Iso9283Ellipsoid>,
+}
+
+/// 25 % rule of a characteristic of a pose. If visits come from several approaches, it applies to
+/// the approach with the smallest value.
+pub(super) struct QuarterRule {
+    symbol: &'static str,
+    approach: Option<String>,
+    /// Expanded uncertainty of a position (mm).
+    expanded_mm: f64,
+    /// Expanded uncertainty over the characteristic; `None` if the characteristic is zero.
+    ratio: Option<f64>,
+}
+
+impl QuarterRule {
+    /// Rules of a pose; empty if the uncertainty of the instrument is unknown.
+    fn all(pose: &Iso9283Pose, approaches: Approaches) -> Vec<Self> {
+        let Some(expanded_mm) = pose.expanded_uncertainty_mm() else { return Vec::new() };
+        let measured = PoseCharacteristic::ALL.into_iter().filter(|of| (of.value)(pose).is_some());
+        let rule = |of: PoseCharacteristic| Self {
+            symbol: of.symbol,
+            approach: (of.smallest)(pose).map(|smallest| approaches.name(&smallest.name)),
+            expanded_mm,
+            ratio: (of.uncertainty_ratio)(pose),
+        };
+        measured.map(rule).collect()
+    }
 }
 
 impl JudgedVisits {
@@ -109,20 +144,39 @@ impl JudgedVisits {
         let value_mm = (characteristic.value)(pose);
         let all = [pose.ap_x_mm, pose.ap_y_mm, pose.ap_z_mm];
         let Some(judged) = (characteristic.approach)(pose) else {
-            return Self { value_mm, visits: pose.cycles, approach: None, deviation_mm: all };
+            return Self {
+                value_mm,
+                visits: pose.cycles,
+                approach: None,
+                deviation_mm: all,
+                rp_without_noise_mm: pose.rp_without_noise_mm,
+                ellipsoid: pose.ellipsoid,
+            };
         };
         let of_pose = document.approaches.iter().filter(|v| v.pose == pose.pose).flat_map(|v| &v.approaches);
         let deviation = of_pose.filter(|a| a.name == judged.name).find_map(|a| a.deviation_mm);
         // coordinates that the robot does not have are absent
         let deviation_mm = [0, 1, 2].map(|axis| deviation.map(|d| d[axis]).filter(|_| all[axis].is_some()));
         let approach = Some(Approaches::new(document, words).name(&judged.name));
-        Self { value_mm, visits: judged.cycles, approach, deviation_mm }
+        Self {
+            value_mm,
+            visits: judged.cycles,
+            approach,
+            deviation_mm,
+            rp_without_noise_mm: judged.rp_without_noise_mm,
+            ellipsoid: judged.ellipsoid,
+        }
     }
 
     /// Name of the approach.
     pub fn approach(&self) -> Cell {
-        self.approach.as_ref().map_or(Cell::Missing, |name| Text::name(name).into())
+        approach(self.approach.as_deref())
     }
+}
+
+/// Name of an approach.
+fn approach(name: Option<&str>) -> Cell {
+    name.map_or(Cell::Missing, |name| Text::name(name).into())
 }
 
 /// Poses of a document, and homing.
@@ -132,6 +186,7 @@ pub(super) fn named<'a>(document: &'a Iso9283Document, words: &Words) -> Vec<Nam
         pose,
         ap: JudgedVisits::new(PoseCharacteristic::AP, pose, document, words),
         rp: JudgedVisits::new(PoseCharacteristic::RP, pose, document, words),
+        rules: QuarterRule::all(pose, Approaches::new(document, words)),
     };
     let poses = document.poses.iter().map(|pose| judged(pose.pose.into(), pose));
     let homing = document.robot.homing.iter().map(|pose| judged(term(words, phrase!("report-homing")), pose));
@@ -159,7 +214,7 @@ fn spheres(poses: &[Named], words: &Words) -> Table {
 pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
     let axes = |n: &Named| {
         let um = |mm: f64| number::fixed(1e3 * mm, 1);
-        numbers(n.pose.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
+        numbers(n.rp.ellipsoid.map(|e| e.semi_axes_mm.map(um).join(" × ")))
     };
     let columns = Columns::<Named>::new()
         .page(phrase!("pose"), "", |n| n.name.clone())
@@ -167,7 +222,7 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
         .page(phrase!("visits"), "", |n| n.rp.visits)
         .page("RP", "µm", |n| um(n.rp.value_mm))
         .page("95 %", "µm", |n| interval(n.pose.rp_interval, words))
-        .page_columns(columns(words), &[&phrase!("rp-without-noise").to_string()])
+        .page(phrase!("rp-without-noise"), "µm", |n| um(n.rp.rp_without_noise_mm))
         .page(phrase!("ellipsoid-semi-axes"), "µm", axes)
         .page(phrase!("verdict"), "", |n| conformity(n.pose.rp_conformity, words))
         .decisive();
@@ -175,27 +230,49 @@ pub(super) fn intervals(poses: &[Named], words: &Words) -> Table {
     Table::new(words, known, columns).without_empty_columns()
 }
 
-/// A quarter of the smallest characteristic of a pose (mm).
-fn allowed_mm(pose: &Iso9283Pose) -> Option<f64> {
-    let ratio = [pose.uncertainty_over_ap, pose.uncertainty_over_rp].into_iter().flatten().reduce(f64::max)?;
-    Some(0.25 * pose.expanded_uncertainty_mm()? / ratio)
+/// Table of the 25 % rule by pose and characteristic.
+pub(super) fn quarter_rule(poses: &[Named], words: &Words) -> Table {
+    struct Row<'a> {
+        name: &'a Cell,
+        rule: &'a QuarterRule,
+    }
+    let rows: Vec<Row> = poses.iter().flat_map(|n| n.rules.iter().map(|rule| Row { name: &n.name, rule })).collect();
+    let value_mm = |rule: &QuarterRule| rule.ratio.map_or(0.0, |ratio| rule.expanded_mm / ratio);
+    let is_met = |rule: &QuarterRule| rule.ratio.is_some_and(|ratio| ratio <= QUARTER);
+    let columns = Columns::<Row>::new()
+        .page(phrase!("pose"), "", |r| r.name.clone())
+        .page(phrase!("head-characteristic"), "", |r| r.rule.symbol)
+        .page(phrase!("approached"), "", |r| approach(r.rule.approach.as_deref()))
+        .page(phrase!("value"), "µm", move |r| um(value_mm(r.rule)))
+        .page(phrase!("u-of-position"), "µm", |r| um(r.rule.expanded_mm))
+        .page(phrase!("u-over-value"), "", |r| match r.rule.ratio {
+            Some(ratio) => fixed(ratio, 2),
+            None => term(words, phrase!("nothing-to-verify")),
+        })
+        .page(phrase!("u-allowed"), "µm", move |r| um(QUARTER * value_mm(r.rule)))
+        .page(phrase!("quarter-rule"), "", move |r| {
+            term(words, if is_met(r.rule) { phrase!("met") } else { phrase!("not-met") })
+        });
+    Table::new(words, &rows, columns).without_empty_columns()
 }
 
-/// Table of the 25 % rule by pose.
-pub(super) fn quarter_rule(poses: &[Named], words: &Words) -> Table {
-    let over = |of: Option<f64>| of.map_or_else(|| term(words, phrase!("nothing-to-verify")), |r| fixed(r, 2));
-    let columns = Columns::<Named>::new()
-        .page(phrase!("pose"), "", |n| n.name.clone())
-        .page(phrase!("u-of-position"), "µm", |n| um(n.pose.expanded_uncertainty_mm()))
-        .page(phrase!("u-over-ap"), "", |n| n.pose.ap_mm.map(|_| over(n.pose.uncertainty_over_ap)))
-        .page(phrase!("u-over-rp"), "", |n| over(n.pose.uncertainty_over_rp))
-        .page(phrase!("u-allowed"), "µm", |n| um(allowed_mm(n.pose)))
-        .page(phrase!("quarter-rule"), "", |n| {
-            n.pose.quarter_rule_met.map(|met| term(words, if met { phrase!("met") } else { phrase!("not-met") }))
-        });
-    let judged = poses.iter().filter(|n| n.pose.quarter_rule_met.is_some());
-    Table::new(words, judged, columns).without_empty_columns()
+/// Notes on visits without a known approach at poses with several approaches: values of one approach
+/// do not contain these visits.
+pub(super) fn unknown_approaches(document: &Iso9283Document, words: &Words) -> Vec<Block> {
+    let note = |v: &Iso9283Variation| {
+        let unknown: Vec<&Iso9283Visit> =
+            pose_visits(document, v.pose).filter(|visit| visit.approach.is_none()).collect();
+        let cycles: Vec<String> = unknown.iter().take(CYCLES).map(|visit| visit.cycle.to_string()).collect();
+        let (count, pose) = (unknown.len(), v.pose);
+        (count > 0).then(|| Block::text(tr!(words, "approaches-unknown", count, pose, cycles = cycles.join(", "))))
+    };
+    document.approaches.iter().filter(|v| v.approaches.len() > 1).filter_map(note).collect()
 }
+
+/// Largest permissible ratio of the measurement uncertainty to a characteristic (ISO 9283:1998, 6).
+const QUARTER: f64 = 0.25;
+/// Maximum number of cycles that a sentence lists.
+const CYCLES: usize = 5;
 
 /// Sentence on the 25 % rule.
 pub(super) fn quarter_sentence(document: &Iso9283Document, words: &Words) -> String {
@@ -375,4 +452,59 @@ fn attained(document: &Iso9283Document, words: &Words) -> Table {
         .sheet(phrase!("approached"), "", |v| v.approach.as_deref())
         .sheet_xyz(["x", "y", "z"], "mm", |v| &v.attained_mm);
     Table::new(words, &document.visits, columns).on(phrase!("sheet-iso9283-visits"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::demo_iso9283::{iso9283, whole};
+
+    /// Texts of the rows of a table.
+    fn rows(table: &Table) -> Vec<String> {
+        let page = serde_json::to_value(table).unwrap();
+        page["rows"].as_array().unwrap().iter().map(ToString::to_string).collect()
+    }
+
+    /// Pose 1 has two approaches, pose 2 has one.
+    #[test]
+    fn a_row_of_one_approach_has_the_ellipsoid_of_its_visits() {
+        let (tested, words) = (whole(), Words::default());
+        let found = rows(&intervals(&named(tested.poses.as_ref().unwrap(), &words), &words));
+        let (all, of_approach) = ("17.0 × 9.0 × 6.0", "14.2 × 8.3 × 5.5");
+        assert!(found[0].contains(of_approach) && !found[0].contains(all), "{found:?}");
+        assert!(found[0].contains("10.7") && !found[0].contains("20.1"), "{found:?}");
+        assert!(found[1].contains(all) && found[1].contains("20.1"), "{found:?}");
+    }
+
+    /// RP of the judged approach is 11.1 µm, and RP of the other one 10.9 µm.
+    #[test]
+    fn the_quarter_rule_has_the_approach_with_the_smallest_value() {
+        let words = Words::default();
+        let found = rows(&quarter_rule(&named(&iso9283(), &words), &words));
+        let [several, one] = &found[..] else { panic!("{found:?}") };
+        for part in ["from pose 3", "10.9", "2.7", "0.25"] {
+            assert!(several.contains(part), "{part}: {several}");
+        }
+        assert!(!several.contains("from pose 2") && !several.contains("11.1"), "{several}");
+        assert!(!one.contains("from pose") && one.contains("21.7") && one.contains("0.12"), "{one}");
+        // a characteristic of zero verifies nothing
+        let mut document = iso9283();
+        document.poses[0].uncertainty_over_rp = None;
+        let found = rows(&quarter_rule(&named(&document, &words), &words));
+        let (nothing, not_met) = (tr!(words, "nothing-to-verify"), tr!(words, "not-met"));
+        assert!(found[0].contains(&nothing) && found[0].contains(&not_met), "{found:?}");
+    }
+
+    /// The first visit of the demo has no approach.
+    #[test]
+    fn a_visit_without_approach_is_named() {
+        let (mut document, words) = (iso9283(), Words::default());
+        let text = |document: &Iso9283Document| {
+            serde_json::to_string(&unknown_approaches(document, &Words::default())).unwrap()
+        };
+        let expected = tr!(words, "approaches-unknown", count = 1, pose = 1, cycles = "1");
+        assert!(text(&document).contains(&expected), "{}", text(&document));
+        document.visits[0].approach = Some("from pose 2".to_owned());
+        assert_eq!(text(&document), "[]");
+    }
 }

@@ -10,9 +10,9 @@ use etalon_base::message::AnsweredBy;
 use etalon_base::{phrase, warning};
 use etalon_documents::{
     Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
-    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, LeftOutErrors, LimitQuantity, LimitVerdict,
-    LoadAnswer, LoadingCheck, PoseSet, Reason, RobotLinks, RobustParameter, RobustPose, RobustSummary, Source,
-    SourceKind, Statistics, VerdictDocument, WrittenFile,
+    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, Iso9283Drift, LeftOutErrors, LimitQuantity,
+    LimitVerdict, LoadAnswer, LoadingCheck, PoseSet, Reason, RobotLinks, RobustParameter, RobustPose, RobustSummary,
+    Source, SourceKind, Statistics, VerdictDocument, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -324,6 +324,25 @@ fn preconditions_of_a_test_are_steps_in_every_rendering() {
     assert!(terminal.contains("To complete before signing: ") && page.contains("To complete before signing: "));
     let json = serde_json::to_string(&documents.results().verdict).unwrap();
     assert!(json.contains("action-warm-up"), "{json}");
+}
+
+/// Pose 2 drifts by 59 µm in four sets, pose 1 by 16 µm in three.
+#[test]
+fn the_step_against_a_drift_has_the_numbers_of_one_pose() {
+    let mut documents = measured();
+    documents.tested = demo_iso9283::whole();
+    let drifts = &mut documents.tested.poses.as_mut().unwrap().drifts;
+    drifts[0].is_significant = true;
+    drifts.push(Iso9283Drift {
+        pose: 2.into(),
+        ap_mm: vec![0.1, 0.12, 0.15, 0.159],
+        dap_mm: 0.059,
+        ..drifts[0].clone()
+    });
+    let all = actions(&documents);
+    let found = all.iter().find(|a| a.action == ActionKind::WarmUp).unwrap();
+    let (pose, change, sets) = (2, "59.0 µm", 4);
+    assert_eq!(found.reason.english(), phrase!("action-warm-up-drift", pose, change, sets).to_string());
 }
 
 #[test]

@@ -2,7 +2,11 @@
 
 use etalon_base::noise::Noise;
 use etalon_base::phrase;
+use etalon_base::pose::Vector;
 use etalon_documents::*;
+
+/// Axes of an ellipsoid that is longest along y.
+const AXES: [Vector; 3] = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Repeatability test alone.
 pub(crate) fn tested() -> Characteristics {
@@ -19,10 +23,7 @@ pub(crate) fn whole() -> Characteristics {
         (p.ap_interval, p.rp_interval) = (interval(0.0489, 0.0536), interval(0.018, 0.0261));
         (p.ap_conformity, p.rp_conformity) = (Some(Conformity::Neither), Some(Conformity::Conforming));
         p.rp_without_noise_mm = Some(0.0201);
-        p.ellipsoid = Some(Iso9283Ellipsoid {
-            semi_axes_mm: [0.017, 0.009, 0.006],
-            axes: [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
-        });
+        p.ellipsoid = Some(Iso9283Ellipsoid { semi_axes_mm: [0.017, 0.009, 0.006], axes: AXES });
     }
     poses.distances = vec![Iso9283Distance {
         poses: [1.into(), 2.into()],
@@ -93,8 +94,21 @@ pub(crate) fn iso9283() -> Iso9283Document {
         quarter_rule_met: Some(true),
         ..Iso9283Pose::default()
     };
-    let judged = Iso9283JudgedApproach { name: "from pose 2".to_owned(), cycles: 15, value_mm: 0.0111 };
-    let approached = Iso9283Pose { rp_approach: Some(judged), ..pose(1) };
+    let of_approach = |name: &str, value_mm| Iso9283JudgedApproach {
+        name: name.to_owned(),
+        cycles: 15,
+        value_mm,
+        ellipsoid: Some(Iso9283Ellipsoid { semi_axes_mm: [0.0142, 0.0083, 0.0055], axes: AXES }),
+        rp_without_noise_mm: Some(0.0107),
+    };
+    let approached = Iso9283Pose {
+        rp_approach: Some(of_approach("from pose 2", 0.0111)),
+        rp_smallest_approach: Some(of_approach("from pose 3", 0.0109)),
+        position_uncertainty_mm: Some(0.0027),
+        // 2.7 µm over 10.9 µm
+        uncertainty_over_rp: Some(0.248),
+        ..pose(1)
+    };
     let approach = |name: &str, mean_mm| Iso9283Approach {
         name: name.to_owned(),
         cycles: 15,
@@ -106,6 +120,7 @@ pub(crate) fn iso9283() -> Iso9283Document {
     Iso9283Document {
         schema: "etalon/iso9283/1".to_owned(),
         conventions: vec!["positions alone".into()],
+        frame: Some("frame of the table".into()),
         poses: vec![approached, pose(2)],
         distances: vec![],
         approaches: vec![Iso9283Variation {

@@ -210,8 +210,10 @@ fn verdict(of: &PoseCharacteristic, limits: &Limits, poses: &[Iso9283Pose]) -> O
     let expanded = interval.map(|i| i.high_mm - value);
     let conformity = Conformity::combine(poses.iter().filter_map(of.conformity));
     let judged = LimitVerdict::judge(name, limit, value, expanded, rule).with(conformity);
-    Some(Ok(match interval {
+    let judged = match interval {
         Some(interval) => judged.within_interval(interval.low_mm, interval.high_mm),
         None => judged,
-    }))
+    };
+    // no probability follows from an interval that contains a drift
+    Some(Ok(if (of.drifts)(worst) { judged.without_coverage() } else { judged }))
 }

@@ -139,7 +139,9 @@ impl PreparedTest {
     pub fn evaluate(&self, settings: &PoseTestSettings) -> Result<Iso9283Document> {
         let Self { test, drift } = self;
         let mut document = Iso9283Document::evaluate(test, settings)?;
+        document.frame = Some(phrase!("frame-of-tables").into());
         if !drift.epochs.is_empty() {
+            document.frame = Some(phrase!("frame-of-reference-targets").into());
             let convention = match (drift.turned, test.angles.is_empty()) {
                 (true, _) => phrase!("convention-drift-compensated"),
                 (false, true) => phrase!("convention-positions-drift-compensated"),

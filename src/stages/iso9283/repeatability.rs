@@ -36,6 +36,7 @@ pub fn evaluate(
     let settings = PoseTestSettings { drift_set, ..settings(campaign) };
     let mut document = Iso9283Document::evaluate(&gathered.visits, &settings)?;
     document.agree(phrase!("convention-approach", k = COVERAGE_FACTOR, frame = frames.world.definition));
+    document.frame = Some(phrase!("world-frame").into());
     if !gathered.visits.spatial {
         document.agree(phrase!("convention-planar"));
     }

@@ -36,6 +36,13 @@ ap-interval-from = AP, 95 % von
 ap-interval-to = AP, 95 % bis
 ap-within-limit = AP innerhalb des Grenzwerts
 approach-not-known = Anfahrrichtung unbekannt
+approaches-unknown = Pose { $pose }: { $count ->
+        [one] Einer Anfahrt
+       *[other] { $count } Anfahrten
+    } (Zyklus { $cycles }) geht keine erfasste Pose voraus, daher ist die Anfahrrichtung unbekannt. Die Werte einer Anfahrrichtung enthalten { $count ->
+        [one] diese Anfahrt nicht.
+       *[other] diese Anfahrten nicht.
+    }
 approached = angefahren
 approved-by = Freigegeben von
 arc = Bogen
@@ -120,13 +127,22 @@ budget-shares-description = Ein Balken je Ergebnis: Quadrate der Beiträge in Pr
 budget-shares-title = Anteile der Unsicherheitsquellen an der Varianz
 bullet-accepted = angenommen
 bullet-beyond = über dem Grenzwert
-bullet-description = Jeder Wert bezogen auf seinen Grenzwert, mit U (k = 2); der Schutzabstand ist so breit wie U.
-bullet-description-accepted = Jeder Wert bezogen auf seinen Grenzwert, mit U (k = 2).
+bullet-description = Jeder Wert geteilt durch seinen Grenzwert, mit { $drawn ->
+        [interval] den Enden seines Intervalls. Der Schutzabstand ist der Abstand des Werts vom oberen Ende.
+        [both] U (k = 2) oder den Enden seines Intervalls. Der Schutzabstand ist der Abstand des Werts vom oberen Ende.
+       *[uncertainty] U (k = 2). Der Schutzabstand ist U.
+    }
+bullet-description-accepted = Jeder Wert geteilt durch seinen Grenzwert, mit { $drawn ->
+        [interval] den Enden seines Intervalls.
+        [both] U (k = 2) oder den Enden seines Intervalls.
+       *[uncertainty] U (k = 2).
+    }
 bullet-guard-band = Schutzabstand
 bullet-within-u = angenommen, um weniger als U unter dem Grenzwert: siehe Risiko
 bullet-not-measured = nicht gemessen, Grenzwert { $limit } { $unit }
 bullet-value = Wert
 bullet-value-limit = { $value } { $unit }, Grenzwert { $limit } { $unit }
+bullet-value-limit-drift = { $value } { $unit }, Grenzwert { $limit } { $unit }, kein Risiko: AP driftet
 bullet-value-limit-risk = { $value } { $unit }, Grenzwert { $limit } { $unit }, Risiko { $risk } %
 by-approach = Nach Anfahrrichtung
 bytes = Bytes
@@ -417,11 +433,11 @@ definition-ad-rd = AD: mittlerer Ist-Abstand minus Sollabstand; RD: drei Standar
 definition-ap = AP: Abstand der mittleren Istposition von der Sollposition, mit seinen Komponenten (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mittlerer Istwinkel minus Sollwinkel; RP: drei Standardabweichungen; ausgewertet für jeden Winkel (ISO 9283:1998, 7.2.1 und 7.2.2).
 definition-compliance = Verschiebung in Richtung der Kraft je Krafteinheit: Steigung der Ausgleichsgeraden durch die unbelastete Position (ISO 9283:1998, 10).
-definition-drift = dAP und dRP: Betrag der Differenz zwischen dem ersten und dem letzten Satz von Zyklen (ISO 9283:1998, 7.6). U von dAP enthält die Streuung innerhalb der Sätze; Abweichungen, die das Messgerät wiederholt, heben sich auf.
+definition-drift = dAP und dRP: Betrag der Differenz zwischen dem ersten und dem letzten Satz von Zyklen (ISO 9283:1998, 7.6). U von dAP enthält die Streuung innerhalb der Sätze; Abweichungen, die das Messgerät wiederholt, heben sich auf. AP ist stabilisiert nach fünf aufeinanderfolgenden Änderungen von höchstens 10 % der größten Änderung: Dazu sind mindestens sieben Sätze nötig.
 definition-of-errors = Definition der Abweichungen
 definition-posing-time = Zeit vom Verlassen einer Pose bis zum Ende der Stabilisierung an der nächsten Pose (ISO 9283:1998, 9). U enthält die Streuung der Bewegungen und das Abtastintervall. Der geradlinige Abstand liegt zwischen den beiden Stillständen; die Bahnlänge folgt der Istbahn.
-definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten. U ist die erweiterte Messunsicherheit einer Position (k = 2).
-definition-rp = RP: ISO 9283:1998, 7.2.2. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei mehreren Messwerten je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
+definition-quarter-rule = ISO 9283: Die erweiterte Messunsicherheit darf 25 % der geprüften Kenngröße nicht überschreiten. U ist die erweiterte Messunsicherheit einer Position (k = 2). Bei mehreren Anfahrrichtungen enthält jede Zeile die Anfahrrichtung mit dem kleinsten Wert.
+definition-rp = RP: ISO 9283:1998, 7.2.2. Jede Zeile enthält nur ihre eigenen Anfahrten. Ergänzend zur Norm: RP ohne das Rauschen des Messgeräts (bei mehreren Messwerten je Anfahrt) und das Ellipsoid, das die nächste Position mit einer Wahrscheinlichkeit von 95 % enthält.
 definition-stabilisation = Zeit vom ersten Eintritt in das Grenzband bis zu dem Zeitpunkt, ab dem der Roboter darin bleibt (ISO 9283:1998, 7.4 und 7.5). U enthält die Streuung der Ankünfte und das Abtastintervall; U eines Überschwingens enthält die Streuung im Stillstand.
 definition-standstill-distance = Abstand des Mittels jedes Stillstands vom ersten Stillstand an derselben Pose. Ein wachsender Abstand weist auf Drift hin, ein gleichbleibender auf die Wiederholgenauigkeit.
 definition-target-displacement = Verschiebung der festen Zielmarken seit ihrer ersten Messung und verbleibende Verschiebung nach Korrektur der Positionen (nicht Teil der Norm).
@@ -611,6 +627,10 @@ formulas-of-identification = Koordinatensysteme und Identifikation: gewichtete k
 formulas-of-uncertainties = Unsicherheiten: nach JCGM 100:2008 und JCGM 101:2008
 frame-as-exported = die Koordinaten der Exporte sind im Weltkoordinatensystem angegeben
 frame-from-plane = xy-Ebene: Geometrieelement `{ $plane }`; Ursprung: `{ $origin }`; { $axis }-Achse: von `{ $from }` nach `{ $to }`; andere Achse in Richtung `{ $towards }`
+frame-of-recording = Koordinatensystem der Aufzeichnung
+frame-of-reference-targets = Koordinatensystem der Tabellen bei der ersten Messung der Referenzmarken
+frame-of-tables = Koordinatensystem der Tabellen
+frame-sentence = Koordinatensystem der Positionen: { $frame }.
 frame-from-targets = Anpassung an die Zielmarken { $targets }: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
 frame-from-targets-each = Anpassung an die Zielmarken { $targets }, an jeder Pose neu gemessen: Ursprung in der ersten Zielmarke, x-Achse zur zweiten, die dritte in der xy-Ebene
 frames-and-features = Koordinatensysteme und Geometrieelemente
@@ -716,9 +736,9 @@ instrument-good-for-all = Geeignet: Die Messunsicherheit der Positionen überste
        *[accuracy] AP und RP
     }.
 instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % von { $tested ->
-        [repeatability] RP
-       *[accuracy] AP oder RP
-    }; wo sie 25 % von RP übersteigt, enthält RP viel Rauschen des Messgeräts.
+        [repeatability] RP: RP enthält
+       *[accuracy] AP oder RP; wo sie 25 % von RP übersteigt, enthält RP
+    } viel Rauschen des Messgeräts.
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von { $tested ->
         [repeatability] RP
        *[accuracy] AP oder RP
@@ -900,7 +920,7 @@ moved = Bewegung
 movement = Bewegung
 movement-of-the-set-up = Bewegung des Aufbaus
 moves = Bewegungen
-multiples-description = xy-Ebene um den Schwerpunkt, alle Posen in einem Maßstab (halbe Breite { $half } µm). { $count } von { $total } Posen.
+multiples-description = { $plane }, um den Schwerpunkt, alle Posen in einem Maßstab (halbe Breite { $half } µm). { $count } von { $total } Posen.
 multiples-title = Anfahrten der Posen
 name = Name
 name-date-signature = Name, Datum, Unterschrift
@@ -1196,7 +1216,7 @@ report-element = Element
 report-homing = Referenzfahrt
 report-number = Nummer des Berichts
 report-poses = Posen
-reservation-drift = AP änderte sich während der Prüfung um bis zu { $change } µm und hat sich nicht stabilisiert an { $count ->
+reservation-drift = AP änderte sich vom ersten bis zum letzten Satz um bis zu { $change } µm; eine Stabilisierung ist nicht nachgewiesen an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, 7.6)
@@ -1246,6 +1266,7 @@ results-relate-to-item = Diese Ergebnisse beziehen sich nur auf den geprüften G
 results-with-uncertainty = Abweichungen nach der Kalibrierung mit ihrer Unsicherheit
 rigid-parts = starre Teile
 risk = Risiko
+risk-without-coverage = Für AP ist kein Risiko einer falschen Annahme angegeben: AP driftet, daher ist das Intervall kein Überdeckungsintervall.
 rms = RMS
 rms-after = RMS nachher
 rms-and-largest = RMS { $rms } µm, größter Wert { $largest } µm
@@ -1283,8 +1304,8 @@ rp-along-x = RP entlang x
 rp-along-y = RP entlang y
 rp-along-z = RP entlang z
 rp-by-set = RP je Satz
-rp-circle = Radius RP
-rp-circle-tooltip = Pose { $pose }: RP = { $rp } µm
+rp-circle = Radius: mittlerer Abstand + 3 s
+rp-circle-tooltip = Pose { $pose }: { $text }
 rp-in-plane = RP in x, y
 rp-of-judged-approach = RP der bewerteten Anfahrrichtung
 scatter-of-all-visits = alle Anfahrten: { $distance } µm
@@ -1322,6 +1343,10 @@ set-summary-of = { $set }: { $poses ->
        *[other] { $errors } Abweichungen
     } ({ $point })
 set-up-changes = Basis und Zielmarken: { $changed } von { $total } Größen haben sich geändert (bei neuem Aufbau zu erwarten).
+set-up-corrected = Der Aufbau hat sich um bis zu { $moved } bewegt (größte Verschiebung einer festen Zielmarke seit ihrer ersten Messung). Die Positionen wurden in { $steps ->
+        [one] einem Schritt
+       *[other] { $steps } Schritten
+    } korrigiert; die verbleibende Verschiebung der Zielmarken beträgt höchstens { $left } (RMS).
 set-up-parameter-named = Parameter { $name } (Basis oder Zielmarke)
 sets = Sätze
 settled-after-set = stabilisiert nach Satz
@@ -1572,6 +1597,7 @@ u-of-identified = u des identifizierten Werts
 u-of-position = U einer Position
 u-over-ap = U / AP
 u-over-rp = U / RP
+u-over-value = U / Wert
 u-report = u, Bericht
 uncertainties = Unsicherheiten
 uncertainties-enlarged-by = Vergrößerungsfaktor der Unsicherheiten
@@ -1618,6 +1644,7 @@ values-nominal-refit = vorher und nachher: Nennparameter des Roboters, mit an di
 values-of-every-campaign = Werte je Kampagne
 values-of-identification = vorher: Nennparameter des Roboters, nur Basis und Zielmarken an die Kalibrierposen angepasst; nachher: alle identifizierten Parameter
 velocities = Geschwindigkeiten
+velocity-of-poses = { $velocity } (Posen)
 velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Geschwindigkeit: { $velocity }.
 verdict = Bewertung
@@ -1665,9 +1692,14 @@ visit-of-cycle-tooltip = Pose { $pose }, Zyklus { $cycle }: x { $x }, y { $y } 
 visit-tooltip = Pose { $pose }, Zyklus { $cycle }, { $approach }: x { $x }, y { $y }, z { $z } µm vom Mittel
 visits = Anfahrten
 visits-by-approach = { $visits } Anfahrten um ihr Mittel, nach Anfahrrichtung; große Marken: Mittel.
-visits-by-approach-in-space = { $visits } Anfahrten um ihr Mittel; Farbe und Form: vorhergehende Pose; große Marken: Mittel.
+visits-by-approach-in-space = { $visits } Anfahrten um ihr Mittel; Farbe und Form: Anfahrrichtung; große Marken: Mittel.
 visits-by-plane = Anfahrten jeder Pose, je Ebene
-visits-from-one-pose = { $visits } Anfahrten um ihr Mittel, alle von derselben Pose; große Marke: Mittel.
+visits-from-one-pose = { $visits } Anfahrten um ihr Mittel, { $unknown ->
+        [0] alle aus derselben Anfahrrichtung; große Marke: Mittel.
+        [one] alle bis auf eine aus derselben Anfahrrichtung; die Anfahrrichtung einer Anfahrt ist unbekannt, weil davor keine Pose erfasst wurde. Große Marke: Mittel der übrigen Anfahrten.
+       *[other] alle bis auf { $unknown } aus derselben Anfahrrichtung; die Anfahrrichtung von { $unknown } Anfahrten ist unbekannt, weil davor keine Pose erfasst wurde. Große Marke: Mittel der übrigen Anfahrten.
+    }
+visits-from-unknown-poses = { $visits } Anfahrten um ihr Mittel; ihre Anfahrrichtungen sind unbekannt.
 visits-of-pose-title = Pose { $pose }, { $plane }-Ebene
 visits-over-time = Anfahrten über der Zeit
 warm-up-before-the-test = Warmlauf vor der Prüfung

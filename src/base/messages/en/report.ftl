@@ -33,6 +33,13 @@ ap-interval-to = AP, 95 % to
 ap-of-judged-approach = AP of the judged approach
 ap-within-limit = AP within its limit
 approach-not-known = approach unknown
+approaches-unknown = Pose { $pose }: no recorded pose precedes { $count ->
+        [one] one visit
+       *[other] { $count } visits
+    } (cycle { $cycles }), so the approach is unknown. Values of one approach do not contain { $count ->
+        [one] this visit.
+       *[other] these visits.
+    }
 approached = approached
 approved-by = Approved by
 arc = arc
@@ -114,13 +121,22 @@ budget-shares-description = One bar per result: squared contributions in percent
 budget-shares-title = Shares of the uncertainty sources in the variance
 bullet-accepted = accepted
 bullet-beyond = beyond the limit
-bullet-description = Each value divided by its limit, with U (k = 2). The width of the guard band is U.
-bullet-description-accepted = Each value over its limit, with U (k = 2).
+bullet-description = Each value divided by its limit, with { $drawn ->
+        [interval] the ends of its interval. The guard band is as wide as the distance from the value to the upper end.
+        [both] U (k = 2) or the ends of its interval. The guard band is as wide as the distance from the value to the upper end.
+       *[uncertainty] U (k = 2). The width of the guard band is U.
+    }
+bullet-description-accepted = Each value divided by its limit, with { $drawn ->
+        [interval] the ends of its interval.
+        [both] U (k = 2) or the ends of its interval.
+       *[uncertainty] U (k = 2).
+    }
 bullet-guard-band = guard band
 bullet-within-u = accepted, within U of the limit: see its risk
 bullet-not-measured = not measured, limit { $limit } { $unit }
 bullet-value = value
 bullet-value-limit = { $value } { $unit }, limit { $limit } { $unit }
+bullet-value-limit-drift = { $value } { $unit }, limit { $limit } { $unit }, no risk: AP drifts
 bullet-value-limit-risk = { $value } { $unit }, limit { $limit } { $unit }, risk { $risk } %
 by-approach = By approach
 bytes = bytes
@@ -396,11 +412,11 @@ definition-ad-rd = AD: mean attained distance minus commanded distance; RD: thre
 definition-ap = AP: distance between the mean attained position and the commanded position, with its components (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP: mean attained angle minus commanded angle; RP: three standard deviations; evaluated for each angle (ISO 9283:1998, 7.2.1 and 7.2.2).
 definition-compliance = Displacement along the force per unit force: slope of the line fitted through the unloaded position (ISO 9283:1998, 10).
-definition-drift = dAP and dRP: absolute difference between the first set and the last set (ISO 9283:1998, 7.6). U of dAP contains the scatter within the sets; errors that the instrument repeats cancel.
+definition-drift = dAP and dRP: absolute difference between the first set and the last set (ISO 9283:1998, 7.6). U of dAP contains the scatter within the sets; errors that the instrument repeats cancel. AP has stabilised after five successive changes of at most 10 % of the largest change: this takes at least seven sets.
 definition-of-errors = definition of errors
 definition-posing-time = Time from departure from a pose to the end of stabilisation at the next pose (ISO 9283:1998, 9). U contains the scatter of the moves and the sampling interval. The straight distance lies between the two standstills; the path length follows the attained path.
-definition-quarter-rule = ISO 9283: the expanded measurement uncertainty must not exceed 25 % of the characteristic under test. U is the expanded uncertainty of a position (k = 2).
-definition-rp = RP: ISO 9283:1998, 7.2.2. In addition to the standard: RP without the instrument's noise (if visits have repeated readings), and the ellipsoid that contains the next position with a probability of 95 %.
+definition-quarter-rule = ISO 9283: the expanded measurement uncertainty must not exceed 25 % of the characteristic under test. U is the expanded uncertainty of a position (k = 2). If visits come from several approaches, each row gives the approach with the smallest value.
+definition-rp = RP: ISO 9283:1998, 7.2.2. Each row contains only its own visits. In addition to the standard: RP without the instrument's noise (if visits have repeated readings), and the ellipsoid that contains the next position with a probability of 95 %.
 definition-stabilisation = Time from the first entry into the limit band until the robot stays within it (ISO 9283:1998, 7.4 and 7.5). U contains the scatter of the arrivals and the sampling interval; U of an overshoot contains the scatter at standstill.
 definition-standstill-distance = Distance of the mean of each standstill from the first standstill at the same pose. A growing distance indicates drift, a constant one repeatability.
 definition-target-displacement = Displacement of the fixed targets since their first measurement, and the remaining displacement after correction of the positions (not part of the standard).
@@ -584,6 +600,10 @@ formulas-of-identification = frames and identification: weighted least squares, 
 formulas-of-uncertainties = uncertainties: after JCGM 100:2008 and JCGM 101:2008
 frame-as-exported = the coordinates of the exports are in the world frame
 frame-from-plane = xy plane: feature `{ $plane }`; origin: `{ $origin }`; { $axis } axis: `{ $from }` to `{ $to }`; other axis towards `{ $towards }`
+frame-of-recording = frame of the recording
+frame-of-reference-targets = frame of the tables at the first measurement of the reference targets
+frame-of-tables = frame of the tables
+frame-sentence = Frame of the positions: { $frame }.
 frame-from-targets = best fit of the targets { $targets }: origin at the first target, x axis to the second, third in the xy plane
 frame-from-targets-each = best fit of the targets { $targets }, measured again at every pose: origin at the first target, x axis to the second, third in the xy plane
 frames-and-features = Frames and features
@@ -686,9 +706,9 @@ instrument-good-for-all = Suitable: the measurement uncertainty of positions is 
        *[accuracy] AP and RP
     } at every pose.
 instrument-good-for-none = Measurement uncertainty exceeds 25 % of { $tested ->
-        [repeatability] RP
-       *[accuracy] AP or RP
-    } at every pose: where it exceeds 25 % of RP, RP contains much noise of the instrument.
+        [repeatability] RP at every pose: RP contains
+       *[accuracy] AP or RP at every pose: where it exceeds 25 % of RP, RP contains
+    } much noise of the instrument.
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of { $tested ->
         [repeatability] RP
        *[accuracy] AP or RP
@@ -864,7 +884,7 @@ moved = moved
 movement = movement
 movement-of-the-set-up = Movement of the set-up
 moves = moves
-multiples-description = xy plane about the centroid; the scale is the same for all poses (half width { $half } µm). { $count } of { $total } poses.
+multiples-description = { $plane }, about the centroid; the scale is the same for all poses (half width { $half } µm). { $count } of { $total } poses.
 multiples-title = Visits of the poses
 name = name
 name-date-signature = name, date, signature
@@ -1145,7 +1165,7 @@ report-element = element
 report-homing = homing
 report-number = report number
 report-poses = poses
-reservation-drift = AP changed by up to { $change } µm during the test and did not stabilise at { $count ->
+reservation-drift = AP changed by up to { $change } µm from the first to the last set; stabilisation is not shown at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, 7.6)
@@ -1195,6 +1215,7 @@ results-relate-to-item = These results relate only to the item tested.
 results-with-uncertainty = Errors after calibration with their uncertainty
 rigid-parts = rigid parts
 risk = risk
+risk-without-coverage = The risk of false acceptance is not given for AP: AP drifts, so its interval is not a coverage interval.
 rms = RMS
 rms-after = RMS after
 rms-and-largest = RMS { $rms } µm, largest { $largest } µm
@@ -1229,8 +1250,8 @@ rp-along-x = RP along x
 rp-along-y = RP along y
 rp-along-z = RP along z
 rp-by-set = RP by set
-rp-circle = radius RP
-rp-circle-tooltip = pose { $pose }: RP = { $rp } µm
+rp-circle = radius: mean distance + 3 s
+rp-circle-tooltip = pose { $pose }: { $text }
 rp-in-plane = RP in x, y
 rp-of-judged-approach = RP of the judged approach
 scatter-of-all-visits = all visits: { $distance } µm
@@ -1256,6 +1277,10 @@ set-of-cycles = set of cycles
 set-summary = { $set }: { $poses } poses, { $errors } errors
 set-summary-of = { $set }: { $poses } poses, { $errors } errors of { $point }
 set-up-changes = Base and targets: { $changed } of { $total } quantities changed (expected for a new set-up).
+set-up-corrected = The set-up moved by up to { $moved } (largest displacement of a fixed target since its first measurement). Positions were corrected in { $steps ->
+        [one] one step
+       *[other] { $steps } steps
+    }; the remaining displacement of the targets is at most { $left } (RMS).
 set-up-parameter-named = Parameter { $name } (base or target)
 sets = sets
 settled-after-set = stabilised after set
@@ -1506,6 +1531,7 @@ u-of-identified = u of identified
 u-of-position = U of a position
 u-over-ap = U over AP
 u-over-rp = U over RP
+u-over-value = U over value
 u-report = u, report
 uncertainties = uncertainties
 uncertainties-enlarged-by = uncertainty inflation factor
@@ -1552,6 +1578,7 @@ values-nominal-refit = before and after: nominal robot parameters, with base and
 values-of-every-campaign = Values by campaign
 values-of-identification = before: nominal robot parameters, with only base and targets fitted to the calibration poses; after: all identified parameters
 velocities = velocities
+velocity-of-poses = { $velocity } (poses)
 velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Velocity: { $velocity }.
 verdict = verdict
@@ -1599,9 +1626,14 @@ visit-of-cycle-tooltip = pose { $pose }, cycle { $cycle }: x { $x }, y { $y } µ
 visit-tooltip = pose { $pose }, cycle { $cycle }, { $approach }: x { $x }, y { $y }, z { $z } µm from the mean
 visits = visits
 visits-by-approach = { $visits } visits about their mean, by approach; large marks: means.
-visits-by-approach-in-space = { $visits } visits about their mean; colour and shape: previous pose; large marks: means.
+visits-by-approach-in-space = { $visits } visits about their mean; colour and shape: approach; large marks: means.
 visits-by-plane = Visits of each pose by plane
-visits-from-one-pose = { $visits } visits about their mean, all from one pose; large mark: mean.
+visits-from-one-pose = { $visits } visits about their mean, { $unknown ->
+        [0] all by one approach; large mark: mean.
+        [one] all but one by one approach; the approach of one visit is unknown, because no pose was recorded before it. Large mark: mean of the other visits.
+       *[other] all but { $unknown } by one approach; the approach of { $unknown } visits is unknown, because no pose was recorded before them. Large mark: mean of the other visits.
+    }
+visits-from-unknown-poses = { $visits } visits about their mean; their approaches are unknown.
 visits-of-pose-title = Pose { $pose }, { $plane } plane
 visits-over-time = Visits over time
 warm-up-before-the-test = warm-up before the test

@@ -39,6 +39,13 @@ ap-interval-from = AP, 95 %, de
 ap-interval-to = AP, 95 %, à
 ap-within-limit = AP dans sa limite
 approach-not-known = direction d’approche inconnue
+approaches-unknown = Pose { $pose } : aucune pose enregistrée ne précède { $count ->
+        [one] un positionnement
+       *[other] { $count } positionnements
+    } (cycle { $cycles }), la direction d’approche est donc inconnue. Les valeurs d’une direction d’approche ne contiennent pas { $count ->
+        [one] ce positionnement.
+       *[other] ces positionnements.
+    }
 approached = approchée
 approved-by = Approuvé par
 arc = arc
@@ -123,13 +130,22 @@ budget-shares-description = Une barre par résultat : carrés des contributions
 budget-shares-title = Parts des sources d’incertitude dans la variance
 bullet-accepted = acceptée
 bullet-beyond = au-delà de la limite
-bullet-description = Chaque valeur rapportée à sa limite, avec U (k = 2) ; la bande de garde a la largeur U.
-bullet-description-accepted = Chaque valeur rapportée à sa limite, avec U (k = 2).
+bullet-description = Chaque valeur rapportée à sa limite, avec { $drawn ->
+        [interval] les bornes de son intervalle ; la largeur de la bande de garde est la distance de la valeur à la borne supérieure.
+        [both] U (k = 2) ou les bornes de son intervalle ; la largeur de la bande de garde est la distance de la valeur à la borne supérieure.
+       *[uncertainty] U (k = 2) ; la bande de garde a la largeur U.
+    }
+bullet-description-accepted = Chaque valeur rapportée à sa limite, avec { $drawn ->
+        [interval] les bornes de son intervalle.
+        [both] U (k = 2) ou les bornes de son intervalle.
+       *[uncertainty] U (k = 2).
+    }
 bullet-guard-band = bande de garde
 bullet-within-u = acceptée, à moins de U de la limite : voir le risque
 bullet-not-measured = non mesurée, limite { $limit } { $unit }
 bullet-value = valeur
 bullet-value-limit = { $value } { $unit }, limite { $limit } { $unit }
+bullet-value-limit-drift = { $value } { $unit }, limite { $limit } { $unit }, sans risque : AP dérive
 bullet-value-limit-risk = { $value } { $unit }, limite { $limit } { $unit }, risque { $risk } %
 by-approach = Par direction d’approche
 bytes = octets
@@ -420,11 +436,11 @@ definition-ad-rd = AD : distance moyenne atteinte moins distance commandée ;
 definition-ap = AP : distance entre la position moyenne atteinte et la position commandée, avec ses composantes (ISO 9283:1998, 7.2.1).
 definition-ap-rp-of-angles = AP : angle moyen atteint moins angle commandé ; RP : trois écarts-types ; évaluées pour chaque angle (ISO 9283:1998, 7.2.1 et 7.2.2).
 definition-compliance = Déplacement suivant la force par unité de force : pente de la droite ajustée passant par la position sans charge (ISO 9283:1998, 10).
-definition-drift = dAP et dRP : valeur absolue de la différence entre la première et la dernière série (ISO 9283:1998, 7.6). U de dAP contient la dispersion dans les séries ; les erreurs que l’instrument répète s’annulent.
+definition-drift = dAP et dRP : valeur absolue de la différence entre la première et la dernière série (ISO 9283:1998, 7.6). U de dAP contient la dispersion dans les séries ; les erreurs que l’instrument répète s’annulent. AP est stabilisée après cinq variations successives de 10 % au plus de la plus grande variation : il y faut au moins sept séries.
 definition-of-errors = définition des erreurs
 definition-posing-time = Temps entre le départ d’une pose et la fin de la stabilisation à la pose suivante (ISO 9283:1998, 9). U contient la dispersion des mouvements et la période d’échantillonnage. La distance en ligne droite est celle des deux arrêts ; la longueur de la trajectoire suit la trajectoire atteinte.
-definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée. U est l’incertitude élargie d’une position (k = 2).
-definition-rp = RP : ISO 9283:1998, 7.2.2. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
+definition-quarter-rule = ISO 9283 : l’incertitude de mesure élargie ne doit pas dépasser 25 % de la caractéristique évaluée. U est l’incertitude élargie d’une position (k = 2). S’il y a plusieurs directions d’approche, chaque ligne donne la direction de plus petite valeur.
+definition-rp = RP : ISO 9283:1998, 7.2.2. Chaque ligne ne contient que ses propres positionnements. En complément de la norme : RP sans le bruit de l’instrument (si chaque positionnement a plusieurs lectures), et l’ellipsoïde qui contient la position suivante avec une probabilité de 95 %.
 definition-stabilisation = Temps entre la première entrée dans la bande limite et l’instant à partir duquel le robot y reste (ISO 9283:1998, 7.4 et 7.5). U contient la dispersion des arrivées et la période d’échantillonnage ; U d’un dépassement contient la dispersion à l’arrêt.
 definition-standstill-distance = Distance entre la moyenne de chaque arrêt et celle du premier arrêt à la même pose. Une distance croissante traduit une dérive, une distance constante la répétabilité.
 definition-target-displacement = Déplacement des cibles fixes depuis leur première mesure, et déplacement restant après correction des positions (hors norme).
@@ -614,6 +630,10 @@ formulas-of-identification = repères et identification : moindres carrés pond
 formulas-of-uncertainties = incertitudes : d’après JCGM 100:2008 et JCGM 101:2008
 frame-as-exported = les coordonnées des exports sont dans le repère atelier
 frame-from-plane = plan xy : élément `{ $plane }` ; origine : `{ $origin }` ; axe { $axis } : de `{ $from }` vers `{ $to }` ; autre axe vers `{ $towards }`
+frame-of-recording = référentiel de l’enregistrement
+frame-of-reference-targets = référentiel des tableaux lors de la première mesure des cibles de référence
+frame-of-tables = référentiel des tableaux
+frame-sentence = Référentiel des positions : { $frame }.
 frame-from-targets = ajustement aux cibles { $targets } : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
 frame-from-targets-each = ajustement aux cibles { $targets }, mesurées de nouveau à chaque pose : origine à la première cible, axe x vers la deuxième, la troisième dans le plan xy
 frames-and-features = Repères et éléments géométriques
@@ -719,9 +739,9 @@ instrument-good-for-all = Apte : l’incertitude de mesure des positions est au
        *[accuracy] de AP et de RP
     } à toutes les poses.
 instrument-good-for-none = L’incertitude de mesure dépasse 25 % { $tested ->
-        [repeatability] de RP
-       *[accuracy] de AP ou de RP
-    } à toutes les poses ; là où elle dépasse 25 % de RP, RP contient beaucoup de bruit de l’instrument.
+        [repeatability] de RP à toutes les poses : RP contient
+       *[accuracy] de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP contient
+    } beaucoup de bruit de l’instrument.
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % { $tested ->
         [repeatability] de RP
        *[accuracy] de AP ou de RP
@@ -903,7 +923,7 @@ moved = déplacement
 movement = déplacement
 movement-of-the-set-up = Déplacement du montage
 moves = déplacements
-multiples-description = Plan xy autour du barycentre, toutes les poses à la même échelle (demi-largeur { $half } µm). { $count } poses sur { $total }.
+multiples-description = { $plane }, autour du barycentre, toutes les poses à la même échelle (demi-largeur { $half } µm). { $count } poses sur { $total }.
 multiples-title = Positionnements aux poses
 name = nom
 name-date-signature = nom, date, signature
@@ -1202,7 +1222,7 @@ report-element = élément
 report-homing = prise d’origine
 report-number = numéro du rapport
 report-poses = poses
-reservation-drift = AP a varié de { $change } µm au plus pendant l’essai et ne s’est pas stabilisée { $count ->
+reservation-drift = AP a varié de { $change } µm au plus de la première à la dernière série ; sa stabilisation n’est pas démontrée { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, 7.6)
@@ -1252,6 +1272,7 @@ results-relate-to-item = Ces résultats ne se rapportent qu’à l’objet soumi
 results-with-uncertainty = Erreurs après étalonnage, avec leur incertitude
 rigid-parts = pièces rigides
 risk = risque
+risk-without-coverage = Le risque d’acceptation à tort n’est pas donné pour AP : AP dérive, et son intervalle n’est pas un intervalle élargi.
 rms = RMS
 rms-after = RMS après
 rms-and-largest = RMS { $rms } µm, maximum { $largest } µm
@@ -1289,8 +1310,8 @@ rp-along-x = RP selon x
 rp-along-y = RP selon y
 rp-along-z = RP selon z
 rp-by-set = RP par série
-rp-circle = rayon RP
-rp-circle-tooltip = pose { $pose } : RP = { $rp } µm
+rp-circle = rayon : distance moyenne + 3 s
+rp-circle-tooltip = pose { $pose } : { $text }
 rp-in-plane = RP dans x, y
 rp-of-judged-approach = RP de la direction d’approche évaluée
 scatter-of-all-visits = ensemble : { $distance } µm
@@ -1328,6 +1349,10 @@ set-summary-of = { $set } : { $poses ->
        *[other] { $errors } erreurs
     } ({ $point })
 set-up-changes = Base et cibles : { $changed } grandeurs sur { $total } ont changé (attendu à chaque nouveau montage).
+set-up-corrected = Le montage s’est déplacé de { $moved } au plus (plus grand déplacement d’une cible fixe depuis sa première mesure). Les positions ont été corrigées en { $steps ->
+        [one] une étape
+       *[other] { $steps } étapes
+    } ; le déplacement restant des cibles est de { $left } au plus (RMS).
 set-up-parameter-named = Paramètre { $name } (base ou cible)
 sets = séries
 settled-after-set = stabilisé après la série
@@ -1578,6 +1603,7 @@ u-of-identified = u de la valeur identifiée
 u-of-position = U d’une position
 u-over-ap = U / AP
 u-over-rp = U / RP
+u-over-value = U / valeur
 u-report = u, rapport
 uncertainties = incertitudes
 uncertainties-enlarged-by = facteur de majoration des incertitudes
@@ -1624,6 +1650,7 @@ values-nominal-refit = avant et après : paramètres nominaux du robot, avec ba
 values-of-every-campaign = Valeurs par campagne
 values-of-identification = avant : paramètres nominaux du robot, avec seules base et cibles ajustées aux poses d’étalonnage ; après : tous les paramètres identifiés
 velocities = vitesses
+velocity-of-poses = { $velocity } (poses)
 velocity-of-recording = { $value } mm/s ({ $name })
 velocity-sentence = Vitesse : { $velocity }.
 verdict = verdict
@@ -1671,9 +1698,14 @@ visit-of-cycle-tooltip = pose { $pose }, cycle { $cycle } : x { $x }, y { $y }�
 visit-tooltip = pose { $pose }, cycle { $cycle }, { $approach } : x { $x }, y { $y }, z { $z } µm depuis la moyenne
 visits = positionnements
 visits-by-approach = { $visits } positionnements autour de leur moyenne, par direction d’approche ; grandes marques : moyennes.
-visits-by-approach-in-space = { $visits } positionnements autour de leur moyenne ; couleur et forme : pose précédente ; grandes marques : moyennes.
+visits-by-approach-in-space = { $visits } positionnements autour de leur moyenne ; couleur et forme : direction d’approche ; grandes marques : moyennes.
 visits-by-plane = Positionnements à chaque pose, par plan
-visits-from-one-pose = { $visits } positionnements autour de leur moyenne, tous depuis la même pose ; grande marque : moyenne.
+visits-from-one-pose = { $visits } positionnements autour de leur moyenne, { $unknown ->
+        [0] tous selon la même direction d’approche ; grande marque : moyenne.
+        [one] tous sauf un selon la même direction d’approche ; la direction d’un positionnement est inconnue, car aucune pose n’a été enregistrée avant lui. Grande marque : moyenne des autres positionnements.
+       *[other] tous sauf { $unknown } selon la même direction d’approche ; la direction de { $unknown } positionnements est inconnue, car aucune pose n’a été enregistrée avant eux. Grande marque : moyenne des autres positionnements.
+    }
+visits-from-unknown-poses = { $visits } positionnements autour de leur moyenne ; leurs directions d’approche sont inconnues.
 visits-of-pose-title = Pose { $pose }, plan { $plane }
 visits-over-time = Positionnements au fil du temps
 warm-up-before-the-test = mise en température avant l’essai

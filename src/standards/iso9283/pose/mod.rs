@@ -97,7 +97,8 @@ pub struct AngleCharacteristics {
     pub repeatability_rad: [Option<f64>; 3],
 }
 
-/// Approach whose value is judged.
+/// Approach of a pose whose visits come from several approaches, with a characteristic of its
+/// visits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JudgedApproach {
     /// Value of the column `approach`, or the previous pose of the path.
@@ -106,6 +107,22 @@ pub struct JudgedApproach {
     pub cycles: usize,
     /// AP or RP of these visits.
     pub value_mm: f64,
+    /// Region of the next visit by this approach; absent with too few visits.
+    pub ellipsoid: Option<Ellipsoid>,
+    /// RP of these visits without the instrument's noise; absent if no visit was read twice.
+    pub rp_without_noise_mm: Option<f64>,
+}
+
+impl JudgedApproach {
+    fn new(name: &str, found: &PoseCharacteristics, value_mm: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            cycles: found.cycles,
+            value_mm,
+            ellipsoid: found.ellipsoid,
+            rp_without_noise_mm: found.noise_free.map(|n| n.rp_mm),
+        }
+    }
 }
 
 /// Assessment of a characteristic of a pose. If visits come from several approaches, it applies to
@@ -118,6 +135,8 @@ pub struct Assessed {
     /// Bootstrap interval, including the instrument's uncertainty if given; absent with fewer than
     /// three visits. If AP drifts significantly, the interval contains AP of every set of cycles.
     pub interval: Option<Interval>,
+    /// `true` if the interval contains AP of every set of cycles: it is then no coverage interval.
+    pub contains_sets: bool,
     /// Interval in closed form, from the sampling alone.
     pub interval_analytic: Option<Interval>,
     /// Conformity with the limit, if any.
@@ -125,6 +144,8 @@ pub struct Assessed {
     /// Ratio of the instrument's uncertainty to the characteristic, if given; the largest ratio of
     /// all approaches.
     pub uncertainty: Option<UncertaintyRatio>,
+    /// Approach with this largest ratio; absent if all visits count.
+    pub smallest: Option<JudgedApproach>,
 }
 
 /// AP and RP of all poses in a test of one robot.
@@ -177,6 +198,7 @@ fn pose_characteristics(
     let drift = settings.drift_set.and_then(|size| pose_drift(p, size)?.ok()).filter(|d| d.is_significant);
     if let Some(drift) = drift {
         pose.ap.interval = pose.ap.interval.map(|interval| interval.containing(&drift.ap_mm));
+        pose.ap.contains_sets = pose.ap.interval.is_some();
     }
     if let Some(expanded_mm) = settings.expanded_uncertainty_mm {
         let ap = pose.ap.interval.zip(pose.accuracy);
@@ -222,7 +244,7 @@ impl PoseCharacteristics {
         }
         let worst = |assessed: fn(&Self) -> &Assessed, value: fn(&Self) -> Option<f64>| {
             Assessed::worst_approach(approaches.iter().filter_map(|(name, found)| {
-                let judged = JudgedApproach { name: name.clone(), cycles: found.cycles, value_mm: value(found)? };
+                let judged = JudgedApproach::new(name, found, value(found)?);
                 Some(Assessed { approach: Some(judged), ..assessed(found).clone() })
             }))
         };
@@ -242,8 +264,9 @@ impl Assessed {
     /// Assessment of the approach with the worst decision and, among these, the largest value.
     fn worst_approach(all: impl Iterator<Item = Self>) -> Self {
         let all: Vec<Self> = all.collect();
-        let ratios = all.iter().filter_map(|found| found.uncertainty);
-        let uncertainty = ratios.max_by(|a, b| a.ratio.total_cmp(&b.ratio));
+        let ratios = all.iter().filter_map(|found| Some((found.uncertainty?, found.approach.clone())));
+        let (uncertainty, smallest) = ratios.max_by(|a, b| a.0.ratio.total_cmp(&b.0.ratio)).unzip();
+        let smallest = smallest.flatten();
         let rank = |found: &Self| match found.conformity {
             Some(Conformity::NotConforming) => 2,
             Some(Conformity::Neither | Conformity::NotAssessable) => 1,
@@ -252,7 +275,7 @@ impl Assessed {
         let value_mm = |found: &Self| found.approach.as_ref().map_or(0.0, |approach| approach.value_mm);
         let worse = |a: &Self, b: &Self| rank(a).cmp(&rank(b)).then(value_mm(a).total_cmp(&value_mm(b)));
         let worst = all.into_iter().max_by(worse).unwrap_or_default();
-        Self { uncertainty, ..worst }
+        Self { uncertainty, smallest, ..worst }
     }
 
     /// Judges conformity with the limit, and the instrument's uncertainty relative to the
@@ -321,11 +344,18 @@ mod tests {
         assert_eq!((judged.cycles, pose.cycles, pose.rp.conformity), (30, 60, Some(Conformity::Conforming)));
         let interval = pose.rp.interval.unwrap();
         assert!(interval.low_mm < judged.value_mm && interval.high_mm < 0.06, "{interval:?}");
+        // of one approach, without the distance between the two: the semi-axis of 30 visits with a
+        // scatter of 10 µm is 31 µm (Hotelling's T² of three coordinates), of all visits 0.30 mm
+        let of_approach_mm = judged.ellipsoid.unwrap().semi_axes_mm[0];
+        assert!((0.025..0.05).contains(&of_approach_mm), "{of_approach_mm}");
+        assert!(pose.ellipsoid.unwrap().semi_axes_mm[0] > 0.2);
         // the 25 % rule applies to the smallest RP
         let single =
             ["east", "west"].map(|name| pose_repeatability(&test.poses[0].approached(name).positions_mm(|_| true)));
         let smallest = single.map(|rp| rp.unwrap().rp_mm).into_iter().fold(f64::INFINITY, f64::min);
         assert!((pose.rp.uncertainty.unwrap().ratio - 0.006 / smallest).abs() < 1e-12);
+        let finest = pose.rp.smallest.clone().unwrap();
+        assert!(finest.value_mm == smallest && finest.name != judged.name, "{finest:?}");
         // an approach with the worst decision is judged
         let beyond = PoseTestSettings { rp_limit_mm: Some(0.02), ..SETTINGS };
         let pose = characteristics(&test, &beyond).unwrap().remove(0);
@@ -337,14 +367,16 @@ mod tests {
     #[test]
     fn the_interval_of_a_drifting_pose_contains_its_sets() {
         let settings = PoseTestSettings { drift_set: Some(5), ..SETTINGS };
-        let interval = |moves_mm: f64, settings: &PoseTestSettings| {
-            characteristics(&visited(&[("east", 0.0)], moves_mm), settings).unwrap().remove(0).ap.interval.unwrap()
+        let assessed = |moves_mm: f64, settings: &PoseTestSettings| {
+            characteristics(&visited(&[("east", 0.0)], moves_mm), settings).unwrap().remove(0).ap
         };
+        let interval = |moves_mm: f64, settings: &PoseTestSettings| assessed(moves_mm, settings).interval.unwrap();
         // the means of the first and the last set are 0.069 mm apart
         let found = interval(0.08, &settings);
         let sets = pose_drift(&visited(&[("east", 0.0)], 0.08).poses[0], 5).unwrap().unwrap();
         assert!(sets.is_significant && sets.ap_mm.iter().all(|ap| (found.low_mm..=found.high_mm).contains(ap)));
         assert!(interval(0.08, &SETTINGS).low_mm > sets.ap_mm[0]);
         assert_eq!(interval(0.0, &settings), interval(0.0, &SETTINGS));
+        assert!(assessed(0.08, &settings).contains_sets && !assessed(0.0, &settings).contains_sets);
     }
 }
