@@ -287,12 +287,12 @@ mirror! {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rp_rotation_deg: Option<Vector> =
             p.rotation.and_then(|r| r.repeatability_rad).map(|v| v.map(f64::to_degrees)),
-        /// Approach to which interval and verdict of AP apply, if visits come from several: ISO 9283
-        /// defines AP for one approach.
+        /// Approach to which interval and verdict of AP apply, if visits come from several: ISO
+        /// 9283 defines AP for one approach.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         ap_approach: Option<Iso9283JudgedApproach> = p.ap.approach.clone().map(Into::into),
-        /// Approach to which interval and verdict of RP apply, if visits come from several: ISO 9283
-        /// defines RP for one approach.
+        /// Approach to which interval and verdict of RP apply, if visits come from several: ISO
+        /// 9283 defines RP for one approach.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rp_approach: Option<Iso9283JudgedApproach> = p.rp.approach.clone().map(Into::into),
         /// 95 % interval of AP by parametric bootstrap, including the instrument's uncertainty if

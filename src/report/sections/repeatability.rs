@@ -256,8 +256,8 @@ pub(super) fn quarter_rule(poses: &[Named], words: &Words) -> Table {
     Table::new(words, &rows, columns).without_empty_columns()
 }
 
-/// Notes on visits without a known approach at poses with several approaches: values of one approach
-/// do not contain these visits.
+/// Notes on visits without a known approach at poses with several approaches: values of one
+/// approach do not contain these visits.
 pub(super) fn unknown_approaches(document: &Iso9283Document, words: &Words) -> Vec<Block> {
     let note = |v: &Iso9283Variation| {
         let unknown: Vec<&Iso9283Visit> =

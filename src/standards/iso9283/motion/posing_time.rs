@@ -12,7 +12,8 @@ use std::ops::Range;
 pub struct Posing {
     /// Straight distance between the standstills.
     pub distance_mm: f64,
-    /// Length of the attained path, in steps longer than the limit band: noise does not lengthen it.
+    /// Length of the attained path, in steps longer than the limit band, which noise does not
+    /// lengthen.
     pub path_mm: f64,
     /// Time from the last sample within the limit band of the first pose to the arrival that
     /// resolves at the second.
