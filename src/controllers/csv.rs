@@ -35,13 +35,17 @@ impl Exporter for Csv {
         let campaign = given.summary.map_or("", |summary| summary.name.as_str());
         let about = [&document.provenance.version, campaign, given.robot_name()].map(text);
         let about = [&about[..], &[given.sha256()?]].concat();
+        let has_full_units = document.parameters.iter().any(|p| p.full_unit.is_some());
         let header = HEADER.into_iter().chain(warning.is_some().then_some("warning"));
         let header = header.chain(synthetic.is_some().then_some("synthetic"));
+        let header = header.chain(has_full_units.then_some("full_unit"));
         writer.write_record(header).map_err(|e| fail(&e))?;
         for p in &document.parameters {
             let u = p.standard_uncertainty.map_or_else(String::new, digits);
             let row = [text(&p.name), text(&p.unit), digits(p.nominal), digits(p.value), u, status_word(p).to_owned()];
-            writer.write_record(row.iter().chain(&about).chain(&warning).chain(&synthetic)).map_err(|e| fail(&e))?;
+            let full_unit = has_full_units.then(|| text(p.printed_unit()));
+            let cells = row.iter().chain(&about).chain(&warning).chain(&synthetic).chain(&full_unit);
+            writer.write_record(cells).map_err(|e| fail(&e))?;
         }
         Ok(writer.into_inner().map_err(|e| fail(&e))?)
     }

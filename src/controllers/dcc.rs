@@ -251,6 +251,7 @@ fn results(given: &ExportInput, stated: &Stated) -> Element {
     };
     let apart = |p: &&ParameterEntry| !in_matrix.iter().any(|known| known.name == p.name);
     let (alone, held): (Vec<_>, Vec<_>) = all.iter().filter(apart).partition(|p| p.standard_uncertainty.is_some());
+    let references: Vec<String> = given.references().iter().map(|line| format!("Values {line}.")).collect();
     let groups = [
         ("Identified parameters", REGION, list(&in_matrix, Some(&given.parameters.covariance))),
         ("Identified parameters without stated covariance", "Standard uncertainties.", list(&alone, None)),
@@ -258,7 +259,9 @@ fn results(given: &ExportInput, stated: &Stated) -> Element {
     ];
     let results = groups.into_iter().filter_map(|(name, description, values)| {
         let quantity = element("dcc:quantity", [values?]);
-        let parts = [text("dcc:name", name), text("dcc:description", description), element("dcc:data", [quantity])];
+        let description = [description].into_iter().chain(references.iter().map(String::as_str)).collect::<Vec<_>>();
+        let description = text("dcc:description", &description.join(" "));
+        let parts = [text("dcc:name", name), description, element("dcc:data", [quantity])];
         Some(element("dcc:result", parts))
     });
     parts.push(element("dcc:results", results));
@@ -275,14 +278,14 @@ fn list(parameters: &[&ParameterEntry], covariance: Option<&Vec<Vec<f64>>>) -> O
     let mut parts = vec![
         leaf("si:labelXMLList", join(&|p| p.name.split_whitespace().collect::<Vec<_>>().join("_"))),
         leaf("si:valueXMLList", join(&|p| format!("{:?}", p.value))),
-        leaf("si:unitXMLList", join(&|p| unit(&p.unit).to_owned())),
+        leaf("si:unitXMLList", join(&|p| unit(p.printed_unit()).to_owned())),
     ];
     if let Some(covariance) = covariance {
         let columns = parameters.iter().enumerate().map(|(j, column)| {
             let values = covariance.iter().filter_map(|row| Some(format!("{:?}", row.get(j)?)));
             let covariance = [
                 leaf("si:valueXMLList", values.collect::<Vec<_>>().join(" ")),
-                leaf("si:unitXMLList", join(&|row| product(&row.unit, &column.unit))),
+                leaf("si:unitXMLList", join(&|row| product(row.printed_unit(), column.printed_unit()))),
             ];
             element("si:columnXMLList", [element("si:covarianceXMLList", covariance)])
         });
@@ -316,8 +319,10 @@ fn factor(parameters: &[&ParameterEntry]) -> f64 {
 /// Unit in the notation of D-SI.
 fn unit(unit: &str) -> &'static str {
     match unit {
-        "mm" => r"\milli\metre",
-        "deg" => r"\degree",
+        "mm/(m·K)" => r"\milli\metre\per\metre\per\kelvin",
+        // the description gives the load or temperature
+        unit if unit.starts_with("deg") => r"\degree",
+        unit if unit.starts_with("mm") => r"\milli\metre",
         _ => r"\one",
     }
 }

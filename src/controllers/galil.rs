@@ -40,7 +40,7 @@ impl Exporter for Galil {
         for (p, name) in given.parameters.parameters.iter().zip(names) {
             match fixed_point(p) {
                 Ok(Fixed { value, rounding }) => {
-                    let unit = if p.unit == "1" { "1E-6" } else { unit(p) };
+                    let unit = printed_unit(p);
                     let name_of = super::comment(&p.name);
                     let _ = writeln!(out, "REM {name_of} in {unit}, rounding {rounding:.1e} {unit}\n{name}={value}");
                 }
@@ -129,6 +129,16 @@ struct Fixed {
 
 fn unit(p: &ParameterEntry) -> &'static str {
     if p.unit == "mm" { "um" } else { "1E-6 deg" }
+}
+
+/// Unit of a variable, with the load or temperature to which the value refers.
+fn printed_unit(p: &ParameterEntry) -> String {
+    let reference = || p.full_unit.as_deref().and_then(|full| full.strip_prefix(p.unit.as_str()));
+    match (&p.full_unit, p.unit.as_str()) {
+        (Some(full), "1") => super::comment(&format!("1E-6 {full}")),
+        (None, "1") => "1E-6".to_owned(),
+        _ => super::comment(&format!("{}{}", unit(p), reference().unwrap_or_default())),
+    }
 }
 
 fn fixed_point(p: &ParameterEntry) -> std::result::Result<Fixed, Message> {

@@ -25,6 +25,9 @@ struct Controller<'a> {
     robot: &'a str,
     /// SHA-256 of parameters.json.
     parameters_sha256: String,
+    /// Temperature (°C) to which lengths and zeros refer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reference_temperature_c: Option<f64>,
     parameters: BTreeMap<&'a str, Parameter<'a>>,
     /// SHA-256 by file name.
     inputs: &'a BTreeMap<String, String>,
@@ -34,6 +37,9 @@ struct Controller<'a> {
 struct Parameter<'a> {
     value: f64,
     unit: &'a str,
+    /// Unit with the load or temperature to which the value refers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    full_unit: Option<&'a str>,
     standard_uncertainty: Option<f64>,
     status: ParameterStatus,
 }
@@ -47,7 +53,9 @@ impl Exporter for Json {
         let document = given.parameters;
         let parameters = document.parameters.iter().map(|p| {
             let standard_uncertainty = p.standard_uncertainty;
-            (p.name.as_str(), Parameter { value: p.value, unit: &p.unit, standard_uncertainty, status: p.status })
+            let full_unit = p.full_unit.as_deref();
+            let status = p.status;
+            (p.name.as_str(), Parameter { value: p.value, unit: &p.unit, full_unit, standard_uncertainty, status })
         });
         let controller = Controller {
             schema: "etalon/controller/1",
@@ -58,6 +66,7 @@ impl Exporter for Json {
             name: given.robot_name(),
             robot: &document.robot,
             parameters_sha256: given.sha256()?,
+            reference_temperature_c: document.reference_temperature_c,
             parameters: parameters.collect(),
             inputs: &document.provenance.inputs,
         };

@@ -392,6 +392,7 @@ impl<'a> ExportInput<'a> {
         lines.push(format!("robot: {}", self.robot_name()));
         lines.extend(self.parameters.valid_until.as_ref().map(|last| format!("valid until: {last}")));
         lines.push(format!("units: {units}"));
+        lines.extend(self.references());
         lines.push(format!("sha256 of parameters.json: {}", self.sha256()?));
         lines.extend(self.file.iter().flat_map(|(statement, _)| statement.lines()));
         let untested = self.file.map_or(self.parameters, |(_, identified)| identified).untested.iter();
@@ -403,6 +404,22 @@ impl<'a> ExportInput<'a> {
             )
         }));
         Ok(lines.iter().map(|line| comment(line)).collect())
+    }
+
+    /// Lines on parameters whose values refer to a load or a temperature, one per unit, and on the
+    /// reference temperature.
+    fn references(&self) -> Vec<String> {
+        let mut names: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for p in self.parameters.parameters.iter().filter(|p| p.value != 0.0) {
+            if let Some(unit) = &p.full_unit {
+                names.entry(unit).or_default().push(&p.name);
+            }
+        }
+        let units = names.into_iter().map(|(unit, names)| format!("in {unit}: {}", names.join(", ")));
+        let reference_c = self.parameters.reference_temperature_c;
+        units
+            .chain(reference_c.map(|value| format!("at the reference temperature {value} °C: lengths and zeros")))
+            .collect()
     }
 
     /// Like [`Self::header`], for formats with joints and links only: lists the effects that they

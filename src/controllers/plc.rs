@@ -62,7 +62,7 @@ impl Exporter for PlcOpen {
         let content = element("contentHeader", [coordinates]).with("name", "Etalon").with("modificationDateTime", time);
         let variable = |(name, p): (String, &ParameterEntry)| {
             let simple = element("simpleValue", []).with("value", real_literal(p.value));
-            let unit = leaf("xhtml", &p.unit).with("xmlns", "http://www.w3.org/1999/xhtml");
+            let unit = leaf("xhtml", p.printed_unit()).with("xmlns", "http://www.w3.org/1999/xhtml");
             let parts = [
                 element("type", [element("LREAL", [])]),
                 element("initialValue", [simple]),

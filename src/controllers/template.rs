@@ -75,6 +75,7 @@ pub(crate) fn comment(text: &str) -> String {
         '%' => "percent".to_owned(),
         '±' => "+-".to_owned(),
         '×' => "x".to_owned(),
+        '·' => " ".to_owned(),
         '–' | '−' => "-".to_owned(),
         '\u{a0}' | '\u{202f}' => " ".to_owned(),
         ';' => ",".to_owned(),
@@ -82,7 +83,7 @@ pub(crate) fn comment(text: &str) -> String {
         '`' => String::new(),
         _ => "_".to_owned(),
     };
-    text.chars().map(safe).collect()
+    text.replace("/(", " per (").chars().map(safe).collect()
 }
 
 /// Real literal of IEC 61131-3, with a point and digits on both sides of it.
@@ -102,6 +103,7 @@ mod tests {
     #[test]
     fn a_comment_keeps_units_and_cannot_end() {
         assert_eq!(comment("noise 2.7 µm at k = 2; `pose` 1"), "noise 2.7 um at k = 2, pose 1");
+        assert_eq!(comment("deg/(100 N·m)"), "deg per (100 N m)");
         assert_eq!(comment("45 % at 20 °C ± 2"), "45 percent at 20 degC +- 2");
         assert_eq!(comment("*/ //\\ *) ?? \n\"'"), "__ ___ _) __ ___");
     }

@@ -20,6 +20,7 @@ fn parameter(name: &str, unit: &str, value: f64) -> ParameterEntry {
     ParameterEntry {
         name: name.to_owned(),
         unit: unit.to_owned(),
+        full_unit: None,
         role: Default::default(),
         meaning: String::new(),
         meaning_id: None,
@@ -44,6 +45,7 @@ fn document(parameters: Vec<ParameterEntry>) -> ParametersDocument {
         synthetic: None,
         links: None,
         parameters,
+        reference_temperature_c: None,
         reference_poses: Vec::new(),
         sketches: vec![],
         covariance: vec![],
@@ -97,6 +99,25 @@ fn numbers() -> ParametersDocument {
 
 fn text(name: &str, document: &ParametersDocument) -> String {
     String::from_utf8(by_name(name).unwrap().write(&ExportInput::parameters(document)).unwrap()).unwrap()
+}
+
+/// Values under a load or at a temperature have their unit in every kind of file.
+#[test]
+fn units_by_load_and_temperature_are_in_headers_and_columns() {
+    let mut drift = parameter("drift_2", "deg", 0.015);
+    drift.full_unit = Some("deg/(10 K)".to_owned());
+    let mut document = document(vec![parameter("d", "mm", 300.0), drift]);
+    document.reference_temperature_c = Some(21.5);
+    for (format, parts) in [
+        ("siemens-scl", &["// in deg per (10 K): drift_2", "// deg per (10 K)", "21.5 degC"][..]),
+        ("c-header", &["in deg per (10 K): drift_2", "deg per (10 K) */"]),
+        ("galil", &["drift_2 in 1E-6 deg per (10 K)", "REM d in um"]),
+        ("json", &["\"full_unit\": \"deg/(10 K)\"", "\"reference_temperature_c\": 21.5"]),
+        ("csv", &[",full_unit\n", ",deg/(10 K)\n", ",mm\n"]),
+    ] {
+        let text = text(format, &document);
+        parts.iter().for_each(|part| assert!(text.contains(part), "{format}: {part}\n{text}"));
+    }
 }
 
 #[test]

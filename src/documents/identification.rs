@@ -153,6 +153,7 @@ pub fn parameters_document(
     let parameters = robot.parameters().iter().enumerate().map(|(i, p)| ParameterEntry {
         name: p.name.clone(),
         unit: p.quantity.unit().to_owned(),
+        full_unit: p.full_unit(),
         role: p.role.into(),
         meaning: Some(p.meaning).filter(|id| !id.is_empty()).map_or_else(String::new, |id| Phrase::new(id).to_string()),
         meaning_id: Some(p.meaning.to_owned()).filter(|id| !id.is_empty()),
@@ -186,6 +187,7 @@ pub fn parameters_document(
         synthetic: None,
         links: None,
         parameters: parameters.collect(),
+        reference_temperature_c: robot.reference_temperature_c(),
         reference_poses: ReferencePose::all(robot),
         sketches: robot.sketches(),
         covariance,

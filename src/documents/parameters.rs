@@ -35,6 +35,10 @@ pub struct ParametersDocument {
     pub links: Option<RobotLinks>,
     /// All parameters of the model.
     pub parameters: Vec<ParameterEntry>,
+    /// Temperature (°C) to which lengths and zeros refer; absent if the model has no effects of the
+    /// temperature.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reference_temperature_c: Option<f64>,
     /// Positions of the flange by the nominal geometry, which are compared with a robot file that
     /// is given together with these parameters; absent in documents of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -113,6 +117,13 @@ impl ParametersDocument {
         let from_residuals =
             matches!(self.residuals.uncertainties_from, Residuals | ResidualsByPose | ResidualsByRegion);
         self.residuals.test.stated_standard_uncertainty_mm.is_some() && from_residuals
+    }
+
+    /// Unit as texts print it of the parameter with this name; `unit` if the document does not
+    /// contain the parameter.
+    pub fn printed_unit<'a>(&'a self, name: &str, unit: &'a str) -> &'a str {
+        let entry = self.parameters.iter().find(|entry| entry.name == name);
+        entry.map_or(unit, ParameterEntry::printed_unit)
     }
 
     /// Names of the robot's parameters that are effective rather than physical, because more than
@@ -247,6 +258,10 @@ pub struct ParameterEntry {
     pub name: String,
     /// `mm`, `deg` or `1`.
     pub unit: String,
+    /// Unit with the load or temperature to which the value refers: `deg/(100 N·m)`; absent if the
+    /// value refers to neither.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub full_unit: Option<String>,
     /// Owner of the parameter: robot, base, target or fixture.
     #[serde(default)]
     pub role: Role,
@@ -286,6 +301,11 @@ pub struct ParameterEntry {
 impl ParameterEntry {
     /// Share of a value below which it comes mostly from the nominal value.
     pub const DETERMINED: f64 = 0.5;
+
+    /// Unit as texts print it: with the load or temperature to which the value refers.
+    pub fn printed_unit(&self) -> &str {
+        self.full_unit.as_deref().unwrap_or(&self.unit)
+    }
 
     /// `true` for an identified value that comes mostly from its nominal value.
     pub fn is_from_nominal(&self) -> bool {

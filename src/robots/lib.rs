@@ -187,6 +187,12 @@ pub trait Robot: Send + Sync {
         &[]
     }
 
+    /// Temperature (°C) to which lengths and zeros refer; `None` without effects of the
+    /// temperature.
+    fn reference_temperature_c(&self) -> Option<f64> {
+        None
+    }
+
     /// Links that carry the targets of a robot with several branches; empty for a single chain.
     fn branches(&self) -> &[String] {
         &[]

@@ -1312,6 +1312,14 @@ impl Robot for Serial {
     fn circumstances(&self) -> &[Circumstance] {
         &self.stated.circumstances
     }
+    fn reference_temperature_c(&self) -> Option<f64> {
+        let known = self.stated.circumstances.iter().position(|value| *value == Circumstance::Temperature)?;
+        let own = self.joints().len() + self.stated.approached.len() + known;
+        self.elements.iter().flat_map(|element| &element.terms).find_map(|term| match term.coefficient {
+            Coefficient::Stated { at, from, .. } if at == own => Some(from),
+            _ => None,
+        })
+    }
     fn limit_violation(&self, _parameters: &[f64], joints: &[f64]) -> Option<Phrase> {
         limit_violation(self.joints(), &self.limits, joints)
     }

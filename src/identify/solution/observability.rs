@@ -204,9 +204,12 @@ pub(crate) fn weak_message(robot: &dyn Robot, weak: &[WeakGroup]) -> Option<Mess
     let parameters = robot.parameters();
     let u = |(&i, &u): (&usize, &f64)| {
         let (parameter, quantity) = (&parameters[i].name, parameters[i].quantity);
-        match quantity {
-            Quantity::Ratio => phrase!("uncertainty-of-ratio", parameter, u),
-            _ => phrase!("uncertainty-of-parameter", parameter, u = quantity.outward(u), unit = quantity.unit()),
+        match (quantity, parameters[i].full_unit()) {
+            (Quantity::Ratio, None) => phrase!("uncertainty-of-ratio", parameter, u),
+            _ => {
+                let unit = parameters[i].printed_unit();
+                phrase!("uncertainty-of-parameter", parameter, u = quantity.outward(u), unit)
+            }
         }
     };
     let group = |w: &WeakGroup| {

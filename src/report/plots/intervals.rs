@@ -13,7 +13,7 @@ const LAST: usize = 5;
 
 /// One figure for each unit; `key` is the number of the group in the ids of its figures.
 pub(crate) fn pictures(parameters: &[&ParameterEntry], key: usize, group: &str, words: &Words) -> Vec<Figure> {
-    let mut units: Vec<&str> = parameters.iter().map(|p| p.unit.as_str()).collect();
+    let mut units: Vec<&str> = parameters.iter().map(|p| p.printed_unit()).collect();
     units.sort_unstable();
     units.dedup();
     let picture = |(i, unit)| picture(parameters, unit, group, &format!("intervals-{key}-{i}"), words);
@@ -24,7 +24,10 @@ fn picture(parameters: &[&ParameterEntry], unit: &str, group: &str, id: &str, wo
     let change = |p: &ParameterEntry| p.value - p.nominal;
     let expanded = |p: &ParameterEntry| 2.0 * p.standard_uncertainty.unwrap_or(0.0);
     let drawable = |p: &&&ParameterEntry| {
-        p.unit == unit && p.status == ParameterStatus::Identified && change(p).is_finite() && expanded(p).is_finite()
+        p.printed_unit() == unit
+            && p.status == ParameterStatus::Identified
+            && change(p).is_finite()
+            && expanded(p).is_finite()
     };
     let all: Vec<&ParameterEntry> = parameters.iter().filter(drawable).copied().collect();
     if all.is_empty() {

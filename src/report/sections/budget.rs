@@ -130,7 +130,7 @@ fn table(document: &ParametersDocument, words: &Words) -> Table {
     let start = Columns::<(usize, &ParameterEntry)>::new().both(phrase!("name"), "", |(_, p)| p.name.as_str()).both(
         phrase!("unit"),
         "",
-        |(_, p)| p.unit.as_str(),
+        |(_, p)| p.printed_unit(),
     );
     let columns = document.budget.iter().fold(start, |columns, source| {
         columns.both(names::source(source.source), "", |(k, p)| {

@@ -172,7 +172,7 @@ fn parameters_section(results: &Results, words: &Words) -> Option<Section> {
     for (title, group) in &parameters::groups(&document.parameters, words) {
         let columns = Columns::<&ParameterEntry>::new()
             .both(phrase!("name"), "", |p| p.name.as_str())
-            .both(phrase!("unit"), "", |p| p.unit.as_str())
+            .both(phrase!("unit"), "", |p| p.printed_unit())
             .both(phrase!("value"), "", |p| with_uncertainty(p.value, expanded(p)))
             .both("U (k = 2)", "", |p| significant(expanded(p), 2))
             .both(phrase!("from-data"), "%", |p| parameters::share_of_data(p))

@@ -7,7 +7,8 @@ use crate::plots::influence;
 use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{
-    InfluenceEntry, ReliabilitySummary, ResidualTrend, Results, RobustParameter, RobustPose, RobustSummary,
+    InfluenceEntry, ParametersDocument, ReliabilitySummary, ResidualTrend, Results, RobustParameter, RobustPose,
+    RobustSummary,
 };
 
 /// Maximum number of parameters in the table of a robust fit.
@@ -32,7 +33,7 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
             c = number::fixed(found.constant, 3),
             sigma = number::significant(1e3 * found.sigma_mm, 3)
         )));
-        section.push(Block::Table(robust_parameters(found, words)));
+        section.push(Block::Table(robust_parameters(parameters, found, words)));
         section.push(Block::Table(robust_poses(found, words)));
     }
     if !accuracy.trends.is_empty() {
@@ -110,7 +111,7 @@ fn robust(found: &RobustSummary, words: &Words) -> String {
 }
 
 /// Parameters with the largest differences.
-fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
+fn robust_parameters(document: &ParametersDocument, found: &RobustSummary, words: &Words) -> Table {
     let mut most: Vec<&RobustParameter> = found.parameters.iter().collect();
     most.sort_by(|a, b| b.difference_over_u.total_cmp(&a.difference_over_u));
     let most: Vec<RobustParameter> = most.into_iter().take(SHOWN).cloned().collect();
@@ -120,7 +121,7 @@ fn robust_parameters(found: &RobustSummary, words: &Words) -> Table {
         .both(phrase!("parameter"), "", |p| p.name.as_str())
         .both(phrase!("robust"), "", move |p| number_cell(p.value, |v| number::with_uncertainty(v, u(p))))
         .both(phrase!("difference"), "", move |p| number_cell(p.difference, |v| number::with_uncertainty(v, u(p))))
-        .both(phrase!("unit"), "", |p| p.unit.as_str())
+        .both(phrase!("unit"), "", |p| document.printed_unit(&p.name, &p.unit))
         .both(phrase!("difference-over-u"), "", |p| significant(p.difference_over_u, 2))
         .both(phrase!("differs"), "", beyond);
     Table::new(words, &most, columns).on(phrase!("robust-fit"))

@@ -24,12 +24,15 @@ pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
         .both(phrase!("this-file-rms"), "mm", |(_, e)| significant(e.written.rms_mm, 3))
         .both(phrase!("this-file-max"), "mm", |(_, e)| significant(e.written.max_mm, 3));
     section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("controller-files"))));
+    let identified = results.identified.as_ref().map(|identified| &identified.parameters);
+    let printed_unit =
+        |v: &WrittenParameter| identified.map_or(v.unit.as_str(), |p| p.printed_unit(&v.name, &v.unit)).to_owned();
     let values: Vec<(&ControllerFiles, &WrittenParameter)> =
         document.files.iter().flat_map(|files| files.values.iter().map(move |value| (files, value))).collect();
     let columns = Columns::<(&ControllerFiles, &WrittenParameter)>::new()
         .sheet(phrase!("formats"), "", |(f, _)| f.formats.join(", "))
         .sheet(phrase!("name"), "", |(_, v)| v.name.as_str())
-        .sheet(phrase!("unit"), "", |(_, v)| v.unit.as_str())
+        .sheet(phrase!("unit"), "", |(_, v)| printed_unit(v))
         .sheet(phrase!("value"), "", |(_, v)| v.value)
         .sheet("u (k = 1)", "", |(_, v)| v.standard_uncertainty);
     section.push(Block::Table(Table::new(words, &values, columns).on(phrase!("sheet-controller-values"))));

@@ -117,7 +117,7 @@ fn table(parameters: &[&ParameterEntry], words: &Words) -> Table {
     let shared = parameters.iter().any(|p| p.is_from_nominal());
     let columns = Columns::<&ParameterEntry>::new()
         .page(phrase!("name"), "", |p| p.name.as_str())
-        .page(phrase!("unit"), "", |p| p.unit.as_str())
+        .page(phrase!("unit"), "", |p| p.printed_unit())
         .page(phrase!("nominal"), "", move |p| stated.then(|| with_uncertainty(p.nominal, p.standard_uncertainty)))
         .page(phrase!("before"), "", move |p| moved.then(|| with_uncertainty(p.before, p.standard_uncertainty)))
         .page(phrase!("identified"), "", |p| with_uncertainty(p.value, p.standard_uncertainty))
@@ -151,7 +151,7 @@ fn sheet(parameters: &[ParameterEntry]) -> Table {
     let words = &Words::default();
     let columns = Columns::<ParameterEntry>::new()
         .sheet(phrase!("name"), "", |p| p.name.as_str())
-        .sheet(phrase!("unit"), "", |p| p.unit.as_str())
+        .sheet(phrase!("unit"), "", |p| p.printed_unit())
         .sheet(phrase!("nominal"), "", |p| p.nominal)
         .sheet(phrase!("before"), "", |p| p.before)
         .sheet(phrase!("identified"), "", |p| p.value)
@@ -212,7 +212,7 @@ fn matrix(
     let named = Columns::<(usize, &ParameterEntry)>::new().sheet(phrase!("name"), "", |(_, p)| p.name.as_str()).sheet(
         phrase!("unit"),
         "",
-        |(_, p)| p.unit.as_str(),
+        |(_, p)| p.printed_unit(),
     );
     let columns = identified
         .iter()
@@ -231,6 +231,7 @@ mod tests {
         let mut p = ParameterEntry {
             name: "d".into(),
             unit: "mm".into(),
+            full_unit: None,
             role: Role::Robot,
             meaning: String::new(),
             meaning_id: None,

@@ -211,7 +211,7 @@ pub(crate) fn recommendation(document: &RecommendationDocument, words: &Words) -
     let columns = Columns::<ParameterVerdict>::new()
         .both(phrase!("name"), "", |p| p.name.as_str())
         .both(phrase!("change"), "", change)
-        .both(phrase!("unit"), "", |p| p.unit.as_str())
+        .both(phrase!("unit"), "", |p| document.recommended.printed_unit(&p.name, &p.unit).to_owned())
         .micrometres(phrase!("largest-displacement"), |p| p.displacement_mm)
         .both(phrase!("change-over-u"), "", |p| fixed(p.change_over_u, 1))
         .both("p", "", move |v| p(Some(v.p_value)))

@@ -275,6 +275,7 @@ fn parameters() -> ParametersDocument {
         ParameterEntry {
             name: name.to_owned(),
             unit: unit.to_owned(),
+            full_unit: None,
             role: Default::default(),
             meaning: String::new(),
             meaning_id: None,
@@ -304,6 +305,7 @@ fn parameters() -> ParametersDocument {
         synthetic: None,
         links: None,
         parameters,
+        reference_temperature_c: None,
         reference_poses: Vec::new(),
         sketches: vec![],
         covariance: vec![],

@@ -105,6 +105,9 @@ impl Robot for Branches {
     fn circumstances(&self) -> &[Circumstance] {
         self.arms[0].circumstances()
     }
+    fn reference_temperature_c(&self) -> Option<f64> {
+        self.arms.iter().find_map(|arm| arm.reference_temperature_c())
+    }
     fn branches(&self) -> &[String] {
         &self.links
     }

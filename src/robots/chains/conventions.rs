@@ -734,6 +734,12 @@ mod tests {
             [(torque, "compliance_2_torque", -40.0, -0.4e-3), (drift, "drift_2", 26.0, 0.6e-3)]
         {
             for robot in arms(&effects) {
+                // the unit says by what the value is multiplied: −40 N·m, and 26 °C − 20 °C
+                let unit = robot.parameters()[robot.index(name).unwrap()].full_unit().unwrap();
+                match robot.reference_temperature_c() {
+                    Some(reference_c) => assert_eq!((unit.as_str(), reference_c), ("deg/(10 K)", 20.0)),
+                    None => assert_eq!(unit, "deg/(100 N·m)"),
+                }
                 let mut values = robot.nominal();
                 let q = [0.3, -0.4, 0.5, 0.2, 0.9, 0.1];
                 let mut moved = q;

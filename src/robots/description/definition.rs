@@ -230,6 +230,34 @@ impl Parameter {
         (self.tolerance, self.tolerance_is_stated) = (self.quantity.inward(value), true);
     }
 
+    /// Unit outside with the load or temperature to which the value refers: `deg/(100 N·m)`; `None`
+    /// if the value refers to neither.
+    pub fn full_unit(&self) -> Option<String> {
+        let unit = self.quantity.unit();
+        match self.effect {
+            Effect::Payload | Effect::Torque | Effect::Lateral | Effect::Pedestal => Some(format!("{unit}/(100 N·m)")),
+            Effect::Drift => Some(format!("{unit}/(10 K)")),
+            Effect::Expansion => Some("mm/(m·K)".to_owned()),
+            _ => None,
+        }
+    }
+
+    /// Unit outside as messages print it.
+    pub fn printed_unit(&self) -> String {
+        self.full_unit().unwrap_or_else(|| self.quantity.unit().to_owned())
+    }
+
+    /// `true` if the effect of the parameter depends on this value of a reading.
+    pub fn depends_on(&self, value: Circumstance) -> bool {
+        match value {
+            Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => {
+                matches!(self.effect, Effect::Payload | Effect::Lateral | Effect::Pedestal)
+            }
+            Circumstance::Torque(joint) => self.effect == Effect::Torque && self.joint == Some(joint),
+            Circumstance::Temperature => self.effect.is_thermal(),
+        }
+    }
+
     /// `true` if the default tolerance of a robot part applies, which says nothing about the
     /// quality of the part: it is scaled to the spread of all parts. Coefficients of loads and
     /// temperatures have sizes of their own.

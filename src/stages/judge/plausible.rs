@@ -273,13 +273,15 @@ fn negative<'r>(
     robot: &'r dyn Robot,
     found: &Identification,
     is_meant: fn(&Parameter) -> bool,
-) -> Option<(&'r str, f64, &'static str)> {
+) -> Option<(&'r str, f64, String)> {
     let is_negative = |&&i: &&usize| {
         let u = found.standard_uncertainty(i).unwrap_or(f64::INFINITY);
         is_meant(&robot.parameters()[i]) && found.values[i] < -SIGNIFICANT * u
     };
     let &i = found.free.iter().find(is_negative)?;
-    Some(outward(&robot.parameters()[i], found.values[i]))
+    let parameter = &robot.parameters()[i];
+    let (name, value, _) = outward(parameter, found.values[i]);
+    Some((name, value, parameter.printed_unit()))
 }
 
 /// Returns a warning if a joint bends against its own torque: gravity or an axis has the wrong

@@ -70,6 +70,7 @@ pub(crate) fn identified(
     let entry = |(i, (value, u)): (usize, (&f64, &f64))| ParameterEntry {
         name: format!("p{i}"),
         unit: "mm".to_owned(),
+        full_unit: None,
         role: Default::default(),
         meaning: String::new(),
         meaning_id: None,
@@ -92,6 +93,7 @@ pub(crate) fn identified(
         schema: "etalon/parameters/2".to_owned(),
         robot: "prexyt".to_owned(),
         parameters: values.iter().zip(u).enumerate().map(entry).collect(),
+        reference_temperature_c: None,
         reference_poses: Vec::new(),
         sketches: vec![],
         covariance: (0..n).map(|i| (0..n).map(|j| square(i, j)).collect()).collect(),
