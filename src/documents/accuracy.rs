@@ -2,8 +2,8 @@
 
 use super::LimitVerdict;
 use super::{
-    CampaignReference, Effect, FieldSummary, Figure, Provenance, ReadingReliability, RelativeAccuracy, ToolFrame,
-    UncertaintySource,
+    CampaignReference, Effect, FieldSummary, Figure, Provenance, ReadingReliability, ReadingValues, RelativeAccuracy,
+    ToolFrame, UncertaintySource,
 };
 use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
@@ -434,6 +434,10 @@ pub struct AccuracySet {
     /// One per quantity that was measured: position, x, y, z, orientation; distance, surface,
     /// contact, coordinate.
     pub errors: Vec<ErrorStatistics>,
+    /// Values of the readings in addition to joint values, one entry per column; empty if the robot
+    /// has no effects of load, torques or temperature.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub readings: Vec<ReadingValues>,
 }
 
 /// Quantity whose errors are counted.

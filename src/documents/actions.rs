@@ -4,9 +4,9 @@
 use crate::loading::accepted_field;
 use crate::worded::worded;
 use crate::{
-    AccuracyDocument, CampaignSummary, Effect, EffectProof, ErrorQuantity, FieldDocument, Figure, Judged,
+    AccuracyDocument, CampaignSummary, Effect, EffectProof, ErrorQuantity, FieldDocument, Figure, FileInput, Judged,
     LOADING_RATIO, LimitQuantity, LimitVerdict, LoadAnswer, Loading, LoadingCheck, PointError, PoseSet, PositionErrors,
-    Reason, UncertaintySource, VerdictDocument,
+    ReadingQuantity, Reason, UncertaintySource, VerdictDocument,
 };
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::{AnsweredBy, Message, Rank, Severity};
@@ -123,6 +123,10 @@ pub struct WrittenFile {
     /// Effects that the format cannot contain; absent in output folders of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub omitted_effects: Vec<Effect>,
+    /// Inputs in addition to joint values, on which effects in the file depend; empty if joint
+    /// values determine them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<FileInput>,
     /// Pose on the display of the controller, before and after loading; absent in output folders of
     /// earlier versions, and for robots without kinematics of a whole pose.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -271,6 +275,10 @@ impl Evidence<'_> {
             (false, true) => phrase!("action-load", file, count, others),
             (false, false) => phrase!("action-load-or-compensate", file, count, others),
         };
+        let what = match self.inputs(file) {
+            inputs if inputs.is_empty() => what,
+            inputs => phrase!("action-load-with-inputs", action = what, inputs),
+        };
         // errors at calibration poses are smaller than at other poses
         let held_out = self.judged.accuracy?.left_out.as_ref().filter(|_| {
             let is_whole = errors.written == PositionErrors::from(&leading.after);
@@ -283,6 +291,15 @@ impl Evidence<'_> {
         let ([expected, nominal], quantity) = (lengths(rms_mm), leading.quantity.phrase());
         let reason = phrase!("action-load-reason", expected, nominal, quantity, count, set);
         Some(Action::new(ActionKind::Load, what, reason).file(file).gain(Some(rms_mm[1] - rms_mm[0])))
+    }
+
+    /// Inputs of a controller file in addition to joint values, each quantity once.
+    fn inputs(&self, file: &str) -> Vec<Phrase> {
+        let written = self.campaign.controller_files.iter().filter(|written| written.file == file);
+        let mut quantities: Vec<_> = written.flat_map(|written| &written.inputs).map(|i| i.quantity).collect();
+        quantities.dedup();
+        let named = |q: ReadingQuantity| phrase!("reading-in-unit", quantity = q.phrase(), unit = q.unit());
+        quantities.into_iter().map(named).collect()
     }
 
     /// Correction of programs by the residual field, in addition to the loaded parameters.

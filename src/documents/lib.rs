@@ -35,6 +35,7 @@ mod mirror;
 mod names;
 mod parameters;
 mod plan;
+mod readings;
 mod recommendation;
 mod reference;
 mod relative;
@@ -77,6 +78,7 @@ pub use loading::{DisplayedPose, LOADING_RATIO, LoadAnswer, Loading, LoadingChec
 pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;
+pub use readings::*;
 pub use recommendation::*;
 pub use reference::ReferencePose;
 pub use relative::*;

@@ -7,7 +7,7 @@ use crate::run::summary::summary;
 use crate::run::walk::{Inputs, Mode, Walk};
 use crate::stages::calibrate::controller_files as written_values;
 use crate::stages::calibrate::identification::{Identified, IdentifiedSolution};
-use crate::stages::calibrate::loading_check::loading_check;
+use crate::stages::calibrate::loading_check::{file_inputs, loading_check};
 use crate::stages::gather::{self, Gathered};
 use crate::stages::join::Joined;
 use crate::stages::kinds;
@@ -162,6 +162,7 @@ fn written(
             is_for_controllers: exporter.about().is_for_controllers,
             sha256: None,
             omitted_effects: omitted_effects(robot, &effects, &input, exporter),
+            inputs: values.as_ref().map_or_else(Vec::new, |values| file_inputs(robot, values)),
             check: values.and_then(|values| loading_check(robot, solution, &values)),
         })
     };

@@ -132,6 +132,45 @@ fn tilts_across_axes_and_of_the_base_are_identified_where_left_out_poses_prove_t
     comes_back(ELASTIC, &["lateral", "pedestal"], &TILTS);
 }
 
+/// Outside answer: the least and the greatest cell of the column of the table, by set of poses. Report and controller file name
+/// loads, temperatures, units and the reference temperature.
+#[test]
+fn values_of_readings_are_in_documents_and_report() {
+    for (sample, effects, column, printed) in [
+        (WARMING, "\"expansion\", \"drift\"", "temperature_c", ["deg/(10 K)", "mm/(m·K)", "model refers to 20 °C"]),
+        ("payload-arm", "\"payload\"", "load_kg", ["deg/(100 N·m)", "readings: 0; 1.5; 3 kg", "with payload 0 kg"]),
+    ] {
+        let scratch = stated(sample, effects);
+        ends(&scratch, "run", 0, &[]);
+        let table = std::fs::read_to_string(scratch.path().join("observations.csv")).unwrap();
+        let k = table.lines().next().unwrap().split(',').position(|name| name == column).unwrap();
+        let cells = |from: usize, to: usize| -> Vec<f64> {
+            let rows = table.lines().skip(1).map(|line| line.split(',').collect::<Vec<_>>());
+            let rows = rows.filter(|row| (from..=to).contains(&row[0].parse::<usize>().unwrap()));
+            rows.map(|row| row[k].parse().unwrap()).collect()
+        };
+        let accuracy = scratch.json("accuracy.json");
+        for (set, of_table) in [(0, cells(1, 60)), (1, cells(61, 999))] {
+            let readings = accuracy["sets"][set]["readings"].as_array().unwrap();
+            let found = readings.iter().find(|values| values["column"] == column).unwrap();
+            let [least, most] = [f64::min, f64::max].map(|of| of_table.iter().copied().reduce(of).unwrap());
+            assert_eq!((found["lowest"].as_f64(), found["highest"].as_f64()), (Some(least), Some(most)), "{sample}");
+        }
+        let report = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
+        for text in printed {
+            assert!(report.contains(text), "{sample}: {text}");
+        }
+        let region =
+            if sample == WARMING { "temperature_c 19.5 to 31.5." } else { "load_kg 0; 1.5; 3, load_x_mm 0; 10," };
+        assert!(report.contains(region), "{sample}: {region}");
+        let controller = scratch.json("controller.json");
+        let name = if sample == WARMING { "drift_2" } else { "compliance_2_load" };
+        assert_eq!(controller["parameters"][name]["full_unit"], printed[0], "{sample}");
+        let reference = (sample == WARMING).then_some(20.0);
+        assert_eq!(controller["reference_temperature_c"].as_f64(), reference, "{sample}");
+    }
+}
+
 /// Under the same load base and first joint tilt alike: the run says which to leave out.
 #[test]
 fn a_pedestal_beside_the_first_joint_is_named_with_its_remedy() {

@@ -8,7 +8,7 @@ use etalon::documents::{
     LoadingCheck, Reason, VerdictDocument,
 };
 use etalon::run::pipeline::evaluate;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Zeros of joints alone, as ABB, KUKA and FANUC take them.
 const ZEROS: &str = "{# holds: theta_* #}\n{% for p in parameters %}\n{{ p.name }}={{ p.value }}\n{% endfor %}\n";
@@ -131,6 +131,16 @@ fn the_announced_display_is_that_of_the_joint_values_alone() {
         ends(&scratch, "run", 0, &[]);
         let campaign: CampaignSummary = scratch.document("campaign.json");
         let file = campaign.controller_files.iter().find(|file| file.check.is_some()).unwrap();
+        // what robot.toml lets bend, drift or expand
+        let inputs: BTreeSet<String> = file.inputs.iter().map(|i| format!("{}={}", i.column, i.neutral)).collect();
+        let expected: &[&str] = match sample {
+            "elastic-arm" | "payload-arm" => &["load_kg=0", "load_x_mm=0", "load_y_mm=0", "load_z_mm=0"],
+            "torque-arm" => &["tau2_nm=0", "tau3_nm=0", "tau4_nm=0", "tau5_nm=0"],
+            "warming-arm" => &["temperature_c=20"],
+            _ => &[],
+        };
+        assert!(expected.iter().all(|input| inputs.contains(*input)), "{sample}: {inputs:?}");
+        assert!(!expected.is_empty() || inputs.is_empty(), "{sample}: {inputs:?}");
         let check = file.check.as_ref().unwrap();
         let values: Vec<String> = check.joint_values.iter().map(f64::to_string).collect();
         let table = format!("pose,{}\n1,{}\n", check.joints.join(","), values.join(","));

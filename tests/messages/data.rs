@@ -1,7 +1,10 @@
 //! Messages about what measurements show: frames, joins, fits and residuals.
 
 use super::logs::{L, POINTS, TIMED};
-use super::{CHECK, Case, RUN, hold};
+use super::{CHECK, Case, Edits, RUN, hold};
+
+/// A single load, with readings at 0, 1.5 and 3 kg.
+const LOADED: Edits = &[("campaign.toml", "[limits]", "[conditions]\nload_kg = 1.0\n\n[limits]")];
 
 const C: &str = "campaign.toml";
 const CMM: &str = "prexyt-cmm";
@@ -258,6 +261,7 @@ const IDENTIFIED: &[Case] = &[
     ),
     ("payload-invalid column=load_kg value=-3", "payload-arm", &[("observations.csv", ",3.000000,", ",-3.0,")], RUN),
     ("payload-invalid column=load_kg value=missing", "payload-arm", &[("observations.csv", ",3.000000,", ",,")], RUN),
+    ("load-elsewhere", "payload-arm", LOADED, CHECK),
     ("torque-column-missing joint=q3", "torque-arm", &[("observations.csv", "tau3_nm", "tau_3")], RUN),
     ("torque-invalid column=tau1_nm value=missing", "torque-arm", &[("observations.csv", ",-0.033380,", ",,")], RUN),
     (

@@ -326,6 +326,7 @@ mod tests {
             is_for_controllers: false,
             sha256: Some(sha256.clone()),
             omitted_effects: Vec::new(),
+            inputs: Vec::new(),
             check: None,
         }];
         sha256

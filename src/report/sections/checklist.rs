@@ -4,7 +4,7 @@
 use crate::model::{Columns, Section, Table, Text};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::Results;
+use etalon_documents::{ReadingQuantity, Results};
 
 /// A field that is not given.
 pub(super) struct Missing {
@@ -103,9 +103,13 @@ fn general(results: &Results, words: &Words) -> Vec<Field> {
 /// Conditions that influence the results.
 fn influences(results: &Results, clause: &'static str, words: &Words) -> Vec<Field> {
     let given = &results.campaign.conditions;
+    // readings may give their own loads
+    let sets = results.identified.iter().flat_map(|identified| &identified.accuracy.sets);
+    let of_readings = sets.flat_map(|set| &set.readings).any(|v| v.quantity == ReadingQuantity::PayloadMass);
+    let load = given.motion.load_kg.is_some() || of_readings;
     vec![
         (tr!(words, "controller"), "conditions.controller", clause, is_stated(&given.robot.controller)),
-        (tr!(words, "load"), "conditions.load_kg", clause, given.motion.load_kg.is_some()),
+        (tr!(words, "load"), "conditions.load_kg", clause, load),
         (tr!(words, "warm-up-before-the-test"), "conditions.warm_up_minutes", clause, given.warm_up_minutes.is_some()),
     ]
 }

@@ -4,11 +4,14 @@
 use super::checklist;
 use super::fit::measures_coordinates;
 use super::limits::name;
-use super::streams;
+use super::{region, streams};
 use crate::model::{Block, Cell, Section};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, tr};
-use etalon_documents::{CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, QuantityResiduals, Results};
+use etalon_documents::{
+    AccuracySet, CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, PoseSet, QuantityResiduals,
+    ReadingQuantity, ReadingValues, Results,
+};
 
 pub(super) fn section(results: &Results, words: &Words) -> Option<Section> {
     let campaign = &results.campaign;
@@ -97,6 +100,43 @@ fn method(results: &Results, words: &Words) -> String {
     identified.into_iter().chain(tested).chain([program]).collect::<Vec<_>>().join("; ")
 }
 
+/// Values of a quantity that the readings of each set give; `None` if they give none.
+fn readings_text(quantity: ReadingQuantity, results: &Results, words: &Words) -> Option<String> {
+    let sets = &results.identified.as_ref()?.accuracy.sets;
+    let of_set = |set: &AccuracySet| {
+        let columns: Vec<&ReadingValues> = set.readings.iter().filter(|v| v.quantity == quantity).collect();
+        let values = match columns.as_slice() {
+            [] => return None,
+            [one] => region::listed(one, words),
+            all => all
+                .iter()
+                .map(|v| format!("{} {}", label(&v.column), region::range(v, words)))
+                .collect::<Vec<_>>()
+                .join(", "),
+        };
+        Some((set.name, format!("{values} {}", quantity.unit())))
+    };
+    let all: Vec<(PoseSet, String)> = sets.iter().filter_map(of_set).collect();
+    let (_, first) = all.first()?;
+    if all.iter().all(|(_, values)| values == first) {
+        return Some(tr!(words, "readings-give", values = first));
+    }
+    let named = |(set, values): &(PoseSet, String)| tr!(words, "readings-of-set-give", set = set.name(), values);
+    Some(all.iter().map(named).collect::<Vec<_>>().join("; "))
+}
+
+/// Name of a column without its unit: `x` of `load_x_mm`.
+fn label(column: &str) -> &str {
+    let column = column.strip_prefix("load_").unwrap_or(column);
+    column.rsplit_once('_').map_or(column, |(name, _)| name)
+}
+
+/// A statement of the campaign and the values of the readings.
+fn with_readings(stated: Option<String>, readings: Option<String>) -> Option<String> {
+    let all: Vec<String> = stated.into_iter().chain(readings).collect();
+    (!all.is_empty()).then(|| all.join("; "))
+}
+
 /// Given temperature, and the range that the exports contain.
 fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
     let stated = campaign.temperature.stated_c.map(|value| format!("{} °C", words.unrounded(value)));
@@ -104,8 +144,7 @@ fn temperature(campaign: &CampaignSummary, words: &Words) -> Option<String> {
         let [lowest, highest] = [lowest, highest].map(|value| words.unrounded(value));
         tr!(words, "temperature-range", lowest, highest)
     });
-    let all: Vec<String> = stated.into_iter().chain(measured).collect();
-    (!all.is_empty()).then(|| all.join("; "))
+    with_readings(stated, measured)
 }
 
 /// Data of a campaign on the conditions.
@@ -130,13 +169,15 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     };
     let velocities: Vec<String> = of_test.into_iter().chain(recorded).collect();
     let velocities = (!velocities.is_empty()).then(|| velocities.join("; "));
+    let readings = |quantity| readings_text(quantity, results, words);
+    let load = with_readings(in_unit(given.motion.load_kg, "kg"), readings(ReadingQuantity::PayloadMass));
     let mut all = vec![
         (tr!(words, "operator"), text(&c.measurements.operator)),
         (tr!(words, "controller"), text(&given.robot.controller)),
         (tr!(words, "mounting"), text(&given.robot.mounting)),
         (tr!(words, "measurement-point"), text(&given.measurement_point)),
-        (tr!(words, "load"), in_unit(given.motion.load_kg, "kg")),
-        (tr!(words, "load-centre"), centre),
+        (tr!(words, "load"), load),
+        (tr!(words, "load-centre"), with_readings(centre, readings(ReadingQuantity::PayloadCentre))),
         (tr!(words, "velocities"), velocities),
         (tr!(words, "temperature"), temperature(c, words)),
         (tr!(words, "relative-humidity"), in_unit(given.humidity_percent, "%")),
@@ -156,9 +197,19 @@ fn facts(results: &Results, words: &Words) -> Vec<(String, Cell)> {
         all.retain(|(what, _)| *what != tr!(words, "load-centre"));
     }
     let mut facts = stated(all, words);
+    let torques = readings(ReadingQuantity::Torque);
+    facts.extend(torques.map(|torques| (tr!(words, "torques-of-joints"), Some(torques).into())));
+    facts.extend(robot_temperature(results, words).map(|text| (tr!(words, "temperature-of-robot"), Some(text).into())));
     facts.push((tr!(words, "contact"), contact(c, words).into()));
     facts.push((tr!(words, "notes"), text(&c.measurements.notes).into()));
     facts
+}
+
+/// Temperatures of the robot in the readings, and the temperature to which the model refers.
+fn robot_temperature(results: &Results, words: &Words) -> Option<String> {
+    let reference_c = results.identified.as_ref()?.parameters.reference_temperature_c;
+    let reference = reference_c.map(|value| tr!(words, "reference-temperature", value = words.unrounded(value)));
+    with_readings(readings_text(ReadingQuantity::Temperature, results, words), reference)
 }
 
 /// Expanded uncertainties (k = 2) of the readings of each quantity other than positions.
@@ -260,6 +311,45 @@ mod tests {
         let of_poses = tr!(words, "velocity-of-poses", velocity = "400 mm/s");
         let of_path = tr!(words, "velocity-of-recording", value = "100", name = crate::words::isolated("square"));
         assert_eq!(velocities(&documents), format!("{of_poses}; {of_path}"));
+    }
+
+    #[test]
+    fn loads_and_temperatures_of_readings_are_conditions() {
+        let mut documents = Documents::demo();
+        let values =
+            |column: &str, quantity, all: &[f64]| ReadingValues::new(column.to_owned(), quantity, all.to_vec());
+        let hot: Vec<f64> = (0..8).map(f64::from).map(|k| 19.5 + k).collect();
+        let load = [
+            values("load_kg", ReadingQuantity::PayloadMass, &[0.0, 1.5, 3.0, 0.0]),
+            values("load_x_mm", ReadingQuantity::PayloadCentre, &[0.0, 10.0]),
+            values("load_y_mm", ReadingQuantity::PayloadCentre, &[0.0]),
+        ];
+        let load: Vec<ReadingValues> = load.into_iter().flatten().collect();
+        let temperature = |all: &[f64]| values("temperature_c", ReadingQuantity::Temperature, all);
+        let sets = &mut documents.accuracy.sets;
+        sets[0].readings = load.iter().cloned().chain(temperature(&hot)).collect();
+        sets[1].readings = load.into_iter().chain(temperature(&[23.0])).collect();
+        documents.parameters.reference_temperature_c = Some(20.0);
+        documents.campaign.conditions.motion.load_kg = Some(1.0);
+        let all = facts(&documents.results(), &Words::default());
+        assert_eq!(fact(&all, "load").as_deref(), Some("1 kg; readings: 0; 1.5; 3 kg"));
+        let centre = fact(&all, "load centre (from the mechanical interface)");
+        assert_eq!(centre.as_deref(), Some("readings: x 0 to 10, y 0 mm"));
+        let robot = "calibration readings: 19.5 to 26.5 °C; validation readings: 23 °C; model refers to 20 °C";
+        assert_eq!(fact(&all, "temperature of the robot").as_deref(), Some(robot));
+        assert_eq!(fact(&all, "torques of the joints"), None);
+        // readings that give loads leave nothing to complete
+        documents.campaign.conditions.motion.load_kg = None;
+        let is_missing = |documents: &Documents| {
+            let missing = checklist::missing(&documents.results(), &Words::default());
+            missing.iter().any(|m| m.field == "load")
+        };
+        assert!(!is_missing(&documents) && is_missing(&Documents::demo()));
+        let region = serde_json::to_string(&region::section(&documents.results(), &Words::default())).unwrap();
+        assert!(region.contains("load_x_mm") && region.contains("19.5 to 26.5"), "{region}");
+        let sentence = region::readings_sentence(&documents.accuracy, &Words::default());
+        assert!(sentence.contains("load_kg 0; 1.5; 3, load_x_mm 0; 10") && sentence.contains("19.5"), "{sentence}");
+        assert_eq!(region::readings_sentence(&Documents::demo().accuracy, &Words::default()), "");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Errors before and after calibration: by set of poses, by pose, by point, and in figures.
 
-use super::relative;
+use super::{region, relative};
 use crate::coverage;
 use crate::model::{
     Block, Columns, Figure, PAPER_ROWS, Section, Table, Text, fixed, number_cell, significant, term, yes_no,
@@ -15,7 +15,7 @@ use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_documents::{
     AccuracyDocument, AccuracySet, EffectProof, ErrorQuantity, ErrorStatistics, IdentifiedDocuments, MapNode,
-    ParametersDocument, PointError, PoseSet, Results, SelfLocated, Statistics, ToolAccuracy, ValidationDistance,
+    ParametersDocument, PointError, PoseSet, Results, SelfLocated, Statistics, ToolAccuracy,
 };
 use std::collections::BTreeMap;
 
@@ -83,7 +83,8 @@ fn with_flagged(
         section.push(Block::text(tr!(words, "probability-of-errors", probability = p)));
     }
     if let Some(distance) = &accuracy.validation_distance {
-        section.push(Block::text(validation_region(distance, words)));
+        section.push(Block::text(region::validation_region(distance, words)));
+        section.push(Block::text(region::readings_sentence(accuracy, words)));
     }
     if let Some(relative) = &accuracy.relative {
         relative::push(&mut section, relative, words);
@@ -103,20 +104,6 @@ fn with_flagged(
     section.push(Block::Table(residuals(errors, words)));
     section.push(Block::Table(nodes(accuracy, words)));
     section.on_terminal()
-}
-
-/// Sentence on the validation poses outside the region of the calibration poses.
-pub(super) fn validation_region(distance: &ValidationDistance, words: &Words) -> String {
-    let number = |v: f64| number::fixed(v, 2);
-    tr!(
-        words,
-        "errors-hold-among",
-        region = if distance.is_within() { "within" } else { "beyond" },
-        ratio = number(distance.median),
-        largest = number(distance.largest),
-        outside = distance.outside,
-        total = distance.poses
-    )
 }
 
 /// `true` for the set whose errors decide: the last one.
@@ -190,7 +177,13 @@ fn push_tool(section: &mut Section, accuracy: &AccuracyDocument, tool: &ToolAccu
         after: tool.after,
         expanded_uncertainty: None,
     };
-    let set = AccuracySet { name: tool.set, poses: tool.poses, count: tool.poses, errors: vec![of_tool] };
+    let set = AccuracySet {
+        name: tool.set,
+        poses: tool.poses,
+        count: tool.poses,
+        errors: vec![of_tool],
+        readings: Vec::new(),
+    };
     // the base has no effect here: these errors differ from the errors of the sets before and
     // after calibration
     let names = [phrase!("nominal-minus-identified"), phrase!("expected")];
@@ -465,7 +458,7 @@ mod tests {
     use etalon_base::worded::Worded;
 
     fn set(name: PoseSet, errors: Vec<ErrorStatistics>) -> AccuracySet {
-        AccuracySet { name, poses: 1, count: 1, errors }
+        AccuracySet { name, poses: 1, count: 1, errors, readings: Vec::new() }
     }
 
     fn errors(quantity: ErrorQuantity, before_mm: f64, after_mm: f64) -> ErrorStatistics {

@@ -3,7 +3,9 @@
 use crate::model::{Block, Columns, Section, Table, Text, fixed};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
-use etalon_documents::{DisplayedPose, LoadingCheck, Results, RobotLinks, Source, SourceKind, WrittenFile};
+use etalon_documents::{
+    DisplayedPose, FileInput, LoadingCheck, ReadingQuantity, Results, RobotLinks, Source, SourceKind, WrittenFile,
+};
 
 /// Decimals of positions (mm).
 const DECIMALS: usize = 3;
@@ -88,6 +90,12 @@ impl Shown<'_> {
     }
 }
 
+/// Value of an input at which the announced poses are computed.
+fn neutral(input: &FileInput, words: &Words) -> String {
+    let value = words.unrounded(input.neutral);
+    format!("{} {value} {}", words.tr(&input.quantity.phrase()), input.quantity.unit())
+}
+
 /// Adds the pose on the display before and after loading.
 fn at_pose(section: &mut Section, shown: Shown, words: &Words) {
     let Shown { check, file, links } = shown;
@@ -114,6 +122,13 @@ fn at_pose(section: &mut Section, shown: Shown, words: &Words) {
         .enumerate()
         .fold(columns, |columns, (part, name)| columns.both(name, "", move |r| fixed(r.pose.quaternion[part], 6)));
     section.push(Block::Table(Table::new(words, &rows, columns).on(phrase!("sheet-way-back"))));
+    // without mass, its centre has no effect
+    let inputs = file.inputs.iter().filter(|input| input.quantity != ReadingQuantity::PayloadCentre);
+    let mut inputs: Vec<String> = inputs.map(|input| neutral(input, words)).collect();
+    inputs.dedup();
+    if !inputs.is_empty() {
+        section.push(Block::text(tr!(words, "way-back-inputs", inputs = inputs.join(", "))));
+    }
     if !check.mastered_joint_values.is_empty() {
         let joints = listed(&check.mastered_joint_values);
         section.push(Block::text(tr!(words, "way-back-mastered", joints)));

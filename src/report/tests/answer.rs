@@ -6,13 +6,14 @@ use crate::campaign::contents;
 use crate::model::sentence;
 use crate::sections::certificate;
 use crate::*;
+use etalon_base::catalogue::Argument;
 use etalon_base::message::AnsweredBy;
 use etalon_base::{phrase, warning};
 use etalon_documents::{
     Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
-    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, Iso9283Drift, LeftOutErrors, LimitQuantity,
-    LimitVerdict, LoadAnswer, LoadingCheck, PoseSet, Reason, RobotLinks, RobustParameter, RobustPose, RobustSummary,
-    Source, SourceKind, Statistics, VerdictDocument, WrittenFile,
+    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, FileInput, Iso9283Drift, LeftOutErrors,
+    LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck, PoseSet, ReadingQuantity, Reason, RobotLinks,
+    RobustParameter, RobustPose, RobustSummary, Source, SourceKind, Statistics, VerdictDocument, WrittenFile,
 };
 
 fn kinds(actions: &[Action]) -> Vec<ActionKind> {
@@ -30,6 +31,7 @@ fn file(format: &str, file: &str) -> WrittenFile {
         is_for_controllers: false,
         sha256: None,
         omitted_effects: Vec::new(),
+        inputs: Vec::new(),
         check: None,
     }
 }
@@ -482,6 +484,23 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
     let verify = software.verdict.actions.iter().find(|step| step.action == ActionKind::Verify).unwrap();
     assert_eq!(verify.what.phrase().unwrap().id, "action-verify-software-at-pose");
     holds(&software, &["etalon compensate", "q1_deg = 12.500", "0.04 mm"]);
+    // values that no joint contains must be given to the file; the announced poses exclude them
+    let mut with_inputs = software;
+    let input = |column: &str, quantity, neutral| FileInput { column: column.to_owned(), quantity, neutral };
+    with_inputs.campaign.controller_files[0].inputs = vec![
+        input("load_kg", ReadingQuantity::PayloadMass, 0.0),
+        input("load_x_mm", ReadingQuantity::PayloadCentre, 0.0),
+        input("load_y_mm", ReadingQuantity::PayloadCentre, 0.0),
+        input("temperature_c", ReadingQuantity::Temperature, 21.5),
+    ];
+    let with_inputs = with_inputs.judged();
+    let load = with_inputs.verdict.actions[0].what.phrase().unwrap();
+    assert_eq!(load.id, "action-load-with-inputs");
+    match &load.arguments["inputs"] {
+        Argument::List(inputs) => assert_eq!(inputs.len(), 3, "{load:?}"),
+        other => panic!("{other:?}"),
+    }
+    holds(&with_inputs, &["payload 0 kg, temperature of the robot 21.5 °C"]);
 }
 
 /// 117 µm without, 37 µm with the field; 110 µm with a further effect.

@@ -89,6 +89,7 @@ impl Documents {
                 error(ErrorQuantity::Y, "mm", 0.1063, 0.0180),
                 error(ErrorQuantity::Orientation, "deg", 0.1035, 0.0033),
             ],
+            readings: Vec::new(),
         };
         let limit =
             |name, limit: f64, value: f64| LimitVerdict::judge(name, limit, value, Some(0.0038), DecisionRule::Guarded);

@@ -12,6 +12,7 @@ use crate::stages::evaluate::field::{self, FieldSearch};
 use crate::stages::evaluate::sets::Sets;
 use crate::stages::evaluate::tool::Expected;
 use crate::stages::judge::checks::{far_targets, robust_message};
+use crate::stages::judge::circumstances::reading_values;
 use crate::stages::judge::first_tilt;
 use crate::stages::judge::frame_checks::base_elsewhere;
 use crate::stages::judge::plausible::{Plausibility, is_suspect, plausibility};
@@ -143,6 +144,9 @@ impl LocatedSolution<'_> {
         accuracy.effects.extend(left_out.as_ref().map(undescribed).unwrap_or_default());
         best_alone(&mut accuracy.effects);
         accuracy.validation_distance = validation_distance(robot, all);
+        for set in &mut accuracy.sets {
+            set.readings = reading_values(robot, all, set.name);
+        }
         if with_times(&mut errors, &joined.observations[0].1.times()?) {
             accuracy.joints.push(table::TIME.to_owned());
         }

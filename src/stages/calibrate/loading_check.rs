@@ -3,9 +3,10 @@
 use crate::stages::calibrate::identification::IdentifiedSolution;
 use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{DisplayedPose, LoadingCheck, PoseSet};
+use etalon_documents::{DisplayedPose, FileInput, LoadingCheck, PoseSet, ReadingQuantity};
 use etalon_formats::table::ASSEMBLY;
-use etalon_robots::{Kinematics, Parameter, Robot, Role};
+use etalon_formats::tables::joints::stated_columns;
+use etalon_robots::{Circumstance, Kinematics, Parameter, Robot, Role};
 
 /// Pose of a link by values of the parameters and of the joints.
 type Display<'a> = Box<dyn Fn(&[f64], &[f64]) -> Option<Pose> + 'a>;
@@ -65,6 +66,22 @@ fn displays(robot: &dyn Robot) -> Vec<Displayed<'_>> {
 fn without_base(robot: &dyn Robot, values: &[f64]) -> Vec<f64> {
     let of_base = |p: &Parameter, value: f64| if p.role == Role::Base { 0.0 } else { value };
     robot.parameters().iter().zip(values).map(|(p, &value)| of_base(p, value)).collect()
+}
+
+/// Inputs in addition to joint values, on which these values of the parameters depend.
+pub fn file_inputs(robot: &dyn Robot, values: &[f64]) -> Vec<FileInput> {
+    let is_needed = |stated: Circumstance| {
+        robot.parameters().iter().zip(values).any(|(p, value)| *value != 0.0 && p.depends_on(stated))
+    };
+    let input = |(stated, column): (Circumstance, String)| {
+        let quantity = ReadingQuantity::from(stated);
+        let neutral = match quantity {
+            ReadingQuantity::Temperature => robot.reference_temperature_c().unwrap_or_default(),
+            _ => 0.0,
+        };
+        is_needed(stated).then_some(FileInput { column, quantity, neutral })
+    };
+    robot.circumstances().iter().copied().zip(stated_columns(robot)).filter_map(input).collect()
 }
 
 /// Largest change (mm) of the displayed position that rounding causes: of the announced joint

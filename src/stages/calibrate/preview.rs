@@ -3,7 +3,7 @@
 use crate::stages::calibrate::selection::{Input, indices, uncalibrated_series};
 use crate::stages::evaluate::sets::split;
 use crate::stages::join::Joined;
-use crate::stages::judge::circumstances::hold_constant;
+use crate::stages::judge::circumstances::{contradicted_load, hold_constant};
 use crate::stages::judge::excitation::{still_joints, travels, unmoved};
 use crate::stages::judge::readings::check_readings;
 use crate::stages::judge::set_up::check_set_up;
@@ -41,6 +41,7 @@ pub fn preview(campaign: &Campaign, robot: &mut dyn Robot, joined: &Joined) -> R
     let sets = split(&observed, &measured, &selections);
     let mut settings = Settings { conditions: sets.calibration_conditions.clone(), ..observed.settings };
     messages.extend(hold_constant(robot, &sets, &mut settings));
+    messages.extend(contradicted_load(campaign, robot, &sets));
     if messages.iter().all(|message| message.severity != Severity::Error) {
         messages.extend(unmoved(robot, &sets.calibration, &settings, None).err().unwrap_or_default().0);
         messages.extend(still_joints(robot, &sets.calibration, &settings));

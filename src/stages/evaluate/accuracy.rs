@@ -284,7 +284,7 @@ fn accuracy_set(name: PoseSet, errors: &[&PointError], planar: bool, uncertainty
     for of in &mut quantities {
         of.expanded_uncertainty = uncertainty.expanded(of.quantity, Figure::Max);
     }
-    AccuracySet { name, poses: poses.len(), count: errors.len(), errors: quantities }
+    AccuracySet { name, poses: poses.len(), count: errors.len(), errors: quantities, readings: Vec::new() }
 }
 
 /// Budgets of figures from the variances (mm²) of each source.
@@ -348,7 +348,14 @@ mod tests {
             expanded_uncertainty: None,
         };
         let id = |errors: Vec<ErrorStatistics>| {
-            error_of_targets(&[AccuracySet { name: PoseSet::Validation, poses: 1, count: 1, errors }]).id
+            error_of_targets(&[AccuracySet {
+                name: PoseSet::Validation,
+                poses: 1,
+                count: 1,
+                errors,
+                readings: Vec::new(),
+            }])
+            .id
         };
         assert_eq!(id(vec![error(Position, "mm"), error(Orientation, "deg")]), "error-of-targets");
         assert_eq!(id(vec![error(Position, "mm")]), "error-of-positions");

@@ -5,6 +5,9 @@ use crate::stages::evaluate::sets::Sets;
 use etalon_base::message::Message;
 use etalon_base::pose::{minus, norm};
 use etalon_base::{phrase, warning};
+use etalon_campaign::Campaign;
+use etalon_documents::{PoseSet, ReadingQuantity, ReadingValues};
+use etalon_formats::tables::joints::stated_columns;
 use etalon_identify::{Effects, Identification, Observation, Settings, Status, chi_square_exceeds, identify_from};
 use etalon_robots::{Circumstance, Effect, Parameter, Robot};
 
@@ -15,6 +18,8 @@ const WORKSHOP_C: [f64; 2] = [0.0, 55.0];
 /// Maximum payload (kg) of an arm per cube of its reach (m³). The strongest arms of the catalogues
 /// have 44 kg/m³ (six axes, 2300 kg at 3.7 m) and 190 kg/m³ (a SCARA, 1 kg at 0.175 m).
 const MOST_KG_PER_M3: f64 = 1000.0;
+/// Maximum relative difference of a load that counts as rounding.
+const ROUNDED_LOAD: f64 = 0.01;
 /// Standard uncertainties by which a compliance differs from zero.
 const SIGNIFICANCE: f64 = 3.0;
 
@@ -49,18 +54,42 @@ pub(crate) fn hold_constant(robot: &dyn Robot, sets: &Sets, settings: &mut Setti
         };
         match stated {
             Circumstance::Torque(joint) => {
-                hold(&|p| p.effect == Effect::Torque && p.joint == Some(joint));
+                hold(&|p| p.depends_on(stated));
                 let (joint, column) = (&robot.joints()[joint].name, robot.joints()[joint].torque_column());
                 messages.push(warning!("torque-constant", joint, column, value = low).routine());
             }
             Circumstance::Temperature => {
-                hold(&|p| p.effect.is_thermal());
+                hold(&|p| p.depends_on(stated));
                 messages.push(warning!("temperature-constant", value = low));
             }
             Circumstance::PayloadMass | Circumstance::PayloadCentre(_) => {}
         }
     }
     messages
+}
+
+/// Values of the readings of a set in addition to joint values and directions of approach.
+pub(crate) fn reading_values(robot: &dyn Robot, sets: &Sets, set: PoseSet) -> Vec<ReadingValues> {
+    let (observations, conditions) = sets.observations_and_conditions(set);
+    let states = || observations.iter().map(|o| &o.joints).chain(conditions.iter().map(|c| &c.joints));
+    let column = |((at, stated), column): ((usize, Circumstance), String)| {
+        let values = states().filter_map(|state| state.get(at).copied()).filter(|value| value.is_finite());
+        ReadingValues::new(column, stated.into(), values.collect())
+    };
+    positions(robot).zip(stated_columns(robot)).filter_map(column).collect()
+}
+
+/// Returns a warning if the campaign gives one load, and readings give another load.
+pub(crate) fn contradicted_load(campaign: &Campaign, robot: &dyn Robot, sets: &Sets) -> Option<Message> {
+    let stated_kg = campaign.file.conditions.motion.load_kg?;
+    let of_set = |set| reading_values(robot, sets, set);
+    let masses = PoseSet::ALL.into_iter().flat_map(of_set).filter(|v| v.quantity == ReadingQuantity::PayloadMass);
+    let [lowest_kg, highest_kg] =
+        masses.map(|v| [v.lowest, v.highest]).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+    let differs = |kg: f64| (kg - stated_kg).abs() > ROUNDED_LOAD * kg.max(stated_kg);
+    let place = || campaign.key_place(&["conditions", "load_kg"]);
+    let is_contradicted = differs(lowest_kg) || differs(highest_kg);
+    is_contradicted.then(|| warning!("load-elsewhere", stated_kg, lowest_kg, highest_kg).at(place()))
 }
 
 /// Returns a warning if temperatures (°C) are unusual in a workshop.

@@ -274,6 +274,7 @@ action-load-reason = quadratischer Mittelwert der Abweichung ({ $quantity }) an 
         [held-out] ausgelassenen Kalibrierposen
        *[calibration] Kalibrierposen
     }: mit Nennparametern { $nominal }, mit dieser Datei { $expected }
+action-load-with-inputs = { $action }. Die Software, die die Datei anwendet, muss sie an jeder Pose mit { $inputs } auswerten: Gelenkwerte allein genügen nicht
 action-load-synthetic = `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(oder { $others })
@@ -343,3 +344,8 @@ expansion-with-temperature = Ausdehnung mit der Temperatur
 drift-with-temperature = Drift der Nullpunkte mit der Temperatur
 lateral-bending = Kippung der Gelenke quer zu ihren Achsen
 pedestal-bending = Kippung der Basis unter dem Arm
+reading-payload-mass = Nutzlast
+reading-payload-centre = Schwerpunkt der Nutzlast im Flansch
+reading-torque = Drehmomente der Gelenke
+reading-temperature = Temperatur des Roboters
+reading-in-unit = { $quantity } ({ $unit })

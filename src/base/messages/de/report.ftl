@@ -1159,6 +1159,12 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25-%-Regel
 radius = Radius
 range = { $from } bis { $to }
+readings-give = Messwerte: { $values }
+readings-of-set-give = Messwerte der { $set ->
+        [validation] Validierung
+       *[calibration] Kalibrierung
+    }: { $values }
+reference-temperature = das Modell bezieht sich auf { $value } °C
 rank = Rang
 rank-cut = Rangschwelle { $value }
 ratio = Verhältnis
@@ -1194,6 +1200,7 @@ region-note = Bereiche der Werte an den gemessenen Posen. Die Ergebnisse gelten 
 region-of-c = Bereich von C, im Basiskoordinatensystem
 region-of-orientation = Orientierung { $orientation } deg
 region-of-orientations = jede Orientierung von { $from } bis { $to } deg
+region-of-readings = Die Abweichungen gelten für diese Werte der Kalibriermessungen: { $values }.
 region-of-validity = Geltungsbereich
 relative-accuracy = Relative Genauigkeit: Abstände zwischen Posen ({ $set })
 relative-accuracy-note = Vorhergesagter minus gemessener Abstand einer Zielmarke zwischen zwei Posen. Die Basis wirkt sich auf diese Abweichungen nicht aus; die Zielmarke nicht, wenn beide Posen dieselbe Orientierung haben. U (k = 2): Messgerät, Koordinatensysteme und Zielmarken; die Parameter werden geprüft und tragen nicht bei.
@@ -1538,6 +1545,8 @@ targets-in-world = den Zielmarken im Weltkoordinatensystem
 targets-placed-by-validation = Keine Kalibrierpose misst { $targets }: aus den Messwerten an den Validierungsposen bestimmt, bei festgehaltenen identifizierten Roboterparametern. Jede dieser Abweichungen ist durch √r geteilt (r: Redundanz). U ist die erweiterte Messunsicherheit der anderen Messwerte.
 temperature = Temperatur
 temperature-range = { $lowest } °C bis { $highest } °C in den Exporten
+temperature-of-robot = Temperatur des Roboters
+torques-of-joints = Drehmomente der Gelenke
 test-certificate = Prüfschein
 test-certificate-draft = Entwurf eines Prüfscheins
 test-cube = P1 ist die Mitte eines Würfels von { $size } mm, P2 bis P5 liegen auf den Diagonalen der Prüfebene (ISO 9283:1998, 6).
@@ -1710,6 +1719,7 @@ way-back-display = angezeigte Pose
 way-back-file = Datei vor dem Laden
 way-back-base-moves = Gelenke bewegen das Glied `{ $base }`; deshalb zeigt keine Steuerung diese Posen an. Software, die die Kette berechnet, liefert sie, zum Beispiel `etalon kinematics direct`.
 way-back-links = Basiskoordinatensystem: Glied `{ $base }`. Flansch: Glied `{ $link }`.
+way-back-inputs = Beide Zeilen sind berechnet mit: { $inputs }. Bei anderen Werten ist die zweite Zeile eine andere.
 way-back-loaded = zu ladende Datei
 way-back-moved = größte Änderung einer geteachten Position
 way-back-moved-by = { $change } mm im Basiskoordinatensystem, an Pose { $pose }

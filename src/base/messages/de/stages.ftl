@@ -1242,6 +1242,9 @@ label-orientations-unused = die Orientierungen des Exports werden nicht verwende
 temperature-elsewhere = `temperature_c` = { $stated_c }; die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C
     .hint = `temperature_c` oder die Einheit der Spalte (Grad Celsius) berichtigen
 
+load-elsewhere = `load_kg` = { $stated_kg }; die Messwerte nennen Lasten von { $lowest_kg } kg bis { $highest_kg } kg
+    .hint = `load_kg` aus [conditions] entfernen oder die Lasten der Messwerte berichtigen
+
 temperature-varies = die Zeilen der Exporte nennen { FIXED($lowest_c, 1) } °C bis { FIXED($highest_c, 1) } °C, mehr als ±{ $expanded_c } °C; die Messunsicherheit der Längen ist zu klein
     .hint = für `expanded_temperature_uncertainty_c` einen Wert angeben, der den Bereich abdeckt
 

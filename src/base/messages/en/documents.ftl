@@ -418,6 +418,7 @@ action-load-reason = root-mean-square error ({ $quantity }) at { $count } { $set
         [held-out] held-out calibration
        *[calibration] calibration
     } poses: nominal { $nominal }, with this file { $expected }
+action-load-with-inputs = { $action }. The software that applies the file must evaluate it at each pose with { $inputs }: joint values alone are not enough
 action-load-synthetic = load `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(or { $others })
@@ -495,3 +496,8 @@ expansion-with-temperature = expansion with the temperature
 drift-with-temperature = drift of the zeros with the temperature
 lateral-bending = tilt of the joints across their axes
 pedestal-bending = tilt of the base under the arm
+reading-payload-mass = payload
+reading-payload-centre = centre of the payload in the flange
+reading-torque = torques of the joints
+reading-temperature = temperature of the robot
+reading-in-unit = { $quantity } ({ $unit })

@@ -1114,6 +1114,12 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = 25 % rule
 radius = radius
 range = { $from } to { $to }
+readings-give = readings: { $values }
+readings-of-set-give = { $set ->
+        [validation] validation
+       *[calibration] calibration
+    } readings: { $values }
+reference-temperature = model refers to { $value } °C
 rank = rank
 rank-cut = rank cut { $value }
 ratio = ratio
@@ -1143,6 +1149,7 @@ region-note = Ranges of the values at the measured poses. The results apply with
 region-of-c = region of C, in the base frame
 region-of-orientation = orientation { $orientation } deg
 region-of-orientations = every orientation from { $from } to { $to } deg
+region-of-readings = The errors apply to these values of the calibration readings: { $values }.
 region-of-validity = Region of validity
 relative-accuracy = Relative accuracy: distances between { $set } poses
 relative-accuracy-note = Predicted minus measured distance of one target between two poses. The base has no effect on these errors; the target has none if both poses have the same orientation. U (k = 2): instrument, frames and targets. The parameters are under test, so their uncertainty is not included.
@@ -1472,6 +1479,8 @@ targets-in-world = the targets in the world
 targets-placed-by-validation = No calibration pose measures { $targets }. Its position is computed from readings at the validation poses, with the identified parameters of the robot held. Each of these errors is divided by √r (r: redundancy). U is computed from the other readings.
 temperature = temperature
 temperature-range = { $lowest } °C to { $highest } °C in the exports
+temperature-of-robot = temperature of the robot
+torques-of-joints = torques of the joints
 test-certificate = Test certificate
 test-certificate-draft = Draft of a test certificate
 test-cube = P1 is the centre of a cube of { $size } mm, P2 to P5 are on the diagonals of the test plane (ISO 9283:1998, 6).
@@ -1644,6 +1653,7 @@ way-back-display = pose on the display
 way-back-file = file before loading
 way-back-base-moves = Joints move link `{ $base }`, so no controller displays these poses. Software that computes the chain gives them, for example `etalon kinematics direct`.
 way-back-links = Base frame: link `{ $base }`. Flange: link `{ $link }`.
+way-back-inputs = Both rows are computed with { $inputs }. With other values the second row differs.
 way-back-loaded = file to load
 way-back-moved = largest change of a taught position
 way-back-moved-by = { $change } mm in the base frame, at pose { $pose }

@@ -2502,6 +2502,13 @@ label-orientations-unused = orientations of the export are not used: log `{ $log
 temperature-elsewhere = `temperature_c` = { $stated_c }, but the rows of the exports contain { FIXED($lowest_c, 1) } °C to { FIXED($highest_c, 1) } °C
     .hint = correct `temperature_c`, or convert the column to degrees Celsius
 
+# Means: `load_kg` of [conditions] differs from loads in the rows of the readings.
+# Matters: The report prints both. A reader takes the single load for the load of all readings.
+# Do: Remove `load_kg`, because the readings give their loads; or correct the column of the loads.
+# Example: `load_kg = 1.0`, and rows with 0, 1.5 and 3 kg
+load-elsewhere = `load_kg` = { $stated_kg }, but the readings contain loads of { $lowest_kg } kg to { $highest_kg } kg
+    .hint = remove `load_kg` from [conditions], or correct the loads of the readings
+
 # Means: The temperatures in the rows of the exports vary by more than [expansion] allows.
 # Matters: The uncertainty of lengths due to temperature is too small, because rows are not
 # corrected for temperature.

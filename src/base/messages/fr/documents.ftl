@@ -268,6 +268,7 @@ action-load-reason = moyenne quadratique de l’erreur ({ $quantity }) aux { $co
         [held-out] d’étalonnage omises
        *[calibration] d’étalonnage
     } : nominale { $nominal }, avec ce fichier { $expected }
+action-load-with-inputs = { $action }. Le logiciel qui applique le fichier doit l’évaluer à chaque pose avec { $inputs } : les valeurs articulaires seules ne suffisent pas
 action-load-synthetic = charger `{ $file }`{ $count ->
         [0] {""}
        *[other] {" "}(ou { $others })
@@ -337,3 +338,8 @@ expansion-with-temperature = dilatation avec la température
 drift-with-temperature = dérive des zéros avec la température
 lateral-bending = basculement des articulations en travers de leurs axes
 pedestal-bending = basculement de la base sous le bras
+reading-payload-mass = charge
+reading-payload-centre = centre de la charge dans la bride
+reading-torque = couples des articulations
+reading-temperature = température du robot
+reading-in-unit = { $quantity } ({ $unit })

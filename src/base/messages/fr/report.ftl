@@ -1165,6 +1165,12 @@ quantity-in-unit = { $quantity } ({ $unit })
 quarter-rule = règle des 25 %
 radius = rayon
 range = { $from } à { $to }
+readings-give = lectures : { $values }
+readings-of-set-give = lectures { $set ->
+        [validation] de validation
+       *[calibration] d’étalonnage
+    } : { $values }
+reference-temperature = le modèle se rapporte à { $value } °C
 rank = rang
 rank-cut = seuil de rang { $value }
 ratio = rapport
@@ -1200,6 +1206,7 @@ region-note = Plages des valeurs aux poses mesurées. Les résultats s’appliqu
 region-of-c = région de C, dans le repère de la base
 region-of-orientation = orientation de { $orientation } deg
 region-of-orientations = toute orientation de { $from } à { $to } deg
+region-of-readings = Les erreurs s’appliquent à ces valeurs des lectures d’étalonnage : { $values }.
 region-of-validity = Domaine de validité
 relative-accuracy = Exactitude relative : distances entre poses ({ $set })
 relative-accuracy-note = Distance prédite moins distance mesurée d’une cible entre deux poses. La base est sans effet sur ces erreurs ; la cible aussi si les deux poses ont la même orientation. U (k = 2) : instrument, repères et cibles ; les paramètres sont l’objet de l’essai et n’y contribuent pas.
@@ -1544,6 +1551,8 @@ targets-in-world = cibles dans le repère atelier
 targets-placed-by-validation = Aucune pose d’étalonnage ne mesure { $targets } : cibles localisées d’après les lectures aux poses de validation, les paramètres identifiés du robot étant fixés. Chacune de ces erreurs est divisée par √r (r : redondance). La valeur de U est celle des autres lectures.
 temperature = température
 temperature-range = de { $lowest } °C à { $highest } °C dans les exports
+temperature-of-robot = température du robot
+torques-of-joints = couples des articulations
 test-certificate = Certificat d’essai
 test-certificate-draft = Projet de certificat d’essai
 test-cube = P1 est le centre d’un cube de { $size } mm, P2 à P5 sont sur les diagonales du plan d’essai (ISO 9283:1998, 6).
@@ -1716,6 +1725,7 @@ way-back-display = pose affichée
 way-back-file = fichier avant chargement
 way-back-base-moves = Des articulations déplacent le segment `{ $base }` : aucun contrôleur n’affiche ces poses. Un logiciel qui calcule la chaîne les donne, par exemple `etalon kinematics direct`.
 way-back-links = Référentiel de la base : segment `{ $base }`. Bride : segment `{ $link }`.
+way-back-inputs = Les deux lignes sont calculées avec : { $inputs }. Avec d’autres valeurs, la seconde ligne diffère.
 way-back-loaded = fichier à charger
 way-back-moved = plus grand changement d’une position apprise
 way-back-moved-by = { $change } mm dans le référentiel de la base, à la pose { $pose }

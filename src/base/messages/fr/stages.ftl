@@ -1249,6 +1249,9 @@ label-orientations-unused = les orientations de l’export ne sont pas utilisée
 temperature-elsewhere = `temperature_c` = { $stated_c } ; les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C
     .hint = corriger `temperature_c`, ou l’unité de la colonne (degrés Celsius)
 
+load-elsewhere = `load_kg` = { $stated_kg } ; les lectures indiquent des charges de { $lowest_kg } kg à { $highest_kg } kg
+    .hint = supprimer `load_kg` de [conditions], ou corriger les charges des lectures
+
 temperature-varies = les lignes des exports indiquent de { FIXED($lowest_c, 1) } °C à { FIXED($highest_c, 1) } °C, soit plus de ±{ $expanded_c } °C ; l’incertitude des longueurs est trop petite
     .hint = indiquer une `expanded_temperature_uncertainty_c` qui couvre cette étendue
 axes-comment-method = axes déterminés par balayage d’une articulation à la fois (etalon axes) ; sans modèle nominal

@@ -4,7 +4,7 @@ use crate::stages::calibrate::solution::Basis;
 use crate::stages::calibrate::validation_targets::ValidationTargets;
 use crate::stages::evaluate::sets::split;
 use crate::stages::join::{Joined, Observations};
-use crate::stages::judge::circumstances::hold_constant;
+use crate::stages::judge::circumstances::{contradicted_load, hold_constant};
 use crate::stages::kinds::{Observed, RowDefaults};
 use crate::stages::observe::exclusions::{Exclusion, exclude};
 use crate::stages::observe::joint_range::{self, Joints};
@@ -81,6 +81,7 @@ pub fn select(data: CampaignData, robot: &mut dyn Robot) -> Result<Selected> {
     let weighted = etalon_identify::weigh(&observed.observations, robot.dimension(), &mut settings);
     messages.extend(weighted.map_err(|error| remedied(error).at(&campaign.key_place(&["identify", "residuals"])))?);
     messages.extend(hold_constant(robot, &sets, &mut settings));
+    messages.extend(contradicted_load(campaign, robot, &sets));
     let targets = ValidationTargets::take(robot, &mut sets, &mut settings);
     let systematic = campaign.systematic(robot, frame_errors(&frames.world));
     let basis = Basis { sets, settings, systematic };
