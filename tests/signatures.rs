@@ -7,12 +7,11 @@ use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::path::Path;
 
 /// Structs with more than 12 fields: documents, and sections of files of the user, whose fields are their keys.
-const LONG: [&str; 11] = [
+const LONG: [&str; 10] = [
     "AccuracyDocument",
     "BatchEntry",
     "CampaignFile",
     "FormatsDocument",
-    "Iso9283Document",
     "Iso9283Path",
     "Iso9283Pose",
     "ParameterEntry",

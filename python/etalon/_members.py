@@ -34,6 +34,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "errors": ("ErrorStatistics", []),
         "name": ("", ""),
         "poses": ("", None),
+        "readings": ("ReadingValues", []),
     },
     "Action": {
         "action": ("", None),
@@ -624,6 +625,11 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "source": ("", None),
         "standard_uncertainty_mm": ("", None),
     },
+    "FileInput": {
+        "column": ("", ""),
+        "neutral": ("", None),
+        "quantity": ("", None),
+    },
     "Finding": {
         "arguments": ("", {}),
         "column": ("", None),
@@ -834,6 +840,13 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "change_over_u": ("", None),
         "cooks_distance": ("", None),
         "parameter": ("", ""),
+        "pose": ("", None),
+    },
+    "InputsCheck": {
+        "after": ("DisplayedPose", None),
+        "effect_mm": ("", None),
+        "inputs": ("", {}),
+        "joint_values": ("", []),
         "pose": ("", None),
     },
     "IntervalScore": {
@@ -1235,6 +1248,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "mastered_joint_values": ("", []),
         "pose": ("", None),
         "tolerance_mm": ("", None),
+        "with_inputs": ("InputsCheck", None),
     },
     "LockedPackage": {
         "name": ("", ""),
@@ -1344,6 +1358,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "confounded_with": ("", []),
         "degrees_of_freedom": ("", None),
         "determined": ("", None),
+        "full_unit": ("", None),
         "meaning": ("", ""),
         "meaning_id": ("", None),
         "name": ("", ""),
@@ -1386,6 +1401,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "parameters": ("ParameterEntry", []),
         "provenance": ("Provenance", None),
         "reference_poses": ("ReferencePose", []),
+        "reference_temperature_c": ("", None),
         "reliability": ("ReliabilitySummary", None),
         "residuals": ("ResidualSummary", None),
         "robot": ("", ""),
@@ -1548,6 +1564,13 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "share": ("", None),
         "sheet": ("", None),
         "thousands": ("", None),
+    },
+    "ReadingValues": {
+        "column": ("", ""),
+        "distinct": ("", []),
+        "highest": ("", None),
+        "lowest": ("", None),
+        "quantity": ("", None),
     },
     "RecommendationDocument": {
         "campaign": ("CampaignReference", None),
@@ -2017,6 +2040,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
         "check": ("LoadingCheck", None),
         "file": ("", ""),
         "format": ("", ""),
+        "inputs": ("FileInput", []),
         "is_for_controllers": ("", True),
         "omitted_effects": ("", []),
         "sha256": ("", None),

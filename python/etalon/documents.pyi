@@ -70,6 +70,10 @@ class AccuracySet(Record):
     """`calibration` or `validation`."""
     poses: int
     """Number of poses."""
+    readings: Records[ReadingValues]
+    """Values of the readings in addition to joint values, one entry per column; empty if the robot has no effects of
+    load, torques or temperature.
+    """
 
 class Action(Record):
     """Next step with its reason."""
@@ -998,6 +1002,17 @@ class FigureContribution(Record):
     standard_uncertainty_mm: float
     """Contribution (mm)."""
 
+class FileInput(Record):
+    """Input of a controller file in addition to joint values: effects in the file depend on it."""
+    column: str
+    """Column of the readings, which names the unit: `load_kg`."""
+    neutral: float
+    """Value without effect, at which the announced poses are computed: no payload, no torque, the reference
+    temperature.
+    """
+    quantity: str
+    """Quantity of the column."""
+
 class Finding(Record):
     """One error or warning. Members that do not apply are null."""
     arguments: Record
@@ -1282,6 +1297,21 @@ class InfluenceEntry(Record):
     """Parameter with the largest change relative to its standard uncertainty from the residuals."""
     pose: int | str
     """Pose."""
+
+class InputsCheck(Record):
+    """Pose with the values of a file and all inputs of a reading: software that ignores the inputs gives another
+    pose.
+    """
+    after: DisplayedPose
+    """Pose with the values of the file."""
+    effect_mm: float
+    """Distance (mm) from the pose without the inputs."""
+    inputs: Record
+    """Inputs, named as columns: `load_kg`, `q2_direction`."""
+    joint_values: NDArray[np.float64]
+    """Joint values (mm or deg), in the order of the joints of the check."""
+    pose: int | str
+    """Measured pose at which the inputs change the position most."""
 
 class IntervalScore(Record):
     """Score of prediction intervals."""
@@ -1848,7 +1878,7 @@ class KinematicsEntry(Record):
 class KnownValue(Record):
     """Known length or position that counts like a measured value."""
     name: str
-    """Two points, the parameter, or the surface."""
+    """Two points, the parameter, or a point of a surface."""
     quantity: str
     """`distance`, `coordinate` or `surface`."""
     residual_mm: float
@@ -1856,7 +1886,7 @@ class KnownValue(Record):
     standard_uncertainty_mm: float
     """Standard uncertainty (mm)."""
     stated_mm: float | None
-    """Stated value (mm); absent for a fixed point that a station measured, or that is on a surface."""
+    """Stated value (mm); absent for a point of a surface."""
 
 class LeadResult(Record):
     """Lead of an actuator."""
@@ -1977,6 +2007,8 @@ class LoadingCheck(Record):
     """Largest difference (mm) between a displayed and an announced position that rounding explains; absent in output
     folders of earlier versions.
     """
+    with_inputs: InputsCheck | None
+    """Pose with the inputs of a reading, if the values of the file depend on inputs in addition to joint values."""
 
 class LockedPackage(Record):
     """A package in Cargo.lock."""
@@ -2187,6 +2219,10 @@ class ParameterEntry(Record):
     determined: float | None
     """Share of the value that the data determined: 1 − (u/s)², where s is the standard uncertainty of the nominal
     value from its tolerance. Absent if nominal values are not used as observations.
+    """
+    full_unit: str | None
+    """Unit with the load or temperature to which the value refers: `deg/(100 N·m)`; absent if the value refers to
+    neither.
     """
     meaning: str
     """Meaning and sign of the parameter, in words."""
@@ -2479,6 +2515,19 @@ class Reading(Record):
     """Value of the campaign's key `sheet`, for a workbook."""
     thousands: str | None
     """Value of the campaign's key `thousands`, if digits are grouped."""
+
+class ReadingValues(Record):
+    """Values of one column at the poses of a set."""
+    column: str
+    """Column of the readings, which names the unit: `load_kg`."""
+    distinct: NDArray[np.float64]
+    """Distinct values in ascending order; absent if there are more than five."""
+    highest: float
+    """Highest value."""
+    lowest: float
+    """Lowest value."""
+    quantity: str
+    """Quantity of the column."""
 
 class ReferenceFile(Record):
     """File of the reference data."""
@@ -3240,6 +3289,8 @@ class WrittenFile(Record):
     """Name of the file in the output folder."""
     format: str
     """Name of the format."""
+    inputs: Records[FileInput]
+    """Inputs in addition to joint values, on which effects in the file depend; empty if joint values determine them."""
     is_for_controllers: bool
     """`false` for a file that programs of a laboratory read, and no controller loads."""
     omitted_effects: list[str]
@@ -3892,6 +3943,8 @@ class ParametersDocument(Document):
     """Positions of the flange by the nominal geometry, which are compared with a robot file that is given together
     with these parameters; absent in documents of earlier versions.
     """
+    reference_temperature_c: float | None
+    """Temperature (°C) to which lengths and zeros refer; absent if the model has no effects of the temperature."""
     reliability: ReliabilitySummary | None
     """Reliability of readings, and influence of poses. Absent if readings have covariances of their own or common
     errors, if readings are poses instead of positions, or if there are many unknown points.

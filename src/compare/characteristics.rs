@@ -57,7 +57,7 @@ fn accuracy(place: &Phrase, all: &[&Iso9283Pose]) -> Option<CompareTrend> {
 /// commanded position.
 fn positions(place: &Phrase, documents: &[&Iso9283Document], all: &[&Iso9283Pose]) -> Vec<CompareTrend> {
     let visited = |(d, p): (&&Iso9283Document, &&Iso9283Pose)| {
-        let of_pose = d.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
+        let of_pose = d.recorded.visits.iter().filter(|v| v.pose == p.pose).map(|v| v.attained_mm);
         of_pose.collect::<Vec<_>>()
     };
     let visits: Vec<_> = documents.iter().zip(all).map(visited).collect();

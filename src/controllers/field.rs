@@ -2,7 +2,9 @@
 //! weights, and a function that corrects joint values in place (mm, deg) and returns the share of
 //! the field: 1 where poses were measured, 0 beyond.
 
+use super::statement::not_to_be_loaded;
 use super::template::render;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_documents::{FieldDocument, FieldParameter};
 use minijinja::context;
@@ -36,12 +38,12 @@ struct Range {
     fade: f64,
 }
 
-/// Files of code for a field.
+/// Files of code for a field, with the reason for loading nothing of the run.
 ///
 /// # Errors
 ///
 /// Fails if a template is invalid.
-pub fn field_code(field: &FieldDocument) -> Result<Vec<(&'static str, Vec<u8>)>> {
+pub fn field_code(field: &FieldDocument, withheld: Option<&Phrase>) -> Result<Vec<(&'static str, Vec<u8>)>> {
     let index = |name: &String| field.joints.iter().position(|joint| joint == name).unwrap_or_default();
     let (mut centres, mut ranges) = (Vec::new(), Vec::new());
     for component in &field.components {
@@ -70,6 +72,7 @@ pub fn field_code(field: &FieldDocument) -> Result<Vec<(&'static str, Vec<u8>)>>
     let render = |(name, template): (&'static str, &str)| {
         let values = context! {
             version => field.provenance.version.as_str(),
+            withheld => withheld.map(not_to_be_loaded),
             synthetic => field.synthetic.as_deref().map(crate::synthetic_notice),
             sha256 => field.parameters_sha256.as_str(),
             joints => Serde(&field.joints),

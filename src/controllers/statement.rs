@@ -29,6 +29,11 @@ pub struct Statement {
     again: bool,
 }
 
+/// Line of a file that is written although the run loads no file.
+pub(crate) fn not_to_be_loaded(reason: &Phrase) -> String {
+    format!("NOT TO BE LOADED: {reason}")
+}
+
 impl Statement {
     /// Adds the reason for loading no file of the run.
     pub fn withheld(self, withheld: Option<Phrase>) -> Self {
@@ -88,7 +93,7 @@ impl Statement {
 
     /// Header line of a file that is written although the run loads no file.
     pub(crate) fn not_to_be_loaded(&self) -> Option<String> {
-        self.withheld.as_ref().map(|reason| format!("NOT TO BE LOADED: {reason}"))
+        self.withheld.as_ref().map(not_to_be_loaded)
     }
 
     /// Header lines.

@@ -65,7 +65,11 @@ fn known_values(robot: &dyn Robot, settings: &Settings, values: &[f64]) -> Vec<K
         let value = move |row: KnownResidual| KnownValue {
             name: match (&row.parameters[..], quantity) {
                 ([one], ErrorQuantity::Coordinate | ErrorQuantity::Distance) => parameter(one).to_owned(),
-                (elements, _) => elements.iter().map(element).collect::<Vec<_>>().join(" – "),
+                (elements, _) => {
+                    let named = elements.iter().map(element).collect::<Vec<_>>().join(" – ");
+                    let at = |[x, y, z]: Vector| format!(" at ({x:.3}, {y:.3}, {z:.3}) mm");
+                    row.place_mm.map_or(named.clone(), |place_mm| named + &at(place_mm))
+                }
             },
             quantity,
             stated_mm: row.stated_mm,

@@ -74,7 +74,7 @@ pub use import::*;
 pub use iso9283::*;
 pub use kinematics::*;
 pub use limits::*;
-pub use loading::{DisplayedPose, LOADING_RATIO, LoadAnswer, Loading, LoadingCheck};
+pub use loading::{DisplayedPose, InputsCheck, LOADING_RATIO, LoadAnswer, Loading, LoadingCheck};
 pub use manifest::*;
 pub use parameters::*;
 pub use plan::*;

@@ -243,15 +243,22 @@ impl LimitVerdict {
     /// Replaces the conformity, and with it the verdict.
     pub fn with(self, conformity: Conformity) -> Self {
         let met = conformity == Conformity::Conforming;
-        let acceptance = decision::Conformity::from(conformity).acceptance(self.is_within_guard_band()).into();
+        let acceptance = decision::Conformity::from(conformity).acceptance(self.is_reserved()).into();
         Self { conformity, met, acceptance, ..self }
     }
 
     /// `true` if the limit is less than an expanded uncertainty above the value, or the uncertainty
     /// is unknown.
-    fn is_within_guard_band(&self) -> bool {
+    pub fn is_within_guard_band(&self) -> bool {
         let within = |(value, u): (f64, f64)| value + u > self.limit;
         self.value.zip(self.expanded_uncertainty).is_none_or(within)
+    }
+
+    /// `true` if an accepted value has a reservation: it is within the guard band. Simple
+    /// acceptance has no guard band (ILAC-G8:09/2019, 4.2.1), but needs the uncertainty.
+    fn is_reserved(&self) -> bool {
+        let has_band = self.decision_rule != DecisionRule::SimpleAcceptance || self.expanded_uncertainty.is_none();
+        has_band && self.is_within_guard_band()
     }
 
     /// Probability that an accepted value is beyond the limit (specific risk of a false acceptance,
@@ -283,11 +290,13 @@ mod tests {
         let guarded = of(DecisionRule::default());
         assert_eq!((guarded.conformity, guarded.acceptance), (Conformity::Neither, Acceptance::Undecided));
         let simple = of(DecisionRule::SimpleAcceptance);
-        assert_eq!((simple.conformity, simple.acceptance), (Conformity::Conforming, Acceptance::Conditional));
+        assert_eq!((simple.conformity, simple.acceptance), (Conformity::Conforming, Acceptance::Pass));
+        // U is an eighth of the limit
+        assert_eq!(of(DecisionRule::SharedRisk).acceptance, Acceptance::Conditional);
         assert!((simple.margin.unwrap() - 0.001).abs() < 1e-12);
         // Φ(0.001/0.0075) = 0.553, by a table of the normal distribution
         assert!((simple.risk().unwrap() - 0.447).abs() < 5e-4, "{simple:?}");
-        let far = LimitVerdict { limit: 0.2, ..simple }.with(Conformity::Conforming);
+        let far = LimitVerdict { limit: 0.2, ..of(DecisionRule::SharedRisk) }.with(Conformity::Conforming);
         assert_eq!(far.acceptance, Acceptance::Pass);
     }
 

@@ -12,6 +12,7 @@ use etalon_base::pose::{Vector, minus, norm};
 use etalon_base::pose_name::PoseName;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Maximum permissible ratio: the error of a set of parameters at held-out poses over the smallest
 /// such error of any set.
@@ -82,6 +83,27 @@ pub struct LoadingCheck {
     /// explains; absent in output folders of earlier versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance_mm: Option<f64>,
+    /// Pose with the inputs of a reading, if the values of the file depend on inputs in addition to
+    /// joint values.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with_inputs: Option<InputsCheck>,
+}
+
+/// Pose with the values of a file and all inputs of a reading: software that ignores the inputs
+/// gives another pose.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InputsCheck {
+    /// Measured pose at which the inputs change the position most.
+    pub pose: PoseName,
+    /// Joint values (mm or deg), in the order of the joints of the check.
+    pub joint_values: Vec<f64>,
+    /// Inputs, named as columns: `load_kg`, `q2_direction`.
+    pub inputs: BTreeMap<String, f64>,
+    /// Pose with the values of the file.
+    pub after: DisplayedPose,
+    /// Distance (mm) from the pose without the inputs.
+    pub effect_mm: f64,
 }
 
 impl LoadingCheck {

@@ -371,13 +371,12 @@ pub struct ResidualSummary {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct KnownValue {
-    /// Two points, the parameter, or the surface.
+    /// Two points, the parameter, or a point of a surface.
     pub name: String,
     /// `distance`, `coordinate` or `surface`.
     #[schemars(with = "String")]
     pub quantity: ErrorQuantity,
-    /// Stated value (mm); absent for a fixed point that a station measured, or that is on a
-    /// surface.
+    /// Stated value (mm); absent for a point of a surface.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stated_mm: Option<f64>,
     /// Standard uncertainty (mm).

@@ -3,9 +3,11 @@
 use crate::run::documents::{Documents, PARAMETERS};
 use crate::run::output::Output;
 use crate::stages::evaluate::error_table;
+use etalon_base::catalogue::Phrase;
 use etalon_base::message::Result;
 use etalon_documents::{
-    AccuracyDocument, Characteristics, FieldDocument, IdentifiedDocuments, ParametersDocument, Results, VerdictDocument,
+    AccuracyDocument, ActionKind, Characteristics, FieldDocument, IdentifiedDocuments, Loading, ParametersDocument,
+    Results, VerdictDocument,
 };
 
 /// Adds the documents of the results to an output folder.
@@ -18,7 +20,10 @@ pub(super) fn write(results: &Results, out: &mut Output) -> Result<()> {
     out.json("features.json", &results.features)?;
     out.json("frames.json", &results.frames)?;
     if let Some(identified) = &results.identified {
-        write_identified(identified, out)?;
+        // programs may be corrected by the field, although no file is worth loading
+        let is_used = results.verdict.actions.iter().any(|a| a.action == ActionKind::Compensate);
+        let withheld = results.verdict.loading.as_ref().and_then(Loading::reason).filter(|_| !is_used);
+        write_identified(identified, withheld.as_ref(), out)?;
     }
     out.json("verdict.json", &results.verdict)?;
     out.optional("geometric.json", results.geometric.as_ref())?;
@@ -29,12 +34,12 @@ pub(super) fn write(results: &Results, out: &mut Output) -> Result<()> {
     out.optional("iso9283-compliance.json", compliance.as_ref())
 }
 
-/// Adds parameters, field and errors.
-fn write_identified(found: &IdentifiedDocuments, out: &mut Output) -> Result<()> {
+/// Adds parameters, field and errors; `withheld` is the reason for loading nothing.
+fn write_identified(found: &IdentifiedDocuments, withheld: Option<&Phrase>, out: &mut Output) -> Result<()> {
     out.json(PARAMETERS, &found.parameters)?;
     if let Some(field) = &found.field {
         out.json(FieldDocument::NAME, field)?;
-        for (name, bytes) in etalon_controllers::field_code(field)? {
+        for (name, bytes) in etalon_controllers::field_code(field, withheld)? {
             out.add_reserved(name, bytes);
         }
     }

@@ -84,7 +84,7 @@ fn an_exported_page_needs_no_server_and_a_pose_is_selected_everywhere() {
     browser.size(1280, 800);
     browser.open(&page);
     browser.wait("document.querySelector('.stage canvas').dataset.frames > 0");
-    assert_eq!(browser.evaluate("document.querySelector('.badge').className"), "badge conditional");
+    assert_eq!(browser.evaluate("document.querySelector('.badge').className"), "badge pass");
     let error = browser.evaluate("document.querySelector('.largest b').textContent");
     let error = error.as_str().unwrap();
     assert!(error.contains('±') && (error.contains("µm") || error.contains("mm")), "{error}");

@@ -94,7 +94,9 @@ fn parameters_of_one_instrument_are_judged_on_the_campaign_of_another() {
 #[test]
 fn answers_are_written_as_reports_in_every_language() {
     let folder = run("prexyt-cmm");
-    std::fs::write(folder.path().join("few.csv"), observations(&folder.path(), |_, _| {})).unwrap();
+    // measured anew: copies of readings verify nothing
+    let anew = observations(&folder.path(), |header, cells| add(header, cells, "x_mm", 1e-4));
+    std::fs::write(folder.path().join("few.csv"), anew).unwrap();
     let verify = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json"];
     let validate = ["validate", ".", "--parameters", "out/parameters.json"];
     let titles = [
@@ -318,10 +320,14 @@ fn a_verification_says_what_has_moved() {
         let arguments = ["verify", "few.csv", "--robot", "robot.toml", "--parameters", "out/parameters.json", "--json"];
         etalon(&folder.path(), &arguments)
     };
-    let valid = verify(&observations(&folder.path(), |_, _| {}));
+    // measured anew: copies of readings verify nothing
+    let valid = verify(&observations(&folder.path(), |header, cells| add(header, cells, "x_mm", 1e-4)));
     assert_eq!((code(&valid), json(&valid)["verdict"].as_str()), (Some(0), Some("valid")), "{}", text(&valid.stderr));
     // a column that nothing reads is named
-    let misspelt = observations(&folder.path(), |_, cells| cells.push("0.01".to_owned()));
+    let misspelt = observations(&folder.path(), |header, cells| {
+        add(header, cells, "x_mm", 1e-4);
+        cells.push("0.01".to_owned());
+    });
     let misspelt = verify(&misspelt.replacen('\n', ",uncertainty\n", 1));
     assert!(code(&misspelt) == Some(0) && text(&misspelt.stderr).is_empty(), "{}", text(&misspelt.stderr));
     let messages = json(&misspelt)["messages"].to_string();
@@ -379,11 +385,14 @@ fn a_verification_takes_orientations_in_the_table_of_the_campaign() {
         let rows: Vec<String> = rows.lines().step_by(2).take(15).map(row).collect();
         format!("{head}\n{}\n", rows.join("\n"))
     };
-    let valid = verify(&few(&|_| {}));
+    let q5 = table.split(',').position(|name| name == "q5_deg").unwrap();
+    let moved =
+        |by_deg: f64| verify(&few(&|cells| cells[q5] = (cells[q5].parse::<f64>().unwrap() + by_deg).to_string()));
+    // measured anew: copies of readings verify nothing
+    let valid = moved(1e-5);
     assert_eq!((code(&valid), json(&valid)["verdict"].as_str()), (Some(0), Some("valid")), "{}", text(&valid.stderr));
     // the wrist turns the probe, which the orientations show
-    let q5 = table.split(',').position(|name| name == "q5_deg").unwrap();
-    let slipped = verify(&few(&|cells| cells[q5] = (cells[q5].parse::<f64>().unwrap() + 0.3).to_string()));
+    let slipped = moved(0.3);
     let answer = json(&slipped);
     assert_eq!((code(&slipped), answer["verdict"].as_str()), (Some(1), Some("joint")), "{answer}");
     assert_eq!(answer["moved"]["name"], "q5", "{answer}");

@@ -228,7 +228,10 @@ fn reference_targets_carry_positions_back_and_must_be_there_from_the_first_cycle
     let answered = answer(&(nests(1) + &nests(3)));
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&answered.stdout).unwrap();
     assert!(document.poses[0].ap_mm.unwrap() < 1e-9 && document.poses[0].rp_mm.unwrap() < 1e-9);
-    assert_eq!(document.reference.iter().map(|e| (e.cycle, e.moved_mm)).collect::<Vec<_>>(), [(1, 0.0), (3, 0.5)]);
+    assert_eq!(
+        document.recorded.reference.iter().map(|e| (e.cycle, e.moved_mm)).collect::<Vec<_>>(),
+        [(1, 0.0), (3, 0.5)]
+    );
     for (rows, said) in [
         (nests(3), "error[cycle-before-reference-targets] cycle=1"),
         (nests(1) + &nests(3).replace("3,c,", "3,d,"), "error[reference-targets-differ]"),

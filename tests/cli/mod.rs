@@ -568,7 +568,7 @@ fn a_test_of_repeatability_runs_without_identifying_and_its_report_is_made_again
     assert!(std::fs::read(&report).unwrap() == first);
     let json = etalon(scratch.root(), &["run", "campaign", "--json"]);
     let document: etalon::documents::Iso9283Document = serde_json::from_slice(&json.stdout).unwrap();
-    assert_eq!((document.visits.len(), document.poses.len()), (240, 5));
+    assert_eq!((document.recorded.visits.len(), document.poses.len()), (240, 5));
 
     scratch.replace("campaign.toml", "repeatability_max_mm = 0.040", "repeatability_max_mm = 0.010");
     assert_eq!(etalon(scratch.root(), &["run", "campaign"]).status.code(), Some(1));

@@ -224,10 +224,11 @@ fn of_test(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
             let drifts = documents.read("iso9283.json")["drifts"].as_array()?.clone();
             drifts.iter().filter(|d| d["is_significant"] == true).map(|d| number(&d["pose"])).collect()
         }
-        () if starts("AP drifts by #") => {
+        () if starts("AP of pose # changes by #") => {
             let drifts = documents.read("iso9283.json")["drifts"].as_array()?.clone();
-            let largest = drifts.iter().map(|d| number(&d["dap_mm"])).fold(0.0, f64::max);
-            vec![largest, number(&poses()[0]["cycles"])]
+            let drift = drifts.iter().find(|d| s.numbers[0].is(number(&d["pose"])))?;
+            let sets = drift["ap_mm"].as_array()?.len() as f64;
+            vec![number(&drift["pose"]), number(&drift["dap_mm"]), sets]
         }
         () if starts("Measure with an expanded uncertainty of a position of at most #") => {
             let sizes =

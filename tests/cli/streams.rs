@@ -14,7 +14,7 @@ fn a_campaign_tells_what_its_recorded_motion_says_and_the_report_shows_it() {
     for part in ["\ncorner\n", "path: 300.0 mm, 10 passes\n", "path accuracy AT: ", "path repeatability RT: "] {
         assert!(shown.contains(part), "{part}: {shown}");
     }
-    assert!(rows(&shown).iter().any(|row| row.starts_with("1 2 10 223.607 1.81")), "posing time: {shown}");
+    assert!(rows(&shown).iter().any(|row| row.starts_with("1 2 10 223.607 299.7 1.81")), "posing time: {shown}");
     let document: Iso9283StreamsDocument = scratch.document("iso9283-streams.json");
     let stream = &document.streams[0].stream;
     let path = stream.path.as_ref().unwrap();

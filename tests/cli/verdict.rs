@@ -27,14 +27,15 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         ("10", String::new(), 0, "pass", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
         ("90", String::new(), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
         ("90", rule("guarded"), 1, "undecided", "guarded acceptance (ILAC-G8:09/2019, 4.2.3)"),
-        ("90", rule("simple-acceptance"), 0, "conditional", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
+        ("90", rule("simple-acceptance"), 0, "pass", "simple acceptance (ILAC-G8:09/2019, 4.2.1)"),
         ("90", rule("shared-risk"), 1, "undecided", "shared risk (JCGM 106:2012, 8.2.1)"),
     ] {
         let (scratch, ended, shown) = ran(um, &rule);
         assert_eq!(ended, Some(code), "{um} {rule}\n{shown}");
         let sentence = shown.lines().find(|line| line.starts_with("Largest position error at")).unwrap();
         assert!(sentence.contains(&format!("limit 44 µm: {verdict}")), "{um} {rule}: {sentence}");
-        assert_eq!(sentence.has_phrase("limit-margin"), verdict == "conditional", "{sentence}");
+        // the risk of simple acceptance is stated
+        assert_eq!(sentence.has_phrase("limit-margin"), rule.contains("simple"), "{sentence}");
         let accuracy: AccuracyDocument = scratch.document("accuracy.json");
         let limit = &accuracy.limits[0];
         let u = limit.expanded_uncertainty.unwrap();
@@ -46,8 +47,7 @@ fn a_worse_instrument_changes_the_statement_of_conformity() {
         let of_coordinate = 1e-3 * um.parse::<f64>().unwrap();
         assert!((0.7 * of_coordinate..1.5 * of_coordinate).contains(&u), "{um}: {u}");
         let judged: VerdictDocument = scratch.document("verdict.json");
-        let expected = [("pass", Acceptance::Pass), ("conditional", Acceptance::Conditional)];
-        let expected = expected.iter().find(|e| e.0 == verdict).map_or(Acceptance::Undecided, |e| e.1);
+        let expected = if verdict == "pass" { Acceptance::Pass } else { Acceptance::Undecided };
         assert_eq!((judged.verdict, i32::from(judged.exit_code)), (Some(expected), code), "{um} {rule}");
         assert!(shown.contains(&format!("Decision rule: {named}.")), "{shown}");
         let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
@@ -124,16 +124,18 @@ fn preconditions_of_iso_9283_are_reservations_of_the_verdict() {
     assert!(verdict.reasons.contains(&coarse) && verdict.reasons.contains(&Reason::NoWarmUp), "{verdict:?}");
     assert!(verdict.reasons.iter().any(|r| matches!(r, Reason::DriftNotSettled { .. })), "{verdict:?}");
     let shown = text(&run.stdout);
-    assert!(shown.contains("Verdict: conditional pass.") && shown.contains("Reservations: "), "{shown}");
+    assert!(shown.contains("Verdict: pass with reservations.") && shown.contains("Reservations: "), "{shown}");
     let html = std::fs::read_to_string(scratch.path().join("out/report.html")).unwrap();
-    assert!(html.contains("<div class=\"box warning\"><p><strong class=\"head\">Verdict: conditional pass."));
+    assert!(html.contains("<div class=\"box warning\"><p><strong class=\"head\">Verdict: pass with reservations."));
     // warmed up, with an instrument ten times as good, and drift of no interest
     scratch.replace("campaign.toml", "warm_up_minutes = 0", "warm_up_minutes = 60");
     scratch.replace("campaign.toml", "expanded_uncertainty_um = 10", "expanded_uncertainty_um = 1");
     scratch.replace("campaign.toml", "drift_set = 5 ", "# drift_set = 5");
     let run = etalon(scratch.root(), &["run", "campaign"]);
     let verdict: VerdictDocument = scratch.document("verdict.json");
-    assert_eq!((run.status.code(), verdict.verdict), (Some(0), Some(Acceptance::Pass)), "{verdict:?}");
+    // that positions drift is then a warning alone
+    let open = Reason::OpenWarnings { ids: vec!["positions-drift".to_owned()] };
+    assert_eq!((run.status.code(), &verdict.reasons[..]), (Some(0), &[open][..]), "{verdict:?}");
 }
 
 /// Twelve parameters of a hexapod are taken up by base and targets, and many are weak: two remarks, of which one is routine.

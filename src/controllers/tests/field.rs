@@ -99,7 +99,7 @@ fn the_code_of_a_field_is_its_definition() {
     let mut noise = Noise::new(45, 3);
     let field = drawn(&mut noise);
     let folder = tempfile::tempdir().unwrap();
-    for (name, bytes) in field_code(&field).unwrap() {
+    for (name, bytes) in field_code(&field, None).unwrap() {
         std::fs::write(folder.path().join(name), bytes).unwrap();
     }
     // in the range, in its border, and beyond
@@ -145,7 +145,7 @@ fn code_of_a_synthetic_field_says_so() {
     let measured = drawn(&mut Noise::new(45, 3));
     let synthetic = FieldDocument { synthetic: Some("drawn */ *) \nwith seed 7".to_owned()), ..measured.clone() };
     for (field, expected) in [(measured, 0), (synthetic, 1)] {
-        for (name, bytes) in field_code(&field).unwrap() {
+        for (name, bytes) in field_code(&field, None).unwrap() {
             let text = String::from_utf8(bytes).unwrap();
             let head: String = text.lines().take(4).collect();
             assert_eq!(

@@ -58,17 +58,25 @@ pub struct Iso9283Document {
     /// Characteristics of the whole robot.
     #[serde(flatten)]
     pub robot: Iso9283Robot,
-    /// All visits of a campaign; visits of one pose are in the order of recording.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub visits: Vec<Iso9283Visit>,
+    /// Visits, and measurements of the reference targets.
+    #[serde(flatten)]
+    pub recorded: Iso9283Recorded,
     /// Limits that the campaign contains.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitVerdict>,
+    /// Remarks and warnings.
+    pub messages: Vec<Message>,
+}
+
+/// Visits of a test, and measurements of its reference targets.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Iso9283Recorded {
+    /// All visits of a campaign; visits of one pose are in the order of recording.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub visits: Vec<Iso9283Visit>,
     /// Measurements of the reference targets for drift compensation, if any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub reference: Vec<Iso9283Epoch>,
-    /// Remarks and warnings.
-    pub messages: Vec<Message>,
 }
 
 /// Characteristics of the whole robot, not of a pose.
@@ -132,9 +140,8 @@ impl Iso9283Document {
                 coplanarity_mm: flatness(test)?,
                 ..Iso9283Robot::default()
             },
-            visits: Vec::new(),
+            recorded: Iso9283Recorded::default(),
             limits: Vec::new(),
-            reference: Vec::new(),
             messages: [placed, messages(test, &poses)]
                 .into_iter()
                 .flatten()
@@ -160,7 +167,6 @@ impl Iso9283Document {
             approach_phrases: BTreeMap::new(),
             drifts: Vec::new(),
             robot: Iso9283Robot { exchangeability_mm: None, coplanarity_mm: None, ..self.robot },
-            reference: Vec::new(),
             ..self
         }
     }

@@ -35,7 +35,7 @@ const NEIGHBOURS: f64 = 1.1;
 const LARGE: f64 = 8.0;
 /// Minimum share of the residual sum of squares that is worth a decision.
 const LEAST_SHARE: f64 = 0.05;
-/// The same share of a zero of a joint, whose errors in the model are alike at many poses.
+/// Minimum share of another zero of a joint, whose errors in the model are alike at many poses.
 const LEAST_SHARE_OF_ZERO: f64 = 0.3;
 /// Maximum residual sum of squares that another change leaves, relative to the best one, if it
 /// explains the measurements as well.
@@ -348,7 +348,7 @@ impl<'a> Linear<'a> {
     }
 
     /// Warning about the best of all changes, with the changes that explain the measurements as
-    /// well. Of these, a motion of base, measuring system or target is more usual than another zero.
+    /// well. A motion of base, measuring system or target is more usual than another zero.
     fn message(&self, best: &Found, all: &[Found]) -> Message {
         let is_alike = |other: &&Found| 1.0 - other.share <= ALIKE * (1.0 - best.share);
         let alike: Vec<&Found> = all.iter().filter(is_alike).collect();

@@ -33,7 +33,7 @@ impl<'a> Approaches<'a> {
 
 /// Visits of a pose.
 pub(crate) fn pose_visits(document: &Iso9283Document, pose: PoseName) -> impl Iterator<Item = &Iso9283Visit> {
-    document.visits.iter().filter(move |v| v.pose == pose)
+    document.recorded.visits.iter().filter(move |v| v.pose == pose)
 }
 
 /// Commanded position of a pose relative to the mean of its visits (µm); `None` without one.
@@ -154,7 +154,7 @@ mod tests {
         let all_but = |unknown| tr!(words, "visits-from-one-pose", visits = 30, unknown);
         let found = captions(&document);
         assert!(found[0] == all_but(1) && found[found.len() - 1] == all_but(0), "{found:?}");
-        document.visits.iter_mut().for_each(|v| v.approach = None);
+        document.recorded.visits.iter_mut().for_each(|v| v.approach = None);
         assert_eq!(captions(&document)[0], tr!(words, "visits-from-unknown-poses", visits = 30));
     }
 }

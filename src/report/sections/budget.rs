@@ -64,7 +64,12 @@ pub(super) fn left_out(results: &Results, words: &Words) -> String {
     let is_measured = !has(&Source::KnownPoints)
         || [Source::Instrument, Source::SingleCoordinates, Source::Residuals].iter().any(has);
     let scale = is_measured.then(|| (Source::Scale, phrase!("left-out-scale")));
-    let common = scale.into_iter().chain([(Source::Temperature, phrase!("left-out-temperature"))]);
+    // effects of the temperature on the robot are identified
+    let expansion = match identified.parameters.reference_temperature_c {
+        Some(_) => phrase!("left-out-temperature-of-part"),
+        None => phrase!("left-out-temperature"),
+    };
+    let common = scale.into_iter().chain([(Source::Temperature, expansion)]);
     let mut missing: Vec<String> = common.filter(|(source, _)| !has(source)).map(|(_, what)| words.tr(&what)).collect();
     if !has(&Source::Frame) {
         let unknown = results.features.features.iter().filter(|f| f.standard_uncertainty_mm.is_none());

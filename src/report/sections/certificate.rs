@@ -219,7 +219,9 @@ fn verdict_sentences(results: &Results, sentences: Vec<String>, words: &Words) -
         None => said,
     };
     let computed = results.identified.is_some().then(|| computed(results, words));
-    sentences.into_iter().map(state).chain(computed).collect()
+    // files that are not to be loaded are not listed
+    let beyond = super::verdict::files_beyond_limits(results, words);
+    sentences.into_iter().filter(|said| beyond.as_ref() != Some(said)).map(state).chain(computed).collect()
 }
 
 /// All controller files with their checksums.

@@ -9,7 +9,7 @@ use crate::model::{Block, Cell, Section};
 use crate::number::{self, DisplayUnit};
 use crate::words::{Words, tr};
 use etalon_documents::{
-    AccuracySet, CampaignSummary, DecisionRule, ErrorQuantity, Iso9283Document, PoseSet, QuantityResiduals,
+    AccuracySet, CampaignSummary, Conditions, DecisionRule, ErrorQuantity, Iso9283Document, PoseSet, QuantityResiduals,
     ReadingQuantity, ReadingValues, Results,
 };
 
@@ -44,6 +44,11 @@ fn stated(all: Vec<(String, Option<String>)>, words: &Words) -> Vec<(String, Cel
     all.into_iter().map(|(what, text)| (what, text.or_else(|| Some(tr!(words, "not-stated"))).into())).collect()
 }
 
+/// Place of measurements without another one: `place` is for measurements outside the laboratory.
+fn in_laboratory(given: &Conditions, words: &Words) -> Option<String> {
+    given.laboratory.as_ref().map(|_| tr!(words, "in-the-laboratory"))
+}
+
 /// Identification of report, customer and item (ISO/IEC 17025:2017, 7.8.2.1).
 fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
     let (c, given, issue) = (&results.campaign, &results.campaign.conditions, &results.campaign.issue);
@@ -53,7 +58,7 @@ fn identity(results: &Results, words: &Words) -> Vec<(String, Cell)> {
         (tr!(words, "report-number"), issue.number.clone()),
         (tr!(words, "amends-report"), Some(issue.amends.clone().unwrap_or_else(|| tr!(words, "none")))),
         (tr!(words, "laboratory"), given.laboratory.clone()),
-        (tr!(words, "measurement-place"), given.place.clone()),
+        (tr!(words, "measurement-place"), given.place.clone().or_else(|| in_laboratory(given, words))),
         (tr!(words, "customer"), issue.customer.clone()),
         (tr!(words, "robot"), robot_name(results)),
         (tr!(words, "manufacturer"), given.robot.maker.clone()),

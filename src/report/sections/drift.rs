@@ -23,11 +23,11 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.figures(accuracy);
     let figures = repeatability.into_iter().collect();
     section.push(Block::Aside { title: tr!(words, "rp-by-set"), blocks: vec![Block::Figures { figures }] });
-    if !document.reference.is_empty() {
-        section.blocks.extend(corrected(&document.reference, words).map(Block::text));
+    if !document.recorded.reference.is_empty() {
+        section.blocks.extend(corrected(&document.recorded.reference, words).map(Block::text));
         let note = tr!(words, "definition-target-displacement");
-        let mut blocks = vec![Block::note(note), Block::Table(reference(&document.reference, words))];
-        let figures: Vec<Figure> = moved(&document.reference, words).into_iter().collect();
+        let mut blocks = vec![Block::note(note), Block::Table(reference(&document.recorded.reference, words))];
+        let figures: Vec<Figure> = moved(&document.recorded.reference, words).into_iter().collect();
         blocks.push(Block::Figures { figures });
         section.push(Block::Aside { title: tr!(words, "movement-of-the-set-up"), blocks });
     }
@@ -134,6 +134,6 @@ mod tests {
         let expected = tr!(words, "set-up-corrected", moved = "19.0 µm", steps = 2, left = "1.90 µm");
         assert!(text.contains(&expected), "{text}");
         // a single measurement corrects nothing
-        assert_eq!(corrected(&tested.poses.unwrap().reference[..1], &words), None);
+        assert_eq!(corrected(&tested.poses.unwrap().recorded.reference[..1], &words), None);
     }
 }

@@ -28,10 +28,8 @@ pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section
     section.blocks.extend(unknown_approaches(document, words));
     let rule = quarter_rule(&poses, words);
     if !rule.is_empty() {
-        section.push(Block::heading(tr!(words, "instrument-good-enough")));
-        section.push(Block::strong(quarter_sentence(document, words)));
-        let note = tr!(words, "definition-quarter-rule");
-        section.table("", note, rule);
+        // the verdict has the sentence
+        section.table(tr!(words, "instrument-good-enough"), tr!(words, "definition-quarter-rule"), rule);
     }
     let all = Table::new(words, &poses, columns(words).in_workbook()).on(phrase!("sheet-iso9283-poses"));
     section.push(Block::Table(all.without_empty_columns()));
@@ -451,7 +449,7 @@ fn attained(document: &Iso9283Document, words: &Words) -> Table {
         .sheet(phrase!("cycle"), "", |v| v.cycle)
         .sheet(phrase!("approached"), "", |v| v.approach.as_deref())
         .sheet_xyz(["x", "y", "z"], "mm", |v| &v.attained_mm);
-    Table::new(words, &document.visits, columns).on(phrase!("sheet-iso9283-visits"))
+    Table::new(words, &document.recorded.visits, columns).on(phrase!("sheet-iso9283-visits"))
 }
 
 #[cfg(test)]
@@ -504,7 +502,7 @@ mod tests {
         };
         let expected = tr!(words, "approaches-unknown", count = 1, pose = 1, cycles = "1");
         assert!(text(&document).contains(&expected), "{}", text(&document));
-        document.visits[0].approach = Some("from pose 2".to_owned());
+        document.recorded.visits[0].approach = Some("from pose 2".to_owned());
         assert_eq!(text(&document), "[]");
     }
 }

@@ -10,7 +10,7 @@ use etalon_documents::{Characteristics, Iso9283Document};
 use std::collections::BTreeMap;
 
 pub(super) fn section(tested: &Characteristics, words: &Words) -> Option<Section> {
-    let document = tested.poses.as_ref().filter(|document| !document.visits.is_empty())?;
+    let document = tested.poses.as_ref().filter(|document| !document.recorded.visits.is_empty())?;
     let mut section = Section::new("poses", tr!(words, "poses-title"));
     section.table("", places_note(document, words), places(document, words).detail());
     section.figures(cube::picture(document, words));
@@ -28,7 +28,7 @@ fn places_note(document: &Iso9283Document, words: &Words) -> String {
 /// Positions of the poses: means of the attained positions.
 fn places(document: &Iso9283Document, words: &Words) -> Table {
     let mut by_pose: BTreeMap<PoseName, Vec<Vector>> = BTreeMap::new();
-    for visit in &document.visits {
+    for visit in &document.recorded.visits {
         by_pose.entry(visit.pose).or_default().push(visit.attained_mm);
     }
     let rows: Vec<(PoseName, usize, Vector)> =

@@ -193,7 +193,7 @@ fn file_sentence(file: &WrittenFile, values: &ControllerFiles, words: &Words) ->
 }
 
 /// Controller files with whose values a limit is not met, other than the file of the verdict.
-fn files_beyond_limits(results: &Results, words: &Words) -> Option<String> {
+pub(super) fn files_beyond_limits(results: &Results, words: &Words) -> Option<String> {
     let judged = results.judged_file().map(|(_, values)| &values.formats);
     let others = results.controllers.iter().flat_map(|c| &c.files).filter(|values| Some(&values.formats) != judged);
     let beyond = others.filter(|values| values.limits.iter().any(|l| !l.acceptance.is_accepted()));
@@ -237,7 +237,8 @@ fn limited(l: &LimitVerdict, set: &AccuracySet, words: &Words) -> Option<String>
         limit = allowed,
         verdict = judged
     );
-    let reservation = (l.acceptance == Acceptance::Conditional).then(|| margin(l, factor, unit, words));
+    let is_near = l.acceptance.is_accepted() && l.is_within_guard_band();
+    let reservation = is_near.then(|| margin(l, factor, unit, words));
     Some(reservation.map_or_else(|| format!("{sentence}."), |more| format!("{sentence}, {more}.")))
 }
 
@@ -611,11 +612,11 @@ mod tests {
             DecisionRule::SimpleAcceptance,
         );
         documents.accuracy.limits[0] = simple;
-        let conditional = report_verdict(&documents);
-        assert_eq!((conditional.class, conditional.met), (Grade::Conditional, true));
+        let simple = report_verdict(&documents);
+        assert_eq!((simple.class, simple.met), (Grade::Good, true));
         // Φ(0.0058/0.019) = 0.62
         let margin = tr!(words, "limit-margin", margin = "0.0058", unit = "mm", risk = "38");
-        assert!(conditional.sentences[1].ends_with(&format!("{margin}.")), "{conditional:?}");
+        assert!(simple.sentences[1].ends_with(&format!("{margin}.")), "{simple:?}");
         documents.accuracy.limits[0] =
             LimitVerdict::not_assessable(LimitQuantity::DistanceMaxMm, 0.05, DecisionRule::Guarded);
         let open = report_verdict(&documents);

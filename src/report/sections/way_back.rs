@@ -1,10 +1,12 @@
 //! Test of a loaded controller file at one pose, and the way back to the file before.
 
 use crate::model::{Block, Columns, Section, Table, Text, fixed};
+use crate::number::{self, derived};
 use crate::words::{Words, tr};
 use etalon_base::phrase;
 use etalon_documents::{
-    DisplayedPose, FileInput, LoadingCheck, ReadingQuantity, Results, RobotLinks, Source, SourceKind, WrittenFile,
+    DisplayedPose, FileInput, InputsCheck, LoadingCheck, ReadingQuantity, Results, RobotLinks, Source, SourceKind,
+    WrittenFile,
 };
 
 /// Decimals of positions (mm).
@@ -96,6 +98,19 @@ fn neutral(input: &FileInput, words: &Words) -> String {
     format!("{} {value} {}", words.tr(&input.quantity.phrase()), input.quantity.unit())
 }
 
+/// Sentence on the pose with all inputs of a reading.
+fn evaluated(check: &LoadingCheck, found: &InputsCheck, words: &Words) -> String {
+    let decimals = LoadingCheck::JOINT_DECIMALS;
+    let shown = |value: f64, decimals: usize| words.decimal(format!("{value:.decimals$}"));
+    let joints = check.joints.iter().zip(&found.joint_values);
+    let joints: Vec<String> = joints.map(|(name, value)| format!("{name} = {}", shown(*value, decimals))).collect();
+    let inputs = found.inputs.iter().map(|(name, value)| format!("{name} = {}", words.decimal(derived(*value))));
+    let [x, y, z] = found.after.xyz_mm.map(|v| shown(v, DECIMALS));
+    let inputs = inputs.collect::<Vec<_>>().join("; ");
+    let effect = number::fixed(found.effect_mm, 2);
+    tr!(words, "way-back-evaluated", pose = found.pose, joints = joints.join("; "), inputs, x, y, z, effect)
+}
+
 /// Adds the pose on the display before and after loading.
 fn at_pose(section: &mut Section, shown: Shown, words: &Words) {
     let Shown { check, file, links } = shown;
@@ -128,6 +143,9 @@ fn at_pose(section: &mut Section, shown: Shown, words: &Words) {
     inputs.dedup();
     if !inputs.is_empty() {
         section.push(Block::text(tr!(words, "way-back-inputs", inputs = inputs.join(", "))));
+    }
+    if let Some(found) = &check.with_inputs {
+        section.push(Block::text(evaluated(check, found, words)));
     }
     if !check.mastered_joint_values.is_empty() {
         let joints = listed(&check.mastered_joint_values);

@@ -11,8 +11,8 @@ use etalon_base::message::AnsweredBy;
 use etalon_base::{phrase, warning};
 use etalon_documents::{
     Acceptance, Action, ActionKind, ControllerErrors, ControllerFiles, ControllersDocument, DecisionRule,
-    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, FileInput, Iso9283Drift, LeftOutErrors,
-    LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck, PoseSet, ReadingQuantity, Reason, RobotLinks,
+    DisplayedPose, Effect, EffectProof, FieldHeldOut, FieldSummary, FileInput, InputsCheck, Iso9283Drift,
+    LeftOutErrors, LimitQuantity, LimitVerdict, LoadAnswer, LoadingCheck, PoseSet, ReadingQuantity, Reason, RobotLinks,
     RobustParameter, RobustPose, RobustSummary, Source, SourceKind, Statistics, VerdictDocument, WrittenFile,
 };
 
@@ -447,6 +447,13 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
         after: DisplayedPose { xyz_mm: [1.25, 2.0, 3.0], quaternion: [1.0, 0.0, 0.0, 0.0] },
         mastered_joint_values: vec![12.625],
         tolerance_mm: Some(0.04),
+        with_inputs: Some(InputsCheck {
+            pose: 8.into(),
+            joint_values: vec![-33.25],
+            inputs: [("load_kg".to_owned(), 3.0)].into(),
+            after: DisplayedPose { xyz_mm: [4.125, 2.0, 3.0], quaternion: [1.0, 0.0, 0.0, 0.0] },
+            effect_mm: 0.375,
+        }),
     });
     let results = results.judged();
     assert_eq!((results.verdict.exit_code, results.verdict.limits[0].value), (0, Some(0.08)));
@@ -464,6 +471,8 @@ fn a_file_within_its_limit_is_loaded_with_its_own_errors() {
     };
     // the display changes by 0.25 mm
     holds(&results, &["before.ini", "zeros.ini", "q1_deg = 12.500", "q1_deg = 12.625", "1.250", "1.000", "0.04 mm"]);
+    // software that ignores the load fails the second test
+    holds(&results, &["pose 8", "load_kg = 3", "q1_deg = -33.250", "4.125", "0.38 mm"]);
     // a change within the rounding of the display is tested by a measurement
     let mut coarse = results.clone();
     coarse.campaign.controller_files[0].check.as_mut().unwrap().tolerance_mm = Some(0.2);

@@ -49,7 +49,7 @@ pub(crate) fn whole() -> Characteristics {
     }];
     poses.robot.exchangeability_mm = Some(0.0321);
     let epoch = |cycle, moved_mm| Iso9283Epoch { cycle, moved_mm, rms_mm: 0.1 * moved_mm };
-    poses.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
+    poses.recorded.reference = vec![epoch(1, 0.0), epoch(11, 0.012), epoch(21, 0.019)];
     let limit = |name, limit, value, conformity| {
         LimitVerdict::judge(name, limit, value, Some(0.0053), DecisionRule::Guarded).with(conformity)
     };
@@ -141,9 +141,8 @@ pub(crate) fn iso9283() -> Iso9283Document {
             .collect(),
         drifts: vec![],
         robot: Default::default(),
-        visits,
+        recorded: Iso9283Recorded { visits, ..Iso9283Recorded::default() },
         limits: vec![],
-        reference: vec![],
         messages: vec![],
     }
 }

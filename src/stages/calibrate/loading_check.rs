@@ -3,10 +3,13 @@
 use crate::stages::calibrate::identification::IdentifiedSolution;
 use etalon_base::pose::{Pose, minus, norm};
 use etalon_base::pose_name::PoseName;
-use etalon_documents::{DisplayedPose, FileInput, LoadingCheck, PoseSet, ReadingQuantity};
+use etalon_documents::{DisplayedPose, FileInput, InputsCheck, LoadingCheck, PoseSet, ReadingQuantity};
 use etalon_formats::table::ASSEMBLY;
 use etalon_formats::tables::joints::stated_columns;
 use etalon_robots::{Circumstance, Kinematics, Parameter, Robot, Role};
+
+/// Smallest change (mm) of a position that a display shows.
+const SHOWN_MM: f64 = 0.01;
 
 /// Pose of a link by values of the parameters and of the joints.
 type Display<'a> = Box<dyn Fn(&[f64], &[f64]) -> Option<Pose> + 'a>;
@@ -34,6 +37,7 @@ pub fn loading_check(robot: &dyn Robot, solution: &IdentifiedSolution, values: &
     let mastered = robot.kinematics().and_then(|arm| mastered(arm, [&nominal[..], values], joints));
     let mastered = mastered.map_or_else(Vec::new, |shifted| named(robot, &shifted).map(|(_, value)| value).collect());
     let (joints, joint_values) = named(robot, joints).unzip();
+    let with_inputs = with_inputs(robot, solution, &|state| (display.pose)(values, state));
     let (before, after, link) = (displayed(&before), displayed(&after), display.link.clone());
     Some(LoadingCheck {
         pose,
@@ -44,7 +48,31 @@ pub fn loading_check(robot: &dyn Robot, solution: &IdentifiedSolution, values: &
         after,
         mastered_joint_values: mastered,
         tolerance_mm,
+        with_inputs,
     })
+}
+
+/// Pose at the measured pose where the inputs in addition to joint values change the position most;
+/// `None` if they change no position by more than the display shows.
+fn with_inputs(
+    robot: &dyn Robot,
+    solution: &IdentifiedSolution,
+    pose_at: &dyn Fn(&[f64]) -> Option<Pose>,
+) -> Option<InputsCheck> {
+    let count = robot.joints().len() + usize::from(robot.has_assembly_modes());
+    let known = measured(solution).filter(|(_, state)| state.len() > count && state.iter().all(|v| v.is_finite()));
+    let changed = known.filter_map(|(pose, state)| {
+        let [at, alone] = [pose_at(state)?, pose_at(&state[..count])?];
+        Some((pose, state, at, norm(minus(at.translation_mm, alone.translation_mm))))
+    });
+    let (pose, state, at, effect_mm) = changed.max_by(|a, b| a.3.total_cmp(&b.3))?;
+    if effect_mm < SHOWN_MM {
+        return None;
+    }
+    let directions = robot.approached().iter().map(|&joint| robot.joints()[joint].direction_column());
+    let inputs = directions.chain(stated_columns(robot)).zip(state[count..].iter().copied()).collect();
+    let joint_values = named(robot, state).map(|(_, value)| value).collect();
+    Some(InputsCheck { pose, joint_values, inputs, after: displayed(&at), effect_mm })
 }
 
 /// Poses of a robot in its base frame: of its flange, tool link or platform, or of the link at the

@@ -150,7 +150,7 @@ fn evaluate_prepared(
         ..settings
     })?;
     document.agree(phrase!("convention-tables", k = COVERAGE_FACTOR));
-    document.visits = attained.visits();
+    document.recorded.visits = attained.visits();
     Ok(document)
 }
 

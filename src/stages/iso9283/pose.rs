@@ -149,7 +149,7 @@ impl PreparedTest {
             };
             document.agree(convention);
         }
-        document.reference.clone_from(&drift.epochs);
+        document.recorded.reference.clone_from(&drift.epochs);
         let epochs = drift.epochs.iter();
         document.messages.extend(epochs.filter_map(|e| misshapen(e, settings.expanded_uncertainty_mm?)));
         Ok(document)

@@ -48,7 +48,7 @@ pub fn evaluate(
         document.robot.homing = homing;
     }
     document.robot.coplanarity_of_four = out_of_plane(campaign, definition, &gathered.in_order)?;
-    document.visits = gathered.in_order;
+    document.recorded.visits = gathered.in_order;
     Ok(document)
 }
 

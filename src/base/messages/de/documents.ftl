@@ -313,7 +313,7 @@ action-state-limits-reason = ohne Grenzwerte gibt es keine Bewertung
 action-state-limits-to-accept = nur Grenzwerte zeigen, ob die Genauigkeit für die Anwendung ausreicht
 action-warm-up = den Roboter vor der Prüfung warmfahren und `warm_up_minutes` angeben
 action-warm-up-cold = der Roboter wurde kalt geprüft
-action-warm-up-drift = AP von Pose { $pose } ändert sich vom ersten bis zum letzten von { $sets } Sätzen von Zyklen um { $change }; eine Stabilisierung ist nicht nachgewiesen
+action-warm-up-drift = AP von Pose { $pose } ändert sich vom ersten bis zum letzten von { $sets } Sätzen von Zyklen um { $change }, und eine Stabilisierung ist nicht nachgewiesen
 
 field-of-other-robot = das Residuenfeld gehört zu einem anderen Roboter: `{ $name }`
     .hint = die field.json des Laufs verwenden, der diesen Roboter identifiziert hat

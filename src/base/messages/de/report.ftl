@@ -219,7 +219,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } Warnungen schränken das Ergebnis ein
     }
 certificate-coverage = U: erweiterte Messunsicherheit, Erweiterungsfaktor k = 2, Überdeckungswahrscheinlichkeit etwa 95 % bei Normalverteilung.
-certificate-computed = „Nachher“ ist mit den identifizierten Parametern aus den aufgezeichneten Gelenkwerten berechnet; der Roboter wurde nicht mit einer geladenen Datei gemessen. „Vorher“ ist mit Nennparametern berechnet, mit angepasster Basis und angepassten Zielmarken.
+certificate-computed = „Nachher“ ist mit den identifizierten Parametern aus den Gelenkwerten der Kampagne berechnet; der Roboter wurde nicht mit einer geladenen Datei gemessen. „Vorher“ ist mit den Nennparametern des Roboters berechnet; Basis, Zielmarken und Vorrichtungen sind angepasst, soweit die Kampagne sie freilässt.
 certificate-controller-before = Die Steuerung hatte die Werte von `{ $file }` (SHA-256 { $sha256 }), die von den Nennwerten abweichen können.
 certificate-controller-unknown = Die Werte in der Steuerung sind nicht angegeben und können von den Nennwerten abweichen.
 certificate-held = Die Werte gelten gemeinsam. U setzt voraus, dass die festgehaltenen Werte exakt sind. Ein einzelner Wert ist kein Maß eines Teils des Roboters.
@@ -739,6 +739,7 @@ instrument-good-for-none = Die Messunsicherheit übersteigt an jeder Pose 25 % 
         [repeatability] RP: RP enthält
        *[accuracy] AP oder RP; wo sie 25 % von RP übersteigt, enthält RP
     } viel Rauschen des Messgeräts.
+in-the-laboratory = im Laboratorium
 instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von { $tested ->
         [repeatability] RP
        *[accuracy] AP oder RP
@@ -746,6 +747,7 @@ instrument-good-for-some = Die Messunsicherheit übersteigt 25 % von { $tested 
 left-out-feature = Geometrieelement `{ $feature }`, ohne redundanten Punkt gemessen
 left-out-scale = Maßstab des Messsystems (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = Wärmedehnung von Roboter und Teil ([expansion])
+left-out-temperature-of-part = Wärmedehnung des Bezugs der Koordinaten ([expansion])
 moved-base = Basis
 orientations-without-quarter-rule = Die Messunsicherheit der Orientierungen wird nicht ausgewertet.
 instrument-uncertainty = Unsicherheit des Messgeräts
@@ -976,7 +978,7 @@ not-run = nicht gerechnet
 not-stated = nicht angegeben
 nothing-to-load = { $answer ->
         [keep_nominal] die identifizierten Parameter sind nicht deutlich besser als die Nennparameter
-        [identify_further] zuerst müssen weitere Effekte identifiziert werden
+        [identify_further] mit weiteren Effekten sind die Fehler an zurückgehaltenen Posen um mehr als 5 % kleiner
        *[resolve] nach der Bewertung darf keine Datei geladen werden
     }
 not-stated-items = Nicht angegeben, neben den vor der Unterschrift zu ergänzenden Feldern: { $items }.
@@ -1223,7 +1225,7 @@ report-element = Element
 report-homing = Referenzfahrt
 report-number = Nummer des Berichts
 report-poses = Posen
-reservation-drift = AP änderte sich vom ersten bis zum letzten Satz um bis zu { $change } µm; eine Stabilisierung ist nicht nachgewiesen an { $count ->
+reservation-drift = AP änderte sich vom ersten bis zum letzten Satz um bis zu { $change } µm, und eine Stabilisierung ist nicht nachgewiesen an { $count ->
         [one] Pose { $poses }
        *[other] den Posen { $poses }
     } (ISO 9283, 7.6)
@@ -1463,7 +1465,7 @@ show-more = Mehr anzeigen
 signatures = Unterschriften
 significant-changes = Signifikant: { $campaigns }.
 simple-acceptance = einfache Annahme (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = bestanden, wenn Wert + U den Grenzwert einhält; bedingt bestanden, wenn nur der Wert ihn einhält
+simple-acceptance-explained = bestanden, wenn der Wert den Grenzwert einhält; das Risiko einer falschen Annahme ist geteilt und für jeden Grenzwert angegeben
 simulated-calibration-note = Synthetische Daten: normalverteiltes Rauschen von { $noise } µm auf jeder Koordinate; Mittel aus { $identifications } Identifikationen. Parameter und Bilder zeigen eines dieser Mittel. Abweichungen über der Anzahl der Positionen sind Mediane aus { $medians }. Die Abweichungen beziehen sich auf { $point }, ausgewertet über { $configurations } Konfigurationen.
 simulated-calibration-title = Simulierte Kalibrierung
 single-balls = Einzelne Kugeln, wiederholt gemessen
@@ -1612,7 +1614,7 @@ uncertainties = Unsicherheiten
 uncertainties-enlarged-by = Vergrößerungsfaktor der Unsicherheiten
 uncertainties-of-robot = Unsicherheiten des Roboters { $robot }
 uncertainty-by-default-tolerances = Für diese gilt die voreingestellte Toleranz des Programms, multipliziert mit { $factor }, dem Faktor, der am besten zu den Daten passt.
-uncertainty-by-tolerances = Werte, deren Unsicherheit überwiegend aus der Toleranz des Nennwerts stammt ({ $count }): { $names }. Davon ohne angegebene Toleranz: { $default }.
+uncertainty-by-tolerances = Werte, deren verbleibende Unsicherheit vor allem aus Toleranzen von Nennwerten stammt, eigenen oder anderen ({ $count }): { $names }. Darunter Vorgaben des Modells: { $default }.
 uncertainty-budget = Messunsicherheitsbudget
 uncertainty-for-outliers = ± { $uncertainty } µm je Koordinate ({ $factor } Standardabweichungen), unabhängig für jede Beobachtung
 uncertainty-inflation = das { $factor }-Fache des Werts aus { $beside ->
@@ -1662,7 +1664,7 @@ files-beyond-limits = { $files } nicht laden: mit den Werten { $count ->
        *[other] dieser Dateien
     } ist ein Grenzwert nicht eingehalten.
 given-not-loaded = Die gegebenen Parameter nicht laden. Sind sie geladen, die vorherige Datei der Steuerung wiederherstellen.
-verdict-conditional = Bewertung: bedingt bestanden.
+verdict-conditional = Bewertung: bestanden mit Vorbehalten.
 verdict-fail = Bewertung: nicht bestanden.
 verdict-is-of-file = Diese Abweichungen gelten für `{ $file }`{ $count ->
         [0] {""}
@@ -1716,6 +1718,7 @@ warnings-and-remarks = Warnungen und Bemerkungen
 way-back-after = nach dem Laden
 way-back-before = vor dem Laden
 way-back-display = angezeigte Pose
+way-back-evaluated = Mit den Eingaben von Pose { $pose } ({ $inputs }) und ihren Gelenkwerten ({ $joints }) ergibt die Datei x = { $x }, y = { $y }, z = { $z } mm. Software, die die Eingaben nicht auswertet, weicht dort um { $effect } mm ab.
 way-back-file = Datei vor dem Laden
 way-back-base-moves = Gelenke bewegen das Glied `{ $base }`; deshalb zeigt keine Steuerung diese Posen an. Software, die die Kette berechnet, liefert sie, zum Beispiel `etalon kinematics direct`.
 way-back-links = Basiskoordinatensystem: Glied `{ $base }`. Flansch: Glied `{ $link }`.

@@ -457,7 +457,7 @@ action-state-limits-reason = a verdict needs limits
 action-state-limits-to-accept = only limits show whether the accuracy suffices for the application
 action-warm-up = warm the robot up before the test, and set `warm_up_minutes`
 action-warm-up-cold = the robot was tested cold
-action-warm-up-drift = AP of pose { $pose } changes by { $change } from the first to the last of { $sets } sets of cycles; stabilisation is not shown
+action-warm-up-drift = AP of pose { $pose } changes by { $change } from the first to the last of { $sets } sets of cycles, and stabilisation is not shown
 
 # Means: The residual field refers to a joint, parameter or model that the robot does not have.
 # Matters: A residual field describes a single robot.

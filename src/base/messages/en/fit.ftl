@@ -228,7 +228,7 @@ weights-unusable = the { $weights } weights of the { $element } cannot be used f
     .hint = set the weight of each point to 1/u²; omit a point instead of giving it the weight zero
 
 # Means: The number of points equals the number of parameters of the element.
-# Matters: All residuals are zero, so there is no uncertainty.
+# Matters: Without residuals, only the stated uncertainty of the points shows its uncertainty.
 # Do: Measure at least one more point; ten to twenty are usual.
 # Example: three points of a plane
 element-without-redundancy = the { $element } has no redundant point: residuals are zero and its uncertainty is unknown

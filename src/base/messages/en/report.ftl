@@ -210,7 +210,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } warnings limit the answer
     }
 certificate-coverage = U: expanded uncertainty, coverage factor k = 2, coverage probability about 95 % for a normal distribution.
-certificate-computed = “After” is computed with the identified parameters from the recorded joint values; the robot was not measured with a file loaded. “Before” is computed with nominal parameters, and fitted base and targets.
+certificate-computed = “After” is computed with the identified parameters from the joint values of the campaign; the robot was not measured with a file loaded. “Before” is computed with the nominal parameters of the robot; base, targets and fixtures are fitted as far as the campaign leaves them free.
 certificate-controller-before = The controller had the values of `{ $file }` (SHA-256 { $sha256 }), which may differ from the nominal ones.
 certificate-controller-unknown = The values in the controller are not given, and may differ from the nominal ones.
 certificate-held = The values apply as one set. U assumes that the held values are exact. A single value is not the dimension of a part of the robot.
@@ -709,6 +709,7 @@ instrument-good-for-none = Measurement uncertainty exceeds 25 % of { $tested ->
         [repeatability] RP at every pose: RP contains
        *[accuracy] AP or RP at every pose: where it exceeds 25 % of RP, RP contains
     } much noise of the instrument.
+in-the-laboratory = in the laboratory
 instrument-good-for-some = Measurement uncertainty exceeds 25 % of { $tested ->
         [repeatability] RP
        *[accuracy] AP or RP
@@ -716,6 +717,7 @@ instrument-good-for-some = Measurement uncertainty exceeds 25 % of { $tested ->
 left-out-feature = feature `{ $feature }`, measured without a redundant point
 left-out-scale = scale of the measuring system (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = thermal expansion of robot and part ([expansion])
+left-out-temperature-of-part = thermal expansion of the reference of the coordinates ([expansion])
 moved-base = base
 orientations-without-quarter-rule = The measurement uncertainty of orientations is not evaluated.
 instrument-uncertainty = instrument's uncertainty
@@ -940,7 +942,7 @@ not-run = not run
 not-stated = not stated
 nothing-to-load = { $answer ->
         [keep_nominal] the identified parameters are not clearly better than the nominal ones
-        [identify_further] further effects must be identified first
+        [identify_further] with further effects, errors at held-out poses are more than 5 % smaller
        *[resolve] the verdict allows no file to be loaded
     }
 not-stated-items = Not stated, besides the fields to complete before signing: { $items }.
@@ -1172,7 +1174,7 @@ report-element = element
 report-homing = homing
 report-number = report number
 report-poses = poses
-reservation-drift = AP changed by up to { $change } µm from the first to the last set; stabilisation is not shown at { $count ->
+reservation-drift = AP changed by up to { $change } µm from the first to the last set, and stabilisation is not shown at { $count ->
         [one] pose { $poses }
        *[other] poses { $poses }
     } (ISO 9283, 7.6)
@@ -1397,7 +1399,7 @@ show-more = Show more
 signatures = Signatures
 significant-changes = Significant: { $campaigns }.
 simple-acceptance = simple acceptance (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = pass if value + U is within the limit; conditional pass if only the value is within the limit
+simple-acceptance-explained = pass if the value is within the limit; the risk of a false acceptance is shared, and given for each limit
 simulated-calibration-note = Synthetic: Gaussian noise of { $noise } µm on each coordinate; mean of { $identifications } identifications. Parameters and figures show one of these means. Errors by number of positions are medians of { $medians }. Errors refer to { $point }, evaluated over { $configurations } configurations.
 simulated-calibration-title = Simulated calibration
 single-balls = Single balls, measured repeatedly
@@ -1546,7 +1548,7 @@ uncertainties = uncertainties
 uncertainties-enlarged-by = uncertainty inflation factor
 uncertainties-of-robot = Uncertainties of robot { $robot }
 uncertainty-by-default-tolerances = For these, the program uses its default tolerance, multiplied by { $factor }, the factor that agrees best with the data.
-uncertainty-by-tolerances = Values whose uncertainty rests mostly on the tolerance of the nominal value ({ $count }): { $names }. Tolerances among them that nobody gave: { $default }.
+uncertainty-by-tolerances = Values whose remaining uncertainty comes mostly from tolerances of nominal values, their own or others ({ $count }): { $names }. Tolerances among them that are defaults of the model: { $default }.
 uncertainty-budget = Uncertainty budget
 uncertainty-for-outliers = ± { $uncertainty } µm per coordinate ({ $factor } standard deviations), independent for each observation
 uncertainty-inflation = { $factor } × the value from { $beside ->
@@ -1596,7 +1598,7 @@ files-beyond-limits = Do not load { $files }: with the values of { $count ->
        *[other] these files
     }, a limit is not met.
 given-not-loaded = Do not load the given parameters. If they are loaded, restore the previous file of the controller.
-verdict-conditional = Verdict: conditional pass.
+verdict-conditional = Verdict: pass with reservations.
 verdict-fail = Verdict: fail.
 verdict-is-of-file = These errors apply to `{ $file }`{ $count ->
         [0] {""}
@@ -1650,6 +1652,7 @@ warnings-and-remarks = Warnings and remarks
 way-back-after = after loading
 way-back-before = before loading
 way-back-display = pose on the display
+way-back-evaluated = With the inputs of pose { $pose } ({ $inputs }) and its joint values ({ $joints }), the file gives x = { $x }, y = { $y }, z = { $z } mm. Software that ignores the inputs is off by { $effect } mm there.
 way-back-file = file before loading
 way-back-base-moves = Joints move link `{ $base }`, so no controller displays these poses. Software that computes the chain gives them, for example `etalon kinematics direct`.
 way-back-links = Base frame: link `{ $base }`. Flange: link `{ $link }`.

@@ -1626,7 +1626,7 @@ calibration-without-residuals = the calibration does not determine the standard 
 
 # Means: An effect that was not identified could reduce the error at held-out calibration poses
 # significantly.
-# Matters: The robot has this effect. With it, the parameters describe the robot better.
+# Matters: Errors of the robot by this effect are part of the residuals.
 # Do: Add the line to robot.toml, or the effect to `effects` in [identify].
 # Example: a geared arm with eccentric gears, but only its geometry was identified
 effect-would-prove = significant effect: { $effect }{ $count ->

@@ -307,7 +307,7 @@ action-state-limits-reason = sans limites, il n’y a pas de verdict
 action-state-limits-to-accept = seules des limites montrent si l’exactitude suffit à l’application
 action-warm-up = mettre le robot en température avant l’essai, et indiquer `warm_up_minutes`
 action-warm-up-cold = le robot a été essayé à froid
-action-warm-up-drift = AP de la pose { $pose } varie de { $change } de la première à la dernière de { $sets } séries de cycles ; la stabilisation n’est pas démontrée
+action-warm-up-drift = AP de la pose { $pose } varie de { $change } de la première à la dernière de { $sets } séries de cycles, et la stabilisation n’est pas démontrée
 
 field-of-other-robot = le champ résiduel est celui d’un autre robot : `{ $name }`
     .hint = utiliser le field.json de l’exécution qui a identifié ce robot

@@ -222,7 +222,7 @@ cell-verdict-warnings = { $count ->
        *[other] { $count } avertissements limitent le résultat
     }
 certificate-coverage = U : incertitude élargie, facteur d’élargissement k = 2, probabilité de couverture d’environ 95 % pour une loi normale.
-certificate-computed = « Après » est calculé avec les paramètres identifiés d’après les valeurs articulaires enregistrées ; le robot n’a pas été mesuré avec un fichier chargé. « Avant » est calculé avec les paramètres nominaux, base et cibles ajustées.
+certificate-computed = « Après » est calculé avec les paramètres identifiés d’après les valeurs articulaires de la campagne ; le robot n’a pas été mesuré avec un fichier chargé. « Avant » est calculé avec les paramètres nominaux du robot ; base, cibles et montages sont ajustés dans la mesure où la campagne les laisse libres.
 certificate-controller-before = Le contrôleur avait les valeurs de `{ $file }` (SHA-256 { $sha256 }), qui peuvent différer des valeurs nominales.
 certificate-controller-unknown = Les valeurs dans le contrôleur ne sont pas indiquées et peuvent différer des valeurs nominales.
 certificate-held = Les valeurs s’appliquent ensemble. U suppose que les valeurs fixées sont exactes. Une valeur seule n’est pas la cote d’une pièce du robot.
@@ -742,6 +742,7 @@ instrument-good-for-none = L’incertitude de mesure dépasse 25 % { $tested -
         [repeatability] de RP à toutes les poses : RP contient
        *[accuracy] de AP ou de RP à toutes les poses ; là où elle dépasse 25 % de RP, RP contient
     } beaucoup de bruit de l’instrument.
+in-the-laboratory = au laboratoire
 instrument-good-for-some = L’incertitude de mesure dépasse 25 % { $tested ->
         [repeatability] de RP
        *[accuracy] de AP ou de RP
@@ -749,6 +750,7 @@ instrument-good-for-some = L’incertitude de mesure dépasse 25 % { $tested -
 left-out-feature = élément géométrique `{ $feature }`, mesuré sans point redondant
 left-out-scale = échelle du système de mesure (`expanded_scale_uncertainty_um_per_m`)
 left-out-temperature = dilatation thermique du robot et de la pièce ([expansion])
+left-out-temperature-of-part = dilatation thermique de la référence des coordonnées ([expansion])
 moved-base = base
 orientations-without-quarter-rule = L’incertitude de mesure des orientations n’est pas évaluée.
 instrument-uncertainty = incertitude de l’instrument
@@ -979,7 +981,7 @@ not-run = non calculée
 not-stated = non indiqué
 nothing-to-load = { $answer ->
         [keep_nominal] les paramètres identifiés ne sont pas nettement meilleurs que les paramètres nominaux
-        [identify_further] d’autres effets doivent d’abord être identifiés
+        [identify_further] avec d’autres effets, les erreurs aux poses mises de côté sont plus petites de plus de 5 %
        *[resolve] le verdict ne permet de charger aucun fichier
     }
 not-stated-items = Non indiqué, outre les champs à compléter avant signature : { $items }.
@@ -1229,7 +1231,7 @@ report-element = élément
 report-homing = prise d’origine
 report-number = numéro du rapport
 report-poses = poses
-reservation-drift = AP a varié de { $change } µm au plus de la première à la dernière série ; sa stabilisation n’est pas démontrée { $count ->
+reservation-drift = AP a varié de { $change } µm au plus de la première à la dernière série, et sa stabilisation n’est pas démontrée { $count ->
         [one] à la pose { $poses }
        *[other] aux poses { $poses }
     } (ISO 9283, 7.6)
@@ -1469,7 +1471,7 @@ show-more = Afficher plus
 signatures = Signatures
 significant-changes = Significatif : { $campaigns }.
 simple-acceptance = acceptation simple (ILAC-G8:09/2019, 4.2.1)
-simple-acceptance-explained = conforme si valeur + U respecte la limite ; conforme sous réserve si seule la valeur la respecte
+simple-acceptance-explained = conforme si la valeur respecte la limite ; le risque d’acceptation à tort est partagé et indiqué pour chaque limite
 simulated-calibration-note = Données synthétiques : bruit gaussien de { $noise } µm sur chaque coordonnée ; moyenne de { $identifications } identifications. Les paramètres et les figures montrent l’une de ces moyennes. Les erreurs en fonction du nombre de positions sont des médianes de { $medians }. Les erreurs se rapportent à { $point } et sont évaluées sur { $configurations } configurations.
 simulated-calibration-title = Étalonnage simulé
 single-balls = Billes isolées, mesurées plusieurs fois
@@ -1618,7 +1620,7 @@ uncertainties = incertitudes
 uncertainties-enlarged-by = facteur de majoration des incertitudes
 uncertainties-of-robot = Incertitudes du robot { $robot }
 uncertainty-by-default-tolerances = Pour celles-ci, le programme prend sa tolérance par défaut, multipliée par { $factor }, le facteur le plus compatible avec les données.
-uncertainty-by-tolerances = Valeurs dont l’incertitude provient surtout de la tolérance de la valeur nominale ({ $count }) : { $names }. Parmi elles, tolérances non indiquées : { $default }.
+uncertainty-by-tolerances = Valeurs dont l’incertitude restante provient surtout des tolérances de valeurs nominales, les leurs ou d’autres ({ $count }) : { $names }. Parmi ces tolérances, valeurs par défaut du modèle : { $default }.
 uncertainty-budget = Bilan d’incertitude
 uncertainty-for-outliers = ± { $uncertainty } µm par coordonnée ({ $factor } écarts-types), indépendante pour chaque observation
 uncertainty-inflation = { $factor } fois la valeur due { $beside ->
@@ -1668,7 +1670,7 @@ files-beyond-limits = Ne pas charger { $files } : avec les valeurs de { $count -
        *[other] ces fichiers
     }, une limite n’est pas respectée.
 given-not-loaded = Ne pas charger les paramètres donnés. S’ils sont chargés, rétablir le fichier précédent du contrôleur.
-verdict-conditional = Verdict : conforme sous réserve.
+verdict-conditional = Verdict : conforme avec réserves.
 verdict-fail = Verdict : non conforme.
 verdict-is-of-file = Ces erreurs sont celles de `{ $file }`{ $count ->
         [0] {""}
@@ -1722,6 +1724,7 @@ warnings-and-remarks = Avertissements et remarques
 way-back-after = après chargement
 way-back-before = avant chargement
 way-back-display = pose affichée
+way-back-evaluated = Avec les entrées de la pose { $pose } ({ $inputs }) et ses valeurs articulaires ({ $joints }), le fichier donne x = { $x }, y = { $y }, z = { $z } mm. Un logiciel qui ignore les entrées s’en écarte de { $effect } mm.
 way-back-file = fichier avant chargement
 way-back-base-moves = Des articulations déplacent le segment `{ $base }` : aucun contrôleur n’affiche ces poses. Un logiciel qui calcule la chaîne les donne, par exemple `etalon kinematics direct`.
 way-back-links = Référentiel de la base : segment `{ $base }`. Bride : segment `{ $link }`.

@@ -65,8 +65,10 @@ pub enum Known {
 pub struct KnownResidual {
     /// Parameters that the value concerns: of two points, the first coordinates.
     pub parameters: Vec<usize>,
-    /// Stated value; `None` if a station measured the point, or if it touches a surface.
+    /// Stated value; `None` for a point of a surface.
     pub stated_mm: Option<f64>,
+    /// Position (mm) of a point of a surface.
+    pub place_mm: Option<Vector>,
     /// Standard uncertainty.
     pub standard_uncertainty_mm: f64,
     /// Identified minus stated value.
@@ -85,8 +87,12 @@ impl Known {
         }
     }
 
-    /// Stated values with their residuals at all parameters, a row each.
+    /// Stated values with their residuals at all parameters, a row each; none for a point that a
+    /// station measured.
     pub fn stated(&self, values: &[f64]) -> Vec<KnownResidual> {
+        if matches!(self, Self::Seen { .. }) {
+            return Vec::new();
+        }
         let (standard_uncertainty_mm, mut left) = (self.standard_uncertainty_mm(), vec![0.0; self.rows()]);
         self.residuals(values, &mut left);
         let row = |(row, left): (usize, f64)| {
@@ -98,7 +104,8 @@ impl Known {
                 Self::Length { parameter, length_mm, .. } => (vec![parameter], Some(length_mm)),
             };
             let residual_mm = left * standard_uncertainty_mm;
-            KnownResidual { parameters, stated_mm, standard_uncertainty_mm, residual_mm }
+            let place_mm = if let Self::On { place_mm, .. } = *self { Some(place_mm) } else { None };
+            KnownResidual { parameters, stated_mm, place_mm, standard_uncertainty_mm, residual_mm }
         };
         left.into_iter().enumerate().map(row).collect()
     }
