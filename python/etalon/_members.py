@@ -1188,6 +1188,7 @@ MEMBERS: dict[str, dict[str, tuple[str, Any]]] = {
     },
     "KnownValue": {
         "name": ("", ""),
+        "place_mm": ("", None),
         "quantity": ("", ""),
         "residual_mm": ("", None),
         "standard_uncertainty_mm": ("", None),

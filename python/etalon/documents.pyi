@@ -1878,7 +1878,9 @@ class KinematicsEntry(Record):
 class KnownValue(Record):
     """Known length or position that counts like a measured value."""
     name: str
-    """Two points, the parameter, or a point of a surface."""
+    """Two points, the parameter, or the surface."""
+    place_mm: NDArray[np.float64] | None
+    """Position (mm) of a point of a surface."""
     quantity: str
     """`distance`, `coordinate` or `surface`."""
     residual_mm: float

@@ -65,12 +65,9 @@ fn known_values(robot: &dyn Robot, settings: &Settings, values: &[f64]) -> Vec<K
         let value = move |row: KnownResidual| KnownValue {
             name: match (&row.parameters[..], quantity) {
                 ([one], ErrorQuantity::Coordinate | ErrorQuantity::Distance) => parameter(one).to_owned(),
-                (elements, _) => {
-                    let named = elements.iter().map(element).collect::<Vec<_>>().join(" – ");
-                    let at = |[x, y, z]: Vector| format!(" at ({x:.3}, {y:.3}, {z:.3}) mm");
-                    row.place_mm.map_or(named.clone(), |place_mm| named + &at(place_mm))
-                }
+                (elements, _) => elements.iter().map(element).collect::<Vec<_>>().join(" – "),
             },
+            place_mm: row.place_mm,
             quantity,
             stated_mm: row.stated_mm,
             standard_uncertainty_mm: row.standard_uncertainty_mm,
@@ -98,6 +95,7 @@ fn part_distances(robot: &dyn Robot, part: &RigidPart, values: &[f64]) -> Vec<Kn
         let stated_mm = norm(minus(to.1, from.1));
         KnownValue {
             name: format!("{} – {}", from.0, to.0),
+            place_mm: None,
             quantity: ErrorQuantity::Distance,
             stated_mm: Some(stated_mm),
             standard_uncertainty_mm: 2f64.sqrt() * part.standard_uncertainty_mm,

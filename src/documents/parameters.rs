@@ -8,6 +8,7 @@ use crate::worded::worded;
 use etalon_base::catalogue::Phrase;
 use etalon_base::message::Message;
 use etalon_base::phrase;
+use etalon_base::pose::Vector;
 use etalon_base::pose_name::PoseName;
 use etalon_base::sketch::Sketch;
 use etalon_base::worded::Worded;
@@ -371,8 +372,11 @@ pub struct ResidualSummary {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct KnownValue {
-    /// Two points, the parameter, or a point of a surface.
+    /// Two points, the parameter, or the surface.
     pub name: String,
+    /// Position (mm) of a point of a surface.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place_mm: Option<Vector>,
     /// `distance`, `coordinate` or `surface`.
     #[schemars(with = "String")]
     pub quantity: ErrorQuantity,

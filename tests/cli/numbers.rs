@@ -257,6 +257,30 @@ fn of_test(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     })
 }
 
+/// What the numbers of a sentence on visits, reference targets and recordings must be.
+fn of_recorded(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
+    let starts = |text: &str| s.template.starts_with(text);
+    let largest = |key: &str| -> Option<[f64; 2]> {
+        let all = documents.read("iso9283.json")["reference"].as_array()?.clone();
+        let size = all.iter().map(|epoch| number(&epoch[key])).fold(0.0, f64::max);
+        Some([all.len() as f64 - 1.0, size])
+    };
+    Some(match () {
+        () if starts("The set-up moved by up to #") => vec![largest("moved_mm")?[1]],
+        () if starts("Positions were corrected in # steps") => largest("rms_mm")?.to_vec(),
+        () if starts("Pose #: no recorded pose precedes one visit") => {
+            let visits = documents.read("iso9283.json")["visits"].as_array()?.clone();
+            let is_first = |v: &&Value| v["approach"].is_null() && s.numbers[0].is(number(&v["pose"]));
+            let first = visits.iter().find(is_first)?;
+            vec![number(&first["pose"]), number(&first["cycle"])]
+        }
+        () if starts("The recording begins at pose #") => {
+            vec![number(&documents.read("iso9283-streams.json")["streams"][0]["stream"]["standstills"][0]["pose"])]
+        }
+        _ => return None,
+    })
+}
+
 /// Numbers of a sentence about residuals.
 fn of_residuals(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     let residuals = &documents.read("parameters.json")["residuals"];
@@ -280,8 +304,8 @@ fn of_residuals(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
 fn expected(s: &Sentence, documents: &Documents) -> Option<Vec<f64>> {
     let accuracy = documents.read("accuracy.json");
     let starts = |text: &str| s.template.starts_with(text);
-    if let Some(found) = of_error(s, documents).or_else(|| of_test(s, documents)).or_else(|| of_residuals(s, documents))
-    {
+    let found = of_error(s, documents).or_else(|| of_test(s, documents)).or_else(|| of_recorded(s, documents));
+    if let Some(found) = found.or_else(|| of_residuals(s, documents)) {
         return Some(found);
     }
     Some(match () {

@@ -9,6 +9,7 @@ use crate::plots::{points, residuals as plots, singular};
 use crate::words::{Words, tr};
 use etalon_base::catalogue::Phrase;
 use etalon_base::phrase;
+use etalon_base::pose::Vector;
 use etalon_documents::{
     KnownValue, ObservabilitySummary, ParametersDocument, QuantityResiduals, ResidualKind, ResidualSummary, Results,
     SeriesScatter, SingularValueEntry, UncertaintyFrom,
@@ -133,6 +134,10 @@ fn known(all: &[KnownValue], words: &Words) -> Table {
     let columns = Columns::<KnownValue>::new()
         .both(phrase!("name"), "", |k| Text::name(&k.name))
         .both(phrase!("quantity"), "", |k| term(words, k.quantity.phrase()))
+        .both(phrase!("position"), "mm", |k| {
+            let listed = |at: Vector| at.map(|v| words.fixed(v, 3)).join("; ");
+            k.place_mm.map(|at| numbers(listed(at)))
+        })
         .both(phrase!("head-stated-value"), "mm", |k| with_uncertainty(k.stated_mm, Some(k.standard_uncertainty_mm)))
         .both("U (k = 2)", "mm", |k| micrometres(2.0 * k.standard_uncertainty_mm))
         .in_unit("µm")
