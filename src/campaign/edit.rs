@@ -32,7 +32,7 @@ pub(crate) fn without_line(text: &str, value: Range<usize>) -> Option<String> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let mut from = text.get(..value.start)?.matches('\n').count();
     let mut to = from + 1;
-    let (key, _) = lines.get(from)?.split_once('=')?;
+    let key = text.get(..value.start)?.rsplit('\n').next()?;
     if text.get(value)?.contains('\n') || key.contains(['{', ',']) {
         return None;
     }

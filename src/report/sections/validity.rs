@@ -335,7 +335,7 @@ mod tests {
         // without positions there are no residuals of positions
         assert!(!sections.contains(&tr!(words, "position-residuals-rms")), "{sections}");
         let copy = still_valid(&verified(false, &[], 24, Vec::new()), &words);
-        assert!(copy.met && copy.class == Grade::Conditional && copy.steps.len() == 1);
+        assert!(!copy.met && copy.class == Grade::Open && copy.steps.len() == 1);
         let valid = still_valid(&verified(false, &[], 0, Vec::new()), &words);
         assert!(valid.met && valid.class == Grade::Good && valid.steps.len() == 1);
     }
