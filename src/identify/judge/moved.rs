@@ -298,7 +298,7 @@ impl<'a> Linear<'a> {
             }
         }
         let Step { explained, at, change, inverse, absorbed } = best?;
-        // a zero that drifts is no other zero from one pose on
+        // a drift of the zero explains more than a step does
         if matches!(part, Part::Zero(_)) && self.explained_by_drift(&rows) >= explained {
             return None;
         }
